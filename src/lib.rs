@@ -1,0 +1,4 @@
+//! sinew: an interactive stroke-based fibre editor for soft solids.
+
+pub mod scene;
+pub mod sketch;

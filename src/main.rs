@@ -1,0 +1,3 @@
+//! The `sinew` binary: arguments in, a headless command or the window out.
+
+fn main() {}

@@ -1,0 +1,140 @@
+//! Fibres: strokes or vertices, stiffness, rest shape.
+
+use super::Extra;
+use crate::sketch::View;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// One fibre embedded in a body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Fibre {
+    /// Stable identifier, unique within the body.
+    pub id: String,
+    /// Name a person reads.
+    #[serde(default)]
+    pub name: String,
+    /// Where it runs, in the model frame.
+    pub source: FibreSource,
+    /// How it resists stretching and bending.
+    pub stiffness: Stiffness,
+    /// Share `l_f` of the material that is fibre at its centre line, 0 to 1.
+    #[serde(default = "default_volume_fraction")]
+    pub volume_fraction: f64,
+    /// The shape in which it carries no bending energy.
+    #[serde(default)]
+    pub rest_shape: RestShape,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// Where a fibre runs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FibreSource {
+    /// Drawn as one stroke in each of two orthogonal views; the raw strokes are the source of truth.
+    Strokes(StrokePair),
+    /// Vertices in the model frame [m], used as they are.
+    Vertices(Vec<[f64; 3]>),
+}
+
+/// One stroke in each of two orthogonal views.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StrokePair {
+    /// The stroke that was drawn first.
+    pub first: ViewStroke,
+    /// The stroke that was drawn second, in another view.
+    pub second: ViewStroke,
+    /// Run the second stroke backwards.
+    #[serde(default)]
+    pub flip_second: bool,
+    /// What to do where the strokes cover different ranges of their shared axis.
+    #[serde(default)]
+    pub mismatch: Mismatch,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// A stroke as it was drawn in one view.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ViewStroke {
+    /// View in which it was drawn: front shows X and Y, side Z and Y, top X and Z.
+    pub view: View,
+    /// Points as drawn, [horizontal, vertical] in the view's plane [m].
+    pub points: Vec<[f64; 2]>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// What to do where two strokes cover different ranges of their shared axis (5 to 25 % of the larger range).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Mismatch {
+    /// Cut both to the range that they share.
+    #[default]
+    Clip,
+    /// Stretch the second onto the range of the first.
+    Stretch,
+}
+
+/// Resistance of a fibre.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Stiffness {
+    /// The rod's own rigidities.
+    Rigidity(Rigidity),
+    /// The fibre paper's Table 1 figures.
+    Paper(PaperStiffness),
+}
+
+/// Rigidities of a rod.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Rigidity {
+    /// Axial rigidity EA [N].
+    pub ea: f64,
+    /// Bending stiffness EI [N m²].
+    pub ei: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// Table 1's stiffnesses, read as EA = 2 Ks N and EI = Kb V / 2 with V the volume of a particle: the only reading
+/// that reproduces figures 6 and 7 of the paper.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PaperStiffness {
+    /// Bending stiffness Kb as printed in Table 1.
+    pub kb: f64,
+    /// Stretching stiffness Ks as printed in Table 1.
+    pub ks: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl Stiffness {
+    /// Axial rigidity EA [N] and bending stiffness EI [N m²], given the volume of a material particle [m³].
+    pub fn rigidity(&self, particle_volume: f64) -> (f64, f64) {
+        match self {
+            Self::Rigidity(rigidity) => (rigidity.ea, rigidity.ei),
+            Self::Paper(paper) => (2.0 * paper.ks, 0.5 * paper.kb * particle_volume),
+        }
+    }
+}
+
+/// The shape in which a fibre carries no bending energy.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum RestShape {
+    /// Straight: a fibre drawn curved pulls the solid straight.
+    Straight,
+    /// As it was drawn: nothing moves by itself.
+    #[default]
+    AsDrawn,
+}
+
+fn default_volume_fraction() -> f64 {
+    0.25
+}

@@ -1,0 +1,115 @@
+//! Measures: signed numbers read off the motion.
+
+use super::{Axis, Extra};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A quantity read off one body each frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Measure {
+    /// Name in reports and series, unique among the measures.
+    pub name: String,
+    /// Body that is measured.
+    pub body: String,
+    /// What is measured, and where.
+    pub kind: MeasureKind,
+    /// Which of the values over time a report gives.
+    #[serde(default)]
+    pub over_time: OverTime,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// What is measured.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MeasureKind {
+    /// Mean displacement of a region from where it started [mm], a vector.
+    MeanDisplacement(OfRegion),
+    /// Largest distance of any particle of a region from where it started [mm].
+    TipDisplacement(OfRegion),
+    /// Relative shortening between the centres of two regions along an axis [fraction]; negative when it grows.
+    HeightLoss(Extent),
+    /// Turn of one region against another about an axis [degrees], right-handed.
+    Twist(Turned),
+    /// Displacement of one region against another, across the line between them at the start [mm], a vector.
+    Shear(Between),
+    /// Force with which the body pushes on the pins of a region, along a direction [N].
+    ReactionForce(Reaction),
+    /// Torque with which the body turns the pins of a region, about a direction through the region's centre [N m].
+    ReactionTorque(Reaction),
+}
+
+/// A region.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OfRegion {
+    /// Region of the body.
+    pub region: String,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// One region against another.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Between {
+    /// Region that moves.
+    pub region: String,
+    /// Region against which it is measured.
+    pub against: String,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// One region against another along an axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Extent {
+    /// Region at one end.
+    pub region: String,
+    /// Region at the other end.
+    pub against: String,
+    /// World axis along which the distance is taken.
+    pub axis: Axis,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// One region against another about an axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Turned {
+    /// Region that turns.
+    pub region: String,
+    /// Region against which the turn is measured.
+    pub against: String,
+    /// Axis of the turn, of any length but zero, world axes.
+    pub axis: [f64; 3],
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// Reaction of a held region.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Reaction {
+    /// Region that is held by a pin.
+    pub region: String,
+    /// Direction of any length but zero, world axes.
+    pub along: [f64; 3],
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// Which of the values over time a report gives.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OverTime {
+    /// The last one.
+    #[default]
+    Final,
+    /// The one of greatest magnitude, with its sign.
+    Peak,
+}

@@ -1,0 +1,114 @@
+//! The document: what a person makes, saves and undoes. Data and validation only; nothing here simulates.
+//!
+//! Every length is in metres, mass in kilograms, time in seconds, force in newtons; angles are in degrees because
+//! people type them. The frame is right-handed with Y up. Bodies are described in their own rest frame (the *model
+//! frame*, in which fibres, regions and strokes live) and put into the world by a [`Placement`].
+//!
+//! Each struct keeps the JSON fields it does not know in `extra`, so that a scene written by a newer program
+//! survives loading and saving here.
+
+mod body;
+mod fibre;
+mod measure;
+mod support;
+mod validate;
+mod world;
+
+pub use body::{
+    Body, BodyKind, BoxShape, Damping, Falloff, Impulse, Initial, IntegratorKind, Mass, Material, Placement, Region,
+    Rotation, Selector, Shape,
+};
+pub use fibre::{Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke};
+pub use measure::{Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
+pub use support::{Axis, Distance, Easing, Keyframe, Motion, Pin, Ramp, Side, Turn};
+pub use validate::SceneError;
+pub use world::{Automatic, HeightKey, Manual, Panel, PanelMotion, Room, Time, TimeStep};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// Version of the scene format that this program reads and writes.
+pub const SCENE_VERSION: u32 = 1;
+
+/// More particles than this are refused (with the memory they would take) instead of exhausting the machine.
+pub const MAX_PARTICLES: usize = 2_000_000;
+
+/// JSON fields that this version does not know; kept through load and save.
+pub type Extra = BTreeMap<String, Value>;
+
+/// The system of units of a scene file. There is one, and the file says so.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum Units {
+    /// Metre, kilogram, second, newton, pascal; degrees for angles.
+    #[default]
+    #[serde(rename = "SI")]
+    Si,
+}
+
+/// A whole scene: the document that is edited, saved and baked into a simulated world.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Scene {
+    /// Version of the format; this program reads and writes version 1.
+    pub version: u32,
+    /// Units of every number in the file: "SI".
+    #[serde(default)]
+    pub units: Units,
+    /// Name a person reads.
+    #[serde(default)]
+    pub name: String,
+    /// What the scene shows, in a sentence or two.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub description: String,
+    /// Gravitational acceleration [m/s²], world axes.
+    #[serde(default = "earth_gravity")]
+    pub gravity: [f64; 3],
+    /// Floor, walls and ceiling.
+    #[serde(default)]
+    pub room: Room,
+    /// Rigid horizontal panels that fall on the bodies or are driven.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub panels: Vec<Panel>,
+    /// Frame rate, length and time step.
+    #[serde(default)]
+    pub time: Time,
+    /// The soft bodies.
+    #[serde(default)]
+    pub bodies: Vec<Body>,
+    /// Quantities to read off the motion.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub measures: Vec<Measure>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            version: SCENE_VERSION,
+            units: Units::Si,
+            name: String::new(),
+            description: String::new(),
+            gravity: earth_gravity(),
+            room: Room::default(),
+            panels: Vec::new(),
+            time: Time::default(),
+            bodies: Vec::new(),
+            measures: Vec::new(),
+            extra: Extra::new(),
+        }
+    }
+}
+
+impl Scene {
+    /// The body with this id.
+    pub fn body(&self, id: &str) -> Option<&Body> {
+        self.bodies.iter().find(|body| body.id == id)
+    }
+}
+
+fn earth_gravity() -> [f64; 3] {
+    [0.0, -9.81, 0.0]
+}

@@ -1,4 +1,8 @@
 //! sinew: an interactive stroke-based fibre editor for soft solids.
 
+pub mod bake;
+pub mod geometry;
 pub mod scene;
+pub mod sim;
 pub mod sketch;
+pub mod solver;

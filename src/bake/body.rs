@@ -8,7 +8,7 @@ use crate::scene::{Body, BodyKind, IntegratorKind, Mass, Placement, Rotation, Sc
 use crate::solver::body::{BodyParts, RestScale, Skin};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
-    AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, MatrixForce, PairDamping, Plane,
+    AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, MatrixForce, PairDamping, Plane, StepLimit,
 };
 use crate::solver::integrators::{ExplicitEuler, Integrator, LeapFrog, Midpoint, Rk4};
 use crate::solver::neighbourhood::Neighbourhood;
@@ -93,8 +93,14 @@ pub(super) fn draft(
         sticking: STICKING * (stiffness * mass).sqrt(),
     };
     let elasticity = Elasticity::new(material.young_modulus, material.poisson_ratio, spacing);
-    let mut forces: Vec<Box<dyn Force>> =
-        vec![Box::new(MatrixForce::new(Arc::clone(&neighbourhood), elasticity, volume, share, orientation))];
+    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(MatrixForce::new(
+        Arc::clone(&neighbourhood),
+        sample.points.as_slice().into(),
+        elasticity,
+        volume,
+        share,
+        orientation,
+    ))];
     let rods = fibres::rods(body, &embedder, volume, &placed);
     if !rods.is_empty() {
         forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
@@ -111,7 +117,7 @@ pub(super) fn draft(
     }
     let contact_force = Contact { planes: room_planes(scene), law: contact };
     let touches = !contact_force.planes.is_empty() || !scene.panels.is_empty();
-    let contact_limit = if touches { contact_force.step_limit(&state) } else { Default::default() };
+    let contact_limit = if touches { contact_force.step_limit(&state) } else { StepLimit::default() };
 
     progress(name, BakeStage::StableStep);
     let mut probe = forces.clone();

@@ -35,7 +35,7 @@ fn selector<'a>(select: &'a Selector, sample: &'a LatticeSample) -> Box<dyn Fn(u
         Selector::Layers { axis, side, count } => {
             let axis = axis.index();
             let along = move |cell: &glam::IVec3| cell[axis];
-            let count = *count as i32;
+            let count = count.cast_signed();
             let first = sample.cells.iter().map(along).min().unwrap_or(0);
             let last = sample.cells.iter().map(along).max().unwrap_or(0);
             match side {

@@ -3,9 +3,9 @@
 
 use sinew::bake::{Baked, bake};
 use sinew::scene::{
-    Axis, Body, BoxShape, Damping, Distance, Easing, Extra, Fibre, FibreSource, Initial, IntegratorKind, Mass, Material,
-    Measure, MeasureKind, Motion, OverTime, PaperStiffness, Pin, Placement, Ramp, Reaction, Region, RestShape, Rigidity,
-    Rotation, Scene, Selector, Shape, Side, Stiffness,
+    Axis, Body, BoxShape, Damping, Distance, Easing, Extra, Fibre, FibreSource, Initial, IntegratorKind, Mass,
+    Material, Measure, MeasureKind, Motion, OverTime, PaperStiffness, Pin, Placement, Ramp, Reaction, Region,
+    RestShape, Rigidity, Rotation, Scene, Selector, Shape, Side, Stiffness,
 };
 use sinew::sim::Runner;
 
@@ -90,7 +90,13 @@ pub fn paper(kb: f64, ks: f64) -> Stiffness {
     Stiffness::Paper(PaperStiffness { kb, ks, extra: Extra::new() })
 }
 
-pub fn fibre(id: &str, vertices: Vec<[f64; 3]>, stiffness: Stiffness, volume_fraction: f64, rest_shape: RestShape) -> Fibre {
+pub fn fibre(
+    id: &str,
+    vertices: Vec<[f64; 3]>,
+    stiffness: Stiffness,
+    volume_fraction: f64,
+    rest_shape: RestShape,
+) -> Fibre {
     Fibre {
         id: id.into(),
         name: String::new(),

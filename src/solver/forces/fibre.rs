@@ -201,9 +201,11 @@ impl Force for FibreForce {
 
 /// Turn of the material around a vertex and its stretch `R^T A`.
 fn turned(stencil: &TurnStencil, positions: &[DVec3], turn: &mut DQuat) -> (DMat3, DMat3) {
+    // The weights sum to zero: taken against one particle, the sum stays exact far from the origin.
+    let origin = stencil.weights.first().map_or(DVec3::ZERO, |&(k, _)| positions[k as usize]);
     let mut gradient = DMat3::ZERO;
     for &(k, z) in &stencil.weights {
-        gradient += outer(positions[k as usize], z);
+        gradient += outer(positions[k as usize] - origin, z);
     }
     *turn = nearest_rotation(gradient, *turn);
     let r = DMat3::from_quat(*turn);

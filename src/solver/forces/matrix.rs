@@ -10,10 +10,13 @@
 //! - `E_i = s_i V [e : sigma / 2 + a/2 sum w_ij |d_ij|² + beta/2 |L_i|²]`, `s_i` the share of matrix at i.
 //!
 //! Its exact gradient is the sum over pairs of `t_ij = s_i V w_ij [P A^-1 X + a d + beta (1 - b . X) L]` with
-//! `b_i = A_i^-1 B_i`, added to i and taken from j: `sum_j w d (x) X = 0` makes every other term vanish. Gathered,
-//! with `Q = s V (P A^-1 - a F - beta L (x) b)`, `al = s V a`, `Y = s V beta L`:
+//! `b_i = A_i^-1 B_i`, added to i and taken from j: `sum_j w d (x) X = 0` makes every other term vanish.
 //!
-//! `f_i = Q_i B_i + al_i S_i + (sum w) Y_i + sum_j w_ij (Q_j X_ji + al_j x_ji - Y_j)`, `S_i = sum w_ij x_ji`.
+//! It is evaluated on the deviation `u = x - R_b X` from a rigid turn R_b of the whole body, because terms of the size
+//! of the rest shape would otherwise cancel only to round-off and leak momentum. With `G = F - R_b`,
+//! `Q = s V (P A^-1 - a G - beta L (x) b)`, `al = s V a`, `Y = s V beta L`, gathered at each particle:
+//!
+//! `f_i = Q_i B_i + al_i S_i + (sum w) Y_i + sum_j w_ij (Q_j X_ji + al_j u_ji - Y_j)`, `S_i = sum w_ij u_ji`.
 //!
 //! Two passes over the neighbours, each in four-wide vectors.
 
@@ -73,6 +76,8 @@ impl Elasticity {
 #[derive(Clone)]
 pub struct MatrixForce {
     neighbourhood: Arc<Neighbourhood>,
+    /// Rest positions [m], model frame.
+    rest: Arc<[DVec3]>,
     elasticity: Elasticity,
     volume: f64,
     /// Share of matrix at every particle, `1 - l_i`.
@@ -85,7 +90,7 @@ pub struct MatrixForce {
 #[derive(Clone, Default)]
 struct Scratch {
     rotations: Vec<DQuat>,
-    positions: Vec<[f64; 4]>,
+    deviations: Vec<[f64; 4]>,
     fields: Vec<Field>,
     own: Vec<DVec3>,
 }
@@ -96,10 +101,12 @@ struct Scratch {
 struct Field([[f64; 4]; 4]);
 
 impl MatrixForce {
-    /// Elastic force over rest neighbourhoods; `volume` is a particle's [m³], `share` the fraction of matrix at every
-    /// particle, `orientation` the turn of the model frame in the world at the start.
+    /// Elastic force over rest neighbourhoods of particles at `rest` [m] (model frame); `volume` is a particle's [m³],
+    /// `share` the fraction of matrix at every particle, `orientation` the turn of the model frame in the world at the
+    /// start.
     pub fn new(
         neighbourhood: Arc<Neighbourhood>,
+        rest: Arc<[DVec3]>,
         elasticity: Elasticity,
         volume: f64,
         share: Arc<[f64]>,
@@ -108,13 +115,14 @@ impl MatrixForce {
         let n = neighbourhood.len();
         Self {
             neighbourhood,
+            rest,
             elasticity,
             volume,
             share,
             level: Level::new(),
             scratch: Scratch {
                 rotations: vec![orientation; n],
-                positions: vec![[0.0; 4]; n],
+                deviations: vec![[0.0; 4]; n],
                 fields: vec![Field::default(); n],
                 own: vec![DVec3::ZERO; n],
             },
@@ -134,13 +142,18 @@ impl MatrixForce {
     }
 }
 
+/// What the first pass writes for some consecutive particles.
+type FirstChunk<'a> = ((&'a mut [DQuat], &'a mut [Field]), &'a mut [DVec3]);
+
 /// Read-only part of an evaluation, shared by all threads.
 struct Pass<'a> {
     neighbourhood: &'a Neighbourhood,
     elasticity: Elasticity,
     volume: f64,
     share: &'a [f64],
-    positions: &'a [[f64; 4]],
+    /// Rigid turn R_b of the whole body, and every particle's deviation u from it [m].
+    body_turn: DMat3,
+    deviations: &'a [[f64; 4]],
 }
 
 impl Pass<'_> {
@@ -157,15 +170,15 @@ impl Pass<'_> {
         let rest = self.neighbourhood;
         for (k, rotation) in rotations.iter_mut().enumerate() {
             let i = first + k;
-            let here = f64x4::simd_from(simd, self.positions[i]);
+            let here = f64x4::simd_from(simd, self.deviations[i]);
             let zero = f64x4::splat(simd, 0.0);
             let (mut c0, mut c1, mut c2, mut sum) = (zero, zero, zero, zero);
             for (j, bond) in rest.bonds(i) {
-                let x = f64x4::simd_from(simd, self.positions[j]) - here;
-                c0 = x.mul_add(f64x4::splat(simd, bond.weighted_offset.x), c0);
-                c1 = x.mul_add(f64x4::splat(simd, bond.weighted_offset.y), c1);
-                c2 = x.mul_add(f64x4::splat(simd, bond.weighted_offset.z), c2);
-                sum = x.mul_add(f64x4::splat(simd, bond.weight), sum);
+                let u = f64x4::simd_from(simd, self.deviations[j]) - here;
+                c0 = u.mul_add(f64x4::splat(simd, bond.weighted_offset.x), c0);
+                c1 = u.mul_add(f64x4::splat(simd, bond.weighted_offset.y), c1);
+                c2 = u.mul_add(f64x4::splat(simd, bond.weighted_offset.z), c2);
+                sum = u.mul_add(f64x4::splat(simd, bond.weight), sum);
             }
             let moment = DMat3::from_cols(vec3(c0), vec3(c1), vec3(c2));
             let (field, base) = self.finish(i, moment, vec3(sum), rotation);
@@ -180,13 +193,14 @@ impl Pass<'_> {
         let rest = self.neighbourhood;
         let inverse = rest.inverse_moment[i];
         let weighted_sum = rest.weighted_sum[i];
-        let f = moment * inverse;
-        let residual_sum = sum - f * weighted_sum;
+        let g = moment * inverse;
+        let f = self.body_turn + g;
+        let residual_sum = sum - g * weighted_sum;
         *rotation = nearest_rotation(f, *rotation);
         let (stress, _) = self.elasticity.stress(f, DMat3::from_quat(*rotation));
         let scale = self.share[i] * self.volume;
         let Elasticity { residual_penalty: a, sum_penalty: beta, .. } = self.elasticity;
-        let q = scale * (stress * inverse - a * f - beta * outer(residual_sum, inverse * weighted_sum));
+        let q = scale * (stress * inverse - a * g - beta * outer(residual_sum, inverse * weighted_sum));
         let y = scale * beta * residual_sum;
         let al = scale * a;
         let columns = q.to_cols_array_2d();
@@ -200,21 +214,30 @@ impl Pass<'_> {
     fn gather<S: Simd>(&self, simd: S, first: usize, fields: &[Field], own: &[DVec3], forces: &mut [DVec3]) {
         for (k, force) in forces.iter_mut().enumerate() {
             let i = first + k;
-            let here = f64x4::simd_from(simd, self.positions[i]);
+            let here = f64x4::simd_from(simd, self.deviations[i]);
             let zero = f64x4::splat(simd, 0.0);
             let (mut sum, mut sum2) = (zero, zero);
             for (j, bond) in self.neighbourhood.bonds(i) {
                 let [q0, q1, q2, y] = &fields[j].0;
-                let x = f64x4::simd_from(simd, self.positions[j]) - here;
+                let u = f64x4::simd_from(simd, self.deviations[j]) - here;
                 sum = f64x4::simd_from(simd, *q0).mul_add(f64x4::splat(simd, bond.weighted_offset.x), sum);
                 sum2 = f64x4::simd_from(simd, *q1).mul_add(f64x4::splat(simd, bond.weighted_offset.y), sum2);
                 sum = f64x4::simd_from(simd, *q2).mul_add(f64x4::splat(simd, bond.weighted_offset.z), sum);
-                let rest = x * f64x4::splat(simd, y[3]) - f64x4::simd_from(simd, *y);
+                let rest = u * f64x4::splat(simd, y[3]) - f64x4::simd_from(simd, *y);
                 sum2 = rest.mul_add(f64x4::splat(simd, bond.weight), sum2);
             }
             *force += own[k] + vec3(sum + sum2);
         }
     }
+}
+
+/// Mean of turns that lie near each other.
+fn mean_turn(turns: &[DQuat]) -> DQuat {
+    let Some(&first) = turns.first() else { return DQuat::IDENTITY };
+    let sum = turns.iter().fold(DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0), |sum, &turn| {
+        if turn.dot(first) < 0.0 { sum - turn } else { sum + turn }
+    });
+    if sum.length_squared() > 0.0 { sum.normalize() } else { first }
 }
 
 #[inline(always)]
@@ -225,16 +248,20 @@ fn vec3<S: Simd>(v: f64x4<S>) -> DVec3 {
 
 impl Force for MatrixForce {
     fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        let Scratch { rotations, positions, fields, own } = &mut self.scratch;
-        for (padded, x) in positions.iter_mut().zip(&state.positions) {
-            *padded = [x.x, x.y, x.z, 0.0];
+        let Scratch { rotations, deviations, fields, own } = &mut self.scratch;
+        let body_turn = DMat3::from_quat(mean_turn(rotations));
+        for (deviation, (&x, &rest)) in deviations.iter_mut().zip(state.positions.iter().zip(self.rest.iter())) {
+            // Differences to particle 0 first: they are exact far from the origin, too.
+            let u = (x - state.positions[0]) - body_turn * (rest - self.rest[0]);
+            *deviation = [u.x, u.y, u.z, 0.0];
         }
         let pass = Pass {
             neighbourhood: &self.neighbourhood,
             elasticity: self.elasticity,
             volume: self.volume,
             share: &self.share,
-            positions,
+            body_turn,
+            deviations,
         };
         let level = self.level;
         let first_pass =

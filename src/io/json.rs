@@ -1,7 +1,7 @@
 //! JSON text to a value tree, with the place of what is wrong and no member lost.
 
 use super::IoError;
-use crate::scene::one_line;
+use crate::scene::{brief, one_line};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 use std::fmt;
@@ -121,7 +121,7 @@ impl<'de> Visitor<'de> for StrictVisitor {
         while let Some((name, Strict(value))) = members.next_entry::<String, _>()? {
             let twice = object.insert(name.clone(), value).is_some();
             if twice {
-                return Err(A::Error::custom(format_args!("the member {name:?} is there twice; keep one")));
+                return Err(A::Error::custom(format_args!("the member {} is there twice", brief(&name))));
             }
         }
         Ok(Value::Object(object))

@@ -80,9 +80,14 @@ fn place<'v>(root: &'v mut Value, pointer: &str) -> Result<&'v mut Value, IoErro
                     members.insert(token.to_string(), empty);
                 }
                 if !members.contains_key(&*token) {
-                    let known = node.filter(|_| last).map(Node::members).unwrap_or_default();
-                    let present = members.keys().map(String::as_str).collect();
-                    return Err(no_such(pointer, &path, &if known.is_empty() { present } else { known }));
+                    let present: Vec<_> = members.keys().map(String::as_str).collect();
+                    return Err(match node {
+                        Some(node) if node.is_choice() && next.is_some() => {
+                            not_chosen(pointer, &path, &token, &present)
+                        }
+                        Some(node) => no_such(pointer, &path, &node.members()),
+                        None => no_such(pointer, &path, &present),
+                    });
                 }
                 &mut members[&*token]
             }
@@ -114,6 +119,11 @@ fn no_such(pointer: &str, parent: &str, members: &[&str]) -> IoError {
         None => format!("it has {}", members.join(", ")),
     };
     failure(pointer, brief(&name), &format!("is no member of {parent_name}"), &remedy)
+}
+
+fn not_chosen(pointer: &str, parent: &str, name: &str, chosen: &[&str]) -> IoError {
+    let problem = format!("is not what {parent} holds, which is {}", chosen.join(", "));
+    failure(pointer, brief(&name), &problem, &format!("set {parent}/{name} as a whole"))
 }
 
 fn no_item(pointer: &str, parent: &str, length: usize) -> IoError {

@@ -59,7 +59,7 @@ pub(super) fn scene_from_value(value: &Value) -> Result<Scene, IoError> {
         let message = error.inner().to_string();
         let (problem, remedy) = match missing_field(&message) {
             Some(field) => (format!("lacks the member {field:?}"), add_field(value, &path, field)),
-            None => (format!("has the wrong type: {}", plainly(&message)), describe(&path)),
+            None => (mismatch(&message), describe(&path)),
         };
         IoError::Type(SceneError { path, value: brief(found), problem: one_line(&problem), remedy })
     })
@@ -95,27 +95,27 @@ fn add_field(value: &Value, path: &str, field: &str) -> String {
 fn describe(path: &str) -> String {
     match node_at(path).map_or("", Node::description) {
         "" => "see `sinew schema`".to_owned(),
-        text => format!("here belongs: {text}"),
+        text => format!("it stands for: {text}"),
     }
 }
 
-/// Names of types as people who do not write Rust know them.
-fn plainly(message: &str) -> String {
-    let mut text = message.to_owned();
-    for (rust, plain) in [
-        ("expected f64", "expected a number"),
-        ("expected u32", "expected a whole number from 0 to 4294967295"),
-        ("expected struct", "expected an object,"),
-        ("expected enum", "expected a name or an object,"),
-        ("expected variant identifier", "expected a name"),
-        ("map, expected map with a single key", "an object, expected one with a single member"),
-        ("expected a sequence", "expected an array"),
-        ("invalid type: map", "invalid type: object"),
-        ("invalid type: sequence", "invalid type: array"),
-    ] {
-        text = text.replace(rust, plain);
-    }
-    text
+/// What serde says of a value of another shape, without the value, which stands beside it, and in plain words.
+fn mismatch(message: &str) -> String {
+    const PLAIN: [(&str, &str); 8] = [
+        ("f64", "a number"),
+        ("u32", "a whole number from 0 to 4294967295"),
+        ("a sequence", "an array"),
+        ("map with a single key", "an object with a single member"),
+        ("newtype variant", "an object with this name as its only member"),
+        ("struct variant", "an object with this name as its only member"),
+        ("unit variant", "a name without members"),
+        ("variant identifier", "a name"),
+    ];
+    let (_, expected) = message.rsplit_once(", expected ").unwrap_or(("", "another value"));
+    let expected = PLAIN.iter().find(|(rust, _)| *rust == expected).map_or(expected, |(_, plain)| plain);
+    let expected = expected.strip_prefix("struct ").map_or(expected.to_owned(), |name| format!("an object ({name})"));
+    let fault = if message.starts_with("unknown variant") { "is unknown here" } else { "has the wrong type" };
+    format!("{fault}, expected {expected}")
 }
 
 /// Refuses versions of the format that this program does not read, before anything else is made of the file.

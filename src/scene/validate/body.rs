@@ -2,7 +2,7 @@
 
 use super::brief;
 use super::check::{
-    At, Checked, Ids, direction, finite, fraction, increasing, not_negative, positive, require, vector, within,
+    At, Checked, Ids, direction, finite, fraction, increasing, not_negative, number, positive, require, vector, within,
 };
 use crate::scene::{
     Body, Distance, Fibre, FibreSource, Initial, MAX_PARTICLES, Mass, Material, Motion, Pin, Rotation, Selector, Shape,
@@ -74,14 +74,16 @@ fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, crate::scene::Sce
     let material = &body.material;
     let particles = before + shape.size.iter().product::<f64>() / material.spacing().powi(3);
     let most = MAX_PARTICLES as f64;
+    let rounded = |value: f64| if value < 1e6 { format!("{value:.1}") } else { format!("{value:.1e}") };
     let problem = format!(
-        "makes about {:.1} million particles ({:.1} GB of memory) where {:.0} million are allowed",
-        particles * 1e-6,
-        particles * BYTES_PER_PARTICLE * 1e-9,
+        "makes about {} million particles ({} GB of memory) where {:.0} million are allowed",
+        rounded(particles * 1e-6),
+        rounded(particles * BYTES_PER_PARTICLE * 1e-9),
         most * 1e-6
     );
     let material_at = at.field("material");
-    require(&material_at.field("support_radius"), &material.support_radius, particles <= most, &problem, || {
+    let radius_at = material_at.field("support_radius");
+    require(&radius_at, &material.support_radius, particles <= most, &problem, || {
         if before >= most * 0.5 {
             return "give the bodies larger support radii or make them smaller".to_owned();
         }
@@ -157,7 +159,7 @@ fn selector(at: &At<'_>, selector: &Selector) -> Checked {
             for (axis, (least, greatest)) in min.iter().zip(max).enumerate() {
                 let at = at.field("max");
                 require(&at.item(axis), greatest, least <= greatest, "is below the least corner", || {
-                    format!("give {least:?} m or more")
+                    format!("give {} m or more", number(*least))
                 })?;
             }
             Ok(())

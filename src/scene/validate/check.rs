@@ -62,22 +62,33 @@ pub(super) fn require<V: Serialize, R: Into<String>>(
     problem: &str,
     remedy: impl FnOnce() -> R,
 ) -> Checked {
-    if holds {
-        return Ok(());
-    }
-    Err(SceneError { path: at.to_string(), value: brief(value), problem: problem.to_owned(), remedy: remedy().into() })
+    if holds { Ok(()) } else { fail(at, brief(value), problem, remedy()) }
 }
 
-/// [`require`] for a number: JSON has no spelling for the non-finite ones, which a program can still put here.
+/// [`require`] for a number.
 fn require_number(at: &At<'_>, value: f64, holds: bool, problem: &str, remedy: impl FnOnce() -> String) -> Checked {
-    let checked = require(at, &value, holds, problem, remedy);
-    checked.map_err(|error| if value.is_finite() { error } else { SceneError { value: value.to_string(), ..error } })
+    if holds { Ok(()) } else { fail(at, number(value), problem, remedy()) }
+}
+
+fn fail(at: &At<'_>, value: String, problem: &str, remedy: impl Into<String>) -> Checked {
+    Err(SceneError { path: at.to_string(), value, problem: problem.to_owned(), remedy: remedy.into() })
+}
+
+/// A number as people write it. JSON has no spelling for non-finite ones, which a program can still put in a scene.
+pub(super) fn number(value: f64) -> String {
+    let is_plain = value == 0.0 || (1e-4..1e7).contains(&value.abs());
+    if is_plain { value.to_string() } else { format!("{value:e}") }
+}
+
+/// A remedy with a unit, which may be none.
+fn give(what: &str, unit: &str) -> String {
+    format!("give a number {what} {unit}").trim_end().to_owned()
 }
 
 /// A number from `least` to `most`.
 pub(super) fn within(at: &At<'_>, value: f64, least: f64, most: f64, unit: &str) -> Checked {
     require_number(at, value, (least..=most).contains(&value), "is out of range", || {
-        format!("give a number from {least:?} to {most:?} {unit}").trim_end().to_owned()
+        give(&format!("from {} to {}", number(least), number(most)), unit)
     })
 }
 
@@ -88,9 +99,7 @@ pub(super) fn finite(at: &At<'_>, value: f64, unit: &str) -> Checked {
 
 /// A number above zero.
 pub(super) fn positive(at: &At<'_>, value: f64, unit: &str) -> Checked {
-    require_number(at, value, value > 0.0 || value.is_nan(), "is not above zero", || {
-        format!("give a number above 0 {unit}").trim_end().to_owned()
-    })?;
+    require_number(at, value, value > 0.0 || value.is_nan(), "is not above zero", || give("above 0", unit))?;
     within(at, value, SMALLEST, LARGEST, unit)
 }
 
@@ -131,7 +140,7 @@ pub(super) fn increasing(at: &At<'_>, times: impl ExactSizeIterator<Item = f64>)
         not_negative(&at, time, "s")?;
         if let Some(last) = last {
             require_number(&at, time, time > last, "does not come after the key before it", || {
-                format!("give keys in order of time, this one above {last:?} s")
+                format!("give keys in order of time, this one above {} s", number(last))
             })?;
         }
         last = Some(time);

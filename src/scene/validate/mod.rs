@@ -12,7 +12,9 @@ pub use error::SceneError;
 pub(crate) use error::{brief, one_line};
 
 use super::{Automatic, Manual, Panel, PanelMotion, Room, SCENE_VERSION, Scene, Time, TimeStep};
-use check::{At, Checked, Ids, finite, fraction, increasing, not_negative, ordered, positive, require, vector, within};
+use check::{
+    At, Checked, Ids, finite, fraction, increasing, not_negative, number, ordered, positive, require, vector, within,
+};
 
 /// Longest simulated time a scene may ask for [s], eleven days.
 const LONGEST: f64 = 1e6;
@@ -54,7 +56,7 @@ fn room(at: &At<'_>, room: &Room) -> Checked {
             coordinate.map_or(Ok(()), |value| finite(&at.field(name), value, "m"))?;
         }
         if let (Some(least), Some(greatest)) = (low.1, high.1) {
-            ordered(&at.field(high.0), least, greatest, &format!("{} ({least:?} m)", low.0))?;
+            ordered(&at.field(high.0), least, greatest, &format!("{} ({} m)", low.0, number(least)))?;
         }
     }
     not_negative(&at.field("friction"), room.friction, "")?;

@@ -125,7 +125,7 @@ fn selector() -> impl Strategy<Value = Selector> {
     let side = prop_oneof![Just(Side::Min), Just(Side::Max)];
     prop_oneof![
         Just(Selector::Everything),
-        (axis, side, 1..u32::MAX, extra()).prop_map(|(axis, side, count, extra)| Selector::Layers {
+        (axis, side, 1..2_000_000_u32, extra()).prop_map(|(axis, side, count, extra)| Selector::Layers {
             axis,
             side,
             count,

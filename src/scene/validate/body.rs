@@ -150,7 +150,10 @@ fn selector(at: &At<'_>, selector: &Selector) -> Checked {
         Selector::Everything => Ok(()),
         Selector::Layers { count, .. } => {
             let at = at.field("layers");
-            require(&at.field("count"), count, *count >= 1, "selects nothing", || "give 1 layer or more")
+            let possible = (1..=MAX_PARTICLES).contains(&(*count as usize));
+            require(&at.field("count"), count, possible, "is no number of layers", || {
+                format!("give 1 to {MAX_PARTICLES}")
+            })
         }
         Selector::Box { min, max, .. } => {
             let at = at.field("box");

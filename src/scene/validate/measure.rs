@@ -44,15 +44,5 @@ fn kind(at: &At<'_>, measure: &Measure, body: &Body) -> Checked {
     if let Some((name, axis)) = axis {
         direction(&at.field(name), axis)?;
     }
-    if let MeasureKind::ReactionForce(_) | MeasureKind::ReactionTorque(_) = measure.kind {
-        let held = body.pins.iter().any(|pin| pin.region == *region);
-        require(
-            &at.field("region"),
-            region,
-            held,
-            "is held by no pin, so nothing reacts",
-            || "name the region of a pin, or pin this one",
-        )?;
-    }
     Ok(())
 }

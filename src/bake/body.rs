@@ -1,0 +1,255 @@
+//! One body of the scene: particles, forces, start, stable step.
+
+use super::{BakeError, BakeStage, Note, fibres, supports};
+use crate::geometry::kernel::Kernel;
+use crate::geometry::lattice::{LatticeSample, OrientedBox, fill_box};
+use crate::geometry::mesh::box_surface;
+use crate::scene::{Body, BodyKind, IntegratorKind, Mass, Placement, Rotation, Scene, Shape};
+use crate::solver::body::{BodyParts, RestScale, Skin};
+use crate::solver::embedding::Embedder;
+use crate::solver::forces::{
+    AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, MatrixForce, PairDamping, Plane,
+};
+use crate::solver::integrators::{ExplicitEuler, Integrator, LeapFrog, Midpoint, Rk4};
+use crate::solver::neighbourhood::Neighbourhood;
+use crate::solver::stable_step::highest_frequency_squared;
+use crate::solver::state::ParticleState;
+use glam::{DMat3, DQuat, DVec3};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A body put together but for its time step, which depends on the others.
+pub(super) struct Draft {
+    pub(super) parts: BodyParts,
+    /// Particles of every region by its id.
+    pub(super) regions: HashMap<String, Vec<u32>>,
+}
+
+/// Friction below its Coulomb limit acts like a damper of this share of the contact's critical rate.
+const STICKING: f64 = 0.25;
+
+/// Net force below which a particle counts as at rest, in units of E D².
+const REST_FORCE: f64 = 2e-7;
+
+pub(super) fn draft(
+    scene: &Scene,
+    body: &Body,
+    path: &str,
+    notes: &mut Vec<Note>,
+    progress: &mut dyn FnMut(&str, BakeStage),
+) -> Result<Draft, BakeError> {
+    let name = if body.name.is_empty() { &body.id } else { &body.name };
+    let material = &body.material;
+    let spacing = material.spacing();
+    let kernel = Kernel::new(material.support_radius);
+    let volume = spacing.powi(3);
+
+    progress(name, BakeStage::Sampling);
+    let Shape::Box(shape) = &body.shape;
+    let solid = OrientedBox {
+        center: DVec3::from_array(shape.center),
+        size: DVec3::from_array(shape.size),
+        axes: if shape.rotation.degrees == 0.0 { DMat3::IDENTITY } else { DMat3::from_quat(turn(&shape.rotation)) },
+    };
+    let sample = fill_box(&solid, spacing);
+    if sample.points.is_empty() {
+        return Err(BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing });
+    }
+    note_sampling(&sample, &solid, path, notes);
+
+    progress(name, BakeStage::Neighbours);
+    let neighbourhood = Neighbourhood::new(&sample.points, Some(&sample.cells), spacing, kernel, volume)
+        .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
+    let neighbourhood = Arc::new(neighbourhood);
+
+    progress(name, BakeStage::Embedding);
+    let embedder = Embedder::new(&sample.points, kernel);
+    let diagonal = solid.size.length();
+    let placed = fibres::place(body, &embedder, diagonal, path, notes);
+    let share = fibres::matrix_share(body, &sample.points, kernel, &placed);
+    let surface = box_surface(&solid, spacing);
+    let skin = Skin {
+        vertices: surface.positions.iter().filter_map(|&at| embedder.stencil(at)).collect(),
+        triangles: surface.triangles,
+    };
+    let skin = (skin.vertices.len() == surface.positions.len()).then(|| Arc::new(skin));
+
+    let n = sample.points.len();
+    let mass = match material.mass {
+        Mass::Density(density) => density * solid.volume() / n as f64,
+        Mass::PerParticle(mass) => mass,
+    };
+    let orientation = turn(&body.placement.rotation);
+    let regions = supports::regions(body, &sample, path)?;
+    let rest: Arc<[DVec3]> = sample.points.iter().map(|&x| to_world(&body.placement, x)).collect();
+    let state = initial_state(body, &sample.points, &regions, mass, path)?;
+
+    let stiffness = material.young_modulus * spacing;
+    let contact = ContactLaw {
+        radius: 0.5 * spacing,
+        stiffness,
+        damping: 2.0 * scene.room.contact_damping * (stiffness * mass).sqrt(),
+        friction: scene.room.friction,
+        sticking: STICKING * (stiffness * mass).sqrt(),
+    };
+    let elasticity = Elasticity::new(material.young_modulus, material.poisson_ratio, spacing);
+    let mut forces: Vec<Box<dyn Force>> =
+        vec![Box::new(MatrixForce::new(Arc::clone(&neighbourhood), elasticity, volume, share, orientation))];
+    let rods = fibres::rods(body, &embedder, volume, &placed);
+    if !rods.is_empty() {
+        forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
+    }
+    let gravity = DVec3::from_array(scene.gravity);
+    if gravity != DVec3::ZERO {
+        forces.push(Box::new(Gravity { acceleration: gravity }));
+    }
+    if material.damping.pair > 0.0 {
+        forces.push(Box::new(PairDamping::new(material.damping.pair, &neighbourhood, spacing)));
+    }
+    if material.damping.air > 0.0 {
+        forces.push(Box::new(AirDrag { rate: material.damping.air }));
+    }
+    let contact_force = Contact { planes: room_planes(scene), law: contact };
+    let touches = !contact_force.planes.is_empty() || !scene.panels.is_empty();
+    let contact_limit = if touches { contact_force.step_limit(&state) } else { Default::default() };
+
+    progress(name, BakeStage::StableStep);
+    let mut probe = forces.clone();
+    let mut frequency_squared =
+        highest_frequency_squared(&mut probe, &state, spacing) + contact_limit.frequency_squared;
+    let mut damping_rate = contact_limit.damping_rate;
+    for force in &forces {
+        let limit = force.step_limit(&state);
+        frequency_squared += limit.frequency_squared;
+        damping_rate += limit.damping_rate;
+    }
+    let integrator = integrator(body.integrator);
+    let stable_dt = integrator.stable_step(frequency_squared.sqrt(), damping_rate);
+    if !contact_force.planes.is_empty() {
+        forces.push(Box::new(contact_force));
+    }
+
+    let constraints = supports::constraints(body, &regions, &rest, &state, path)?;
+    let parts = BodyParts {
+        id: body.id.clone(),
+        name: name.clone(),
+        kind: match body.kind {
+            BodyKind::FibreSolid => "fibre_solid",
+        },
+        state,
+        rest,
+        forces,
+        integrator,
+        constraints,
+        contact,
+        fibres: placed.iter().map(fibres::PlacedFibre::line).collect(),
+        skin,
+        reach: material.support_radius,
+        rest_scale: RestScale {
+            force: REST_FORCE * material.young_modulus * spacing * spacing,
+            energy: REST_FORCE * REST_FORCE * material.young_modulus * volume,
+        },
+        mean_neighbours: neighbourhood.mean_neighbours(),
+        dt: stable_dt,
+        stable_dt,
+        step_parameter: match &scene.time.step {
+            crate::scene::TimeStep::Automatic(_) => "/time/step/automatic/safety".to_owned(),
+            crate::scene::TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
+        },
+    };
+    Ok(Draft { parts, regions })
+}
+
+fn note_sampling(sample: &LatticeSample, solid: &OrientedBox, path: &str, notes: &mut Vec<Note>) {
+    let (_, pieces) = sample.pieces();
+    if pieces > 1 {
+        notes.push(Note {
+            path: format!("{path}/shape"),
+            text: format!("falls into {pieces} pieces that are not connected; each moves on its own"),
+            warning: true,
+        });
+    }
+    let sampled = sample.points.len() as f64 * sample.spacing.powi(3);
+    let error = sampled / solid.volume() - 1.0;
+    if error.abs() > 0.02 {
+        notes.push(Note {
+            path: format!("{path}/shape"),
+            text: format!(
+                "the particles fill {:.1} % of the shape's volume: its extents are not whole multiples of the spacing \
+                 {} m",
+                100.0 * (1.0 + error),
+                sample.spacing
+            ),
+            warning: true,
+        });
+    }
+}
+
+pub(super) fn turn(rotation: &Rotation) -> DQuat {
+    let axis = DVec3::from_array(rotation.axis).normalize_or(DVec3::Y);
+    DQuat::from_axis_angle(axis, rotation.degrees.to_radians())
+}
+
+fn to_world(placement: &Placement, x: DVec3) -> DVec3 {
+    turn(&placement.rotation) * x + DVec3::from_array(placement.translation)
+}
+
+fn initial_state(
+    body: &Body,
+    points: &[DVec3],
+    regions: &HashMap<String, Vec<u32>>,
+    mass: f64,
+    path: &str,
+) -> Result<ParticleState, BakeError> {
+    let n = points.len();
+    let center = points.iter().sum::<DVec3>() / n as f64;
+    let [row0, row1, row2] = body.initial.deformation.map(DVec3::from_array);
+    let undeformed = body.initial.deformation == crate::scene::Initial::default().deformation;
+    let deformed = |x: DVec3| {
+        if undeformed {
+            return x;
+        }
+        let y = x - center;
+        center + DVec3::new(row0.dot(y), row1.dot(y), row2.dot(y))
+    };
+    let positions: Vec<DVec3> = points.iter().map(|&x| to_world(&body.placement, deformed(x))).collect();
+    let velocity = DVec3::from_array(body.initial.velocity);
+    let spin = DVec3::from_array(body.initial.angular_velocity.map(f64::to_radians));
+    let mut state = ParticleState { velocities: vec![velocity; n], masses: vec![mass; n], positions };
+    if spin != DVec3::ZERO {
+        let center = state.center();
+        for (v, &x) in state.velocities.iter_mut().zip(&state.positions) {
+            *v += spin.cross(x - center);
+        }
+    }
+    for (k, impulse) in body.impulses.iter().enumerate() {
+        let group = supports::find(regions, &impulse.region, &format!("{path}/impulses/{k}/region"))?;
+        let kick = DVec3::from_array(impulse.impulse) / (mass * group.len() as f64);
+        for &i in group {
+            state.velocities[i as usize] += kick;
+        }
+    }
+    Ok(state)
+}
+
+fn integrator(kind: IntegratorKind) -> Box<dyn Integrator> {
+    match kind {
+        IntegratorKind::LeapFrog => Box::new(LeapFrog::default()),
+        IntegratorKind::ExplicitEuler => Box::new(ExplicitEuler::default()),
+        IntegratorKind::Midpoint => Box::new(Midpoint::default()),
+        IntegratorKind::Rk4 => Box::new(Rk4::default()),
+    }
+}
+
+fn room_planes(scene: &Scene) -> Vec<Plane> {
+    let room = &scene.room;
+    let sides = [
+        (room.floor, DVec3::Y),
+        (room.ceiling, DVec3::NEG_Y),
+        (room.x_min, DVec3::X),
+        (room.x_max, DVec3::NEG_X),
+        (room.z_min, DVec3::Z),
+        (room.z_max, DVec3::NEG_Z),
+    ];
+    sides.into_iter().filter_map(|(at, normal)| at.map(|at| Plane { point: at * normal.abs(), normal })).collect()
+}

@@ -1,0 +1,64 @@
+//! Measures of the scene as probes of the world.
+
+use super::body::Draft;
+use super::{BakeError, known, supports};
+use crate::scene::{MeasureKind, Scene};
+use crate::solver::measure::{Group, Quantity};
+use crate::solver::world::Probe;
+use glam::{BVec3, DVec3};
+
+pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, BakeError> {
+    scene
+        .measures
+        .iter()
+        .enumerate()
+        .map(|(k, measure)| {
+            let path = format!("/measures/{k}");
+            let body =
+                scene.bodies.iter().position(|body| body.id == measure.body).ok_or_else(|| BakeError::Unknown {
+                    path: format!("{path}/body"),
+                    what: "body",
+                    id: measure.body.clone(),
+                    known: known(scene.bodies.iter().map(|body| body.id.as_str())),
+                })?;
+            let draft = &drafts[body];
+            let kind = format!("{path}/kind");
+            let group = |id: &str| supports::find(&draft.regions, id, &kind).cloned();
+            let unit = |v: [f64; 3]| DVec3::from_array(v).normalize_or(DVec3::Y);
+            let quantity = match &measure.kind {
+                MeasureKind::MeanDisplacement(of) => Quantity::MeanDisplacement(group(&of.region)?),
+                MeasureKind::TipDisplacement(of) => Quantity::TipDisplacement(group(&of.region)?),
+                MeasureKind::HeightLoss(of) => {
+                    Quantity::HeightLoss(group(&of.region)?, group(&of.against)?, of.axis.index())
+                }
+                MeasureKind::Twist(of) => Quantity::Twist(group(&of.region)?, group(&of.against)?, unit(of.axis)),
+                MeasureKind::Shear(of) => Quantity::Shear(group(&of.region)?, group(&of.against)?),
+                MeasureKind::ReactionForce(of) => {
+                    let group = group(&of.region)?;
+                    let held = held(draft, &group, &kind, &of.region)?;
+                    Quantity::ReactionForce(group, held, unit(of.along))
+                }
+                MeasureKind::ReactionTorque(of) => {
+                    let group = group(&of.region)?;
+                    let held = held(draft, &group, &kind, &of.region)?;
+                    Quantity::ReactionTorque(group, held, unit(of.along))
+                }
+            };
+            Ok(Probe { name: measure.name.clone(), body, quantity })
+        })
+        .collect()
+}
+
+/// 1 along the axes in which each particle of the group is held, 0 along the others.
+fn held(draft: &Draft, group: &Group, path: &str, region: &str) -> Result<Vec<DVec3>, BakeError> {
+    let mut locked = vec![BVec3::FALSE; draft.parts.state.len()];
+    for constraint in &draft.parts.constraints {
+        for &i in &constraint.particles {
+            locked[i as usize] |= constraint.locked;
+        }
+    }
+    if group.iter().all(|&i| !locked[i as usize].any()) {
+        return Err(BakeError::NotHeld { path: path.to_owned(), region: region.to_owned() });
+    }
+    Ok(group.iter().map(|&i| DVec3::select(locked[i as usize], DVec3::ONE, DVec3::ZERO)).collect())
+}

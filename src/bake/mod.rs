@@ -1,0 +1,196 @@
+//! From the document to the solver: the one place where a [`Scene`] meets solver internals. Pure and seeded: the same
+//! scene gives the same world, bit for bit.
+
+mod body;
+mod fibres;
+mod measures;
+mod supports;
+
+pub use fibres::PlacedFibre;
+
+use crate::scene::{PanelMotion, Scene, TimeStep};
+use crate::solver::body::Body;
+use crate::solver::neighbourhood::TooThin;
+use crate::solver::panel::Panel;
+use crate::solver::world::{StepPlan, World};
+use glam::{DVec2, DVec3};
+use std::fmt;
+use thiserror::Error;
+
+/// A scene that cannot be put together.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum BakeError {
+    /// No lattice point lies inside the shape.
+    #[error(
+        "{path}: no particle fits into the shape at a spacing of {spacing} m; lower {body}/material/support_radius"
+    )]
+    Empty {
+        /// Pointer to the shape.
+        path: String,
+        /// Pointer to the body.
+        body: String,
+        /// Particle spacing [m].
+        spacing: f64,
+    },
+    /// Part of the shape is a single layer of particles.
+    #[error("{path}: {source}")]
+    TooThin {
+        /// Pointer to the support radius.
+        path: String,
+        /// What was found.
+        source: TooThin,
+    },
+    /// A region that selects no particle.
+    #[error("{path}: the region selects none of the {particles} particles; enlarge it or remove it")]
+    EmptyRegion {
+        /// Pointer to the region.
+        path: String,
+        /// Particles of the body.
+        particles: usize,
+    },
+    /// A reference to something that is not there.
+    #[error("{path}: {what} \"{id}\" does not exist; there are: {known}")]
+    Unknown {
+        /// Pointer to the reference.
+        path: String,
+        /// What it refers to.
+        what: &'static str,
+        /// The identifier.
+        id: String,
+        /// Identifiers that exist.
+        known: String,
+    },
+    /// A reaction asked of a region that nothing holds.
+    #[error("{path}: nothing holds region \"{region}\", so it has no reaction; add a pin on it")]
+    NotHeld {
+        /// Pointer to the measure.
+        path: String,
+        /// The region.
+        region: String,
+    },
+}
+
+/// Something worth knowing that does not stop the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Note {
+    /// Pointer to what it is about.
+    pub path: String,
+    /// What happened, with its figures.
+    pub text: String,
+    /// Whether the person should act on it.
+    pub warning: bool,
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.path, self.text)
+    }
+}
+
+/// What is being worked on, for progress on long bakes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BakeStage {
+    /// Filling the shape with particles.
+    Sampling,
+    /// Finding neighbours.
+    Neighbours,
+    /// Embedding fibres and skin.
+    Embedding,
+    /// Measuring the stable time step.
+    StableStep,
+}
+
+impl fmt::Display for BakeStage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sampling => "filling the shape with particles",
+            Self::Neighbours => "finding neighbours",
+            Self::Embedding => "embedding fibres and skin",
+            Self::StableStep => "measuring the stable time step",
+        })
+    }
+}
+
+/// A world ready to run, and what was noticed on the way.
+#[derive(Clone)]
+pub struct Baked {
+    /// The world at time zero.
+    pub world: World,
+    /// What was noticed.
+    pub notes: Vec<Note>,
+}
+
+/// Puts a scene together. Call [`Scene::validate`] first: values out of range are not looked for again here.
+///
+/// # Errors
+/// [`BakeError`] with the pointer to what cannot be put together.
+pub fn bake(scene: &Scene, progress: &mut dyn FnMut(&str, BakeStage)) -> Result<Baked, BakeError> {
+    let mut notes = Vec::new();
+    let panels: Vec<Panel> = scene.panels.iter().map(panel).collect();
+    let mut drafts = Vec::new();
+    for (index, body) in scene.bodies.iter().enumerate() {
+        drafts.push(body::draft(scene, body, &format!("/bodies/{index}"), &mut notes, progress)?);
+    }
+    let stable: Vec<f64> = drafts.iter().map(|draft| draft.parts.stable_dt).collect();
+    let plan = plan(scene, &stable);
+    for (index, (draft, &substeps)) in drafts.iter_mut().zip(&plan.substeps).enumerate() {
+        let dt = plan.frame_seconds / f64::from(plan.outer_steps) / f64::from(substeps);
+        draft.parts.dt = dt;
+        if dt > draft.parts.stable_dt {
+            notes.push(Note {
+                path: "/time/step/manual/dt".to_owned(),
+                text: format!(
+                    "{dt:.3e} s is beyond the stable step {:.3e} s of body {index} (\"{}\"), which will most likely \
+                     diverge; give at most {:.2e} s or use the automatic step",
+                    draft.parts.stable_dt,
+                    draft.parts.name,
+                    0.7 * draft.parts.stable_dt
+                ),
+                warning: true,
+            });
+        }
+    }
+    let probes = measures::probes(scene, &drafts)?;
+    let bodies = drafts.into_iter().map(|draft| Body::new(draft.parts)).collect();
+    let world = World::new(bodies, panels, probes, plan, DVec3::from_array(scene.gravity));
+    Ok(Baked { world, notes })
+}
+
+fn panel(panel: &crate::scene::Panel) -> Panel {
+    Panel {
+        id: panel.id.clone(),
+        height: panel.height,
+        velocity: 0.0,
+        center: DVec2::from_array(panel.center),
+        half_size: 0.5 * DVec2::from_array(panel.size),
+        mass: panel.mass,
+        friction: panel.friction,
+        driven: match &panel.motion {
+            PanelMotion::Falls => None,
+            PanelMotion::Driven(keys) => Some(keys.iter().map(|key| (key.time, key.height)).collect()),
+        },
+    }
+}
+
+/// Divides a frame so that no body steps beyond its share of the stable step. Bodies that share a panel step together.
+fn plan(scene: &Scene, stable: &[f64]) -> StepPlan {
+    let (frame_seconds, wanted): (f64, Vec<u32>) = match &scene.time.step {
+        TimeStep::Automatic(automatic) => {
+            let frame = 1.0 / scene.time.frames_per_second;
+            let count = |&stable: &f64| (frame / (automatic.safety * stable)).ceil().max(1.0) as u32;
+            (frame, stable.iter().map(count).collect())
+        }
+        TimeStep::Manual(manual) => {
+            (manual.dt * f64::from(manual.substeps_per_frame), vec![manual.substeps_per_frame; stable.len()])
+        }
+    };
+    let outer_steps = if scene.panels.is_empty() { 1 } else { wanted.iter().copied().max().unwrap_or(1) };
+    let substeps = wanted.iter().map(|count| count.div_ceil(outer_steps)).collect();
+    StepPlan { frame_seconds, outer_steps, substeps }
+}
+
+/// Where a reference fails: the identifiers that exist, for the message.
+fn known<'a>(ids: impl Iterator<Item = &'a str>) -> String {
+    let ids: Vec<&str> = ids.collect();
+    if ids.is_empty() { "none".to_owned() } else { ids.join(", ") }
+}

@@ -1,0 +1,174 @@
+//! Filling a shape with points on a cubic lattice.
+
+use glam::{DMat3, DVec3, IVec3};
+use std::collections::HashMap;
+
+/// Points of a cubic lattice inside a shape, ordered by z, then y, then x (rows along x are contiguous).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LatticeSample {
+    /// Lattice spacing D [m].
+    pub spacing: f64,
+    /// Positions [m].
+    pub points: Vec<DVec3>,
+    /// Lattice index of every point: `points[i] = origin + spacing * cells[i]`.
+    pub cells: Vec<IVec3>,
+}
+
+/// A box, possibly turned against the lattice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrientedBox {
+    /// Centre [m].
+    pub center: DVec3,
+    /// Full extents along its own axes [m].
+    pub size: DVec3,
+    /// Its axes, as columns.
+    pub axes: DMat3,
+}
+
+impl OrientedBox {
+    /// Whether `point` lies inside or on the surface.
+    pub fn contains(&self, point: DVec3) -> bool {
+        let local = self.axes.transpose() * (point - self.center);
+        local.abs().cmple(0.5 * self.size).all()
+    }
+
+    /// Volume [m³].
+    pub fn volume(&self) -> f64 {
+        self.size.x * self.size.y * self.size.z
+    }
+
+    /// Half extents of the axis-aligned bounds [m].
+    pub fn half_bounds(&self) -> DVec3 {
+        (self.axes.x_axis.abs() * self.size.x
+            + self.axes.y_axis.abs() * self.size.y
+            + self.axes.z_axis.abs() * self.size.z)
+            * 0.5
+    }
+}
+
+/// Lattice positions tried along each axis when a shape lies askew to the lattice.
+const OFFSETS_PER_AXIS: u32 = 4;
+
+/// Fills a box with lattice points at `spacing`.
+///
+/// Along the lattice the box gets `round(size / spacing)` layers (at least one), centred, so that a box of whole
+/// spacings is filled exactly. A box askew to the lattice gets the points inside it, for that position of the lattice
+/// at which the sampled volume comes closest to the box's.
+pub fn fill_box(shape: &OrientedBox, spacing: f64) -> LatticeSample {
+    if shape.axes == DMat3::IDENTITY { fill_aligned(shape, spacing) } else { fill_askew(shape, spacing) }
+}
+
+fn fill_aligned(shape: &OrientedBox, spacing: f64) -> LatticeSample {
+    let layers = (shape.size / spacing).round().max(DVec3::ONE).as_ivec3();
+    let origin = shape.center - 0.5 * spacing * (layers - IVec3::ONE).as_dvec3();
+    collect(IVec3::ZERO, layers - IVec3::ONE, spacing, origin, |_| true)
+}
+
+fn fill_askew(shape: &OrientedBox, spacing: f64) -> LatticeSample {
+    let reach = (shape.half_bounds() / spacing).ceil().as_ivec3() + IVec3::ONE;
+    let mut best = LatticeSample { spacing, ..LatticeSample::default() };
+    let mut best_error = f64::INFINITY;
+    for k in 0..OFFSETS_PER_AXIS.pow(3) {
+        let n = OFFSETS_PER_AXIS;
+        let shift = DVec3::new(f64::from(k % n), f64::from(k / n % n), f64::from(k / (n * n))) / f64::from(n);
+        let sample = collect(-reach, reach, spacing, shape.center + spacing * shift, |point| shape.contains(point));
+        let error = (sample.points.len() as f64 * spacing.powi(3) - shape.volume()).abs();
+        if error < best_error {
+            best_error = error;
+            best = sample;
+        }
+    }
+    best
+}
+
+fn collect(
+    first: IVec3,
+    last: IVec3,
+    spacing: f64,
+    origin: DVec3,
+    mut inside: impl FnMut(DVec3) -> bool,
+) -> LatticeSample {
+    let mut sample = LatticeSample { spacing, ..LatticeSample::default() };
+    for z in first.z..=last.z {
+        for y in first.y..=last.y {
+            for x in first.x..=last.x {
+                let cell = IVec3::new(x, y, z);
+                let point = origin + spacing * cell.as_dvec3();
+                if inside(point) {
+                    sample.points.push(point);
+                    sample.cells.push(cell);
+                }
+            }
+        }
+    }
+    sample
+}
+
+impl LatticeSample {
+    /// Pieces that are not connected through faces, edges or corners of the lattice: the piece number of every point,
+    /// and how many pieces there are.
+    pub fn pieces(&self) -> (Vec<usize>, usize) {
+        let index: HashMap<IVec3, usize> = self.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
+        let mut piece = vec![usize::MAX; self.cells.len()];
+        let mut count = 0;
+        let mut open = Vec::new();
+        for seed in 0..self.cells.len() {
+            if piece[seed] != usize::MAX {
+                continue;
+            }
+            piece[seed] = count;
+            open.push(seed);
+            while let Some(i) = open.pop() {
+                for k in 0..27 {
+                    let step = IVec3::new(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+                    if let Some(&j) = index.get(&(self.cells[i] + step))
+                        && piece[j] == usize::MAX
+                    {
+                        piece[j] = count;
+                        open.push(j);
+                    }
+                }
+            }
+            count += 1;
+        }
+        (piece, count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn boxed(size: DVec3, axes: DMat3) -> OrientedBox {
+        OrientedBox { center: DVec3::new(0.1, 0.2, 0.3), size, axes }
+    }
+
+    #[test]
+    fn a_box_of_whole_spacings_is_filled_exactly() {
+        let sample = fill_box(&boxed(DVec3::new(0.042, 0.072, 0.042), DMat3::IDENTITY), 0.006);
+        assert_eq!(sample.points.len(), 588);
+        let mean = sample.points.iter().sum::<DVec3>() / 588.0;
+        assert!(mean.distance(DVec3::new(0.1, 0.2, 0.3)) < 1e-12);
+        assert_eq!(sample.pieces().1, 1);
+    }
+
+    #[test]
+    fn an_askew_box_keeps_its_volume() {
+        for degrees in [10.0_f64, 30.0, 45.0] {
+            let shape = boxed(DVec3::new(0.03, 0.12, 0.03), DMat3::from_rotation_z(degrees.to_radians()));
+            let sample = fill_box(&shape, 0.006);
+            let volume = sample.points.len() as f64 * 0.006_f64.powi(3);
+            assert!((volume / shape.volume() - 1.0).abs() < 0.02, "{degrees}: {volume}");
+            assert!(sample.points.iter().all(|&point| shape.contains(point)));
+        }
+    }
+
+    #[test]
+    fn separate_pieces_are_counted() {
+        let mut sample = fill_box(&boxed(DVec3::splat(0.018), DMat3::IDENTITY), 0.006);
+        let keep: Vec<usize> = (0..27).filter(|&i| sample.cells[i].x != 1).collect();
+        sample.points = keep.iter().map(|&i| sample.points[i]).collect();
+        sample.cells = keep.iter().map(|&i| sample.cells[i]).collect();
+        assert_eq!(sample.pieces().1, 2);
+    }
+}

@@ -1,0 +1,186 @@
+//! What a run has shown, ready for JSON.
+
+use super::Runner;
+use crate::scene::Scene;
+use crate::solver::body::Body;
+use crate::solver::measure::MeasureValue;
+use serde::Serialize;
+use std::hash::{DefaultHasher, Hasher};
+
+/// Result of a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Report {
+    /// Name of the scene.
+    pub scene: String,
+    /// Simulated time [s].
+    pub seconds: f64,
+    /// Frames advanced.
+    pub frames: u64,
+    /// Whether everything had come to rest.
+    pub at_rest: bool,
+    /// Time spent stepping [s].
+    pub wall_seconds: f64,
+    /// Simulated over wall seconds.
+    pub real_time_factor: f64,
+    /// One entry a body.
+    pub bodies: Vec<BodyReport>,
+    /// One entry a measure.
+    pub measures: Vec<MeasureReport>,
+    /// What was noticed while the scene was put together.
+    pub notes: Vec<String>,
+}
+
+/// One body.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BodyReport {
+    /// Name a person reads.
+    pub name: String,
+    /// Kind of body.
+    pub kind: &'static str,
+    /// Material particles.
+    pub particles: usize,
+    /// Mean number of neighbours of a material particle.
+    pub mean_neighbours: f64,
+    /// Fibres in the material.
+    pub fibres: usize,
+    /// Vertices of all fibres.
+    pub structure_particles: usize,
+    /// Time step [s].
+    pub dt: f64,
+    /// Greatest stable time step [s].
+    pub stable_dt: f64,
+    /// Time steps taken.
+    pub steps: u64,
+    /// Force evaluations made.
+    pub evaluations: u64,
+    /// Why the body was stopped; null if it was not.
+    pub diverged: Option<String>,
+    /// Energies [J].
+    pub energy: EnergyReport,
+    /// Linear momentum [kg m/s].
+    pub linear_momentum: [f64; 3],
+    /// Angular momentum about the world's origin [kg m²/s].
+    pub angular_momentum: [f64; 3],
+    /// Hash of all positions and velocities, equal only for equal bits; to be compared on one machine.
+    pub state_hash: String,
+}
+
+/// Energies [J].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct EnergyReport {
+    /// Energy of motion.
+    pub kinetic: f64,
+    /// Strain energy of the matrix.
+    pub matrix: f64,
+    /// Energy of the terms that hold back zero-energy modes.
+    pub zero_energy: f64,
+    /// Stretching energy of the fibres.
+    pub stretching: f64,
+    /// Bending energy of the fibres.
+    pub bending: f64,
+    /// Energy of springs.
+    pub springs: f64,
+    /// Energy of enclosed gas.
+    pub pressure: f64,
+    /// Elastic energy of contacts with the room.
+    pub contact: f64,
+    /// Potential energy in the gravity field.
+    pub gravity: f64,
+}
+
+/// One measure.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MeasureReport {
+    /// Name in the scene.
+    pub name: String,
+    /// Kind of measure.
+    pub kind: &'static str,
+    /// A number, or a vector of three.
+    pub value: serde_json::Value,
+    /// Unit of the value.
+    pub unit: &'static str,
+}
+
+impl Report {
+    /// What `runner` shows after `wall_seconds` of stepping.
+    pub fn new(scene: &Scene, runner: &Runner, wall_seconds: f64, notes: Vec<String>) -> Self {
+        let world = runner.world();
+        let seconds = world.time();
+        Self {
+            scene: scene.name.clone(),
+            seconds,
+            frames: world.frame(),
+            at_rest: runner.at_rest(),
+            wall_seconds,
+            real_time_factor: if wall_seconds > 0.0 { seconds / wall_seconds } else { 0.0 },
+            bodies: world.bodies().iter().map(|body| BodyReport::new(body, seconds)).collect(),
+            measures: world
+                .probes()
+                .iter()
+                .zip(runner.reported_measures())
+                .map(|(probe, value)| MeasureReport {
+                    name: probe.name.clone(),
+                    kind: probe.quantity.kind(),
+                    value: match value {
+                        MeasureValue::Scalar(value) => serde_json::json!(value),
+                        MeasureValue::Vector(value) => serde_json::json!(value.to_array()),
+                    },
+                    unit: probe.quantity.unit(),
+                })
+                .collect(),
+            notes,
+        }
+    }
+}
+
+impl BodyReport {
+    fn new(body: &Body, time: f64) -> Self {
+        let parts = body.parts();
+        let state = body.state();
+        Self {
+            name: parts.name.clone(),
+            kind: parts.kind,
+            particles: state.len(),
+            mean_neighbours: parts.mean_neighbours,
+            fibres: parts.fibres.len(),
+            structure_particles: parts.fibres.iter().map(|fibre| fibre.vertices.len()).sum(),
+            dt: parts.dt,
+            stable_dt: parts.stable_dt,
+            steps: body.steps(),
+            evaluations: body.evaluations(),
+            diverged: body.divergence().map(ToString::to_string),
+            energy: EnergyReport::new(body, time),
+            linear_momentum: state.linear_momentum().to_array(),
+            angular_momentum: state.angular_momentum().to_array(),
+            state_hash: state_hash(body),
+        }
+    }
+}
+
+impl EnergyReport {
+    /// Energies of a body at `time` [s].
+    pub fn new(body: &Body, time: f64) -> Self {
+        let energies = body.energies(time);
+        Self {
+            kinetic: energies.kinetic,
+            matrix: energies.matrix,
+            zero_energy: energies.zero_energy,
+            stretching: energies.stretching,
+            bending: energies.bending,
+            springs: energies.springs,
+            pressure: energies.pressure,
+            contact: energies.contact,
+            gravity: energies.gravity,
+        }
+    }
+}
+
+fn state_hash(body: &Body) -> String {
+    let mut hasher = DefaultHasher::new();
+    for v in body.state().positions.iter().chain(&body.state().velocities) {
+        for component in v.to_array() {
+            hasher.write_u64(component.to_bits());
+        }
+    }
+    format!("{:016x}", hasher.finish())
+}

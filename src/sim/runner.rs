@@ -1,0 +1,80 @@
+//! Fixed frames, no clock: the window and a headless run take identical steps.
+
+use crate::bake::Baked;
+use crate::scene::{OverTime, Scene};
+use crate::solver::measure::MeasureValue;
+use crate::solver::snapshot::Snapshot;
+use crate::solver::world::World;
+
+/// Frames in a row that must look at rest: a single one may catch a swing in passing.
+const REST_FRAMES: u32 = 2;
+
+/// Advances a world frame by frame and keeps what the measures ask for over time.
+#[derive(Clone)]
+pub struct Runner {
+    world: World,
+    over_time: Vec<OverTime>,
+    peaks: Vec<MeasureValue>,
+    restful_frames: u32,
+}
+
+impl Runner {
+    /// A runner at the start of `scene`, from which `baked` was made.
+    pub fn new(scene: &Scene, baked: Baked) -> Self {
+        let world = baked.world;
+        let peaks = world.measures();
+        let over_time = scene.measures.iter().map(|measure| measure.over_time).collect();
+        Self { world, over_time, peaks, restful_frames: 0 }
+    }
+
+    /// Advances by one frame.
+    pub fn advance_frame(&mut self) {
+        self.world.advance_frame();
+        for (peak, value) in self.peaks.iter_mut().zip(self.world.measures()) {
+            if value.magnitude() > peak.magnitude() {
+                *peak = value;
+            }
+        }
+        self.restful_frames = if self.world.at_rest() { self.restful_frames + 1 } else { 0 };
+    }
+
+    /// The world as it stands.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// Plain positions of the present state.
+    pub fn snapshot(&self) -> Snapshot {
+        Snapshot::of(&self.world)
+    }
+
+    /// Whether everything has come to rest and stayed so.
+    pub fn at_rest(&self) -> bool {
+        self.restful_frames >= REST_FRAMES
+    }
+
+    /// Whether nothing is left to simulate because every body was stopped.
+    pub fn all_stopped(&self) -> bool {
+        let bodies = self.world.bodies();
+        !bodies.is_empty() && bodies.iter().all(|body| body.divergence().is_some())
+    }
+
+    /// Number of frames that reach `seconds`.
+    pub fn frames_for(&self, seconds: f64) -> u64 {
+        (seconds / self.world.plan().frame_seconds - 1e-9).ceil().max(0.0) as u64
+    }
+
+    /// What a report gives of each measure: its last value or its peak.
+    pub fn reported_measures(&self) -> Vec<MeasureValue> {
+        self.world
+            .measures()
+            .into_iter()
+            .zip(&self.peaks)
+            .zip(&self.over_time)
+            .map(|((last, &peak), over_time)| match over_time {
+                OverTime::Final => last,
+                OverTime::Peak => peak,
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,256 @@
+//! One body: a [`ParticleState`] with a list of forces and an integrator that steps it.
+
+use super::constraint::Constraint;
+use super::dynamics::Dynamics;
+use super::embedding::Stencil;
+use super::energy::Energies;
+use super::forces::{ContactLaw, Force};
+use super::integrators::Integrator;
+use super::state::ParticleState;
+use glam::DVec3;
+use std::sync::Arc;
+use thiserror::Error;
+
+/// What a body is put together from.
+#[derive(Clone)]
+pub struct BodyParts {
+    /// Stable identifier of the scene.
+    pub id: String,
+    /// Name a person reads.
+    pub name: String,
+    /// Kind, as in reports.
+    pub kind: &'static str,
+    /// Particles at the start.
+    pub state: ParticleState,
+    /// Rest positions in the world [m]: where the particles would start without any initial deformation.
+    pub rest: Arc<[DVec3]>,
+    /// Everything that pushes and pulls.
+    pub forces: Vec<Box<dyn Force>>,
+    /// How it is stepped.
+    pub integrator: Box<dyn Integrator>,
+    /// Prescribed motions.
+    pub constraints: Vec<Constraint>,
+    /// How it pushes on other things.
+    pub contact: ContactLaw,
+    /// Centre lines of the fibres, for drawing and counting.
+    pub fibres: Vec<FibreLine>,
+    /// Render surface.
+    pub skin: Option<Arc<Skin>>,
+    /// Distance [m] that no particle may cross in one step against the body's mean motion.
+    pub reach: f64,
+    /// Force [N] and energy [J] scales below which the body counts as at rest.
+    pub rest_scale: RestScale,
+    /// Mean number of neighbours of a particle.
+    pub mean_neighbours: f64,
+    /// Time step [s].
+    pub dt: f64,
+    /// Greatest stable time step that was measured [s].
+    pub stable_dt: f64,
+    /// JSON pointer of the parameter that sets the time step, named when the body diverges.
+    pub step_parameter: String,
+}
+
+/// Scales below which a body counts as at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RestScale {
+    /// Largest net force on a free particle [N].
+    pub force: f64,
+    /// Kinetic energy of a particle [J].
+    pub energy: f64,
+}
+
+/// Centre line of one embedded fibre.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FibreLine {
+    /// Identifier of the scene's fibre.
+    pub id: String,
+    /// Embedded vertices, ends without force included.
+    pub vertices: Vec<Stencil>,
+}
+
+/// Render surface that rides on the particles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Skin {
+    /// Embedding of every vertex.
+    pub vertices: Vec<Stencil>,
+    /// Vertex indices of the faces.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// A body that was stopped because its motion could no longer be computed.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("body \"{body}\" diverged at {time:.6} s ({cause}) and was stopped in its last good state; {remedy}")]
+pub struct Divergence {
+    /// Name of the body.
+    pub body: String,
+    /// When [s].
+    pub time: f64,
+    /// What was seen.
+    pub cause: String,
+    /// Which parameter to change.
+    pub remedy: String,
+}
+
+/// One body of a world.
+#[derive(Clone)]
+pub struct Body {
+    parts: BodyParts,
+    held: Vec<DVec3>,
+    net: Vec<DVec3>,
+    current: bool,
+    steps: u64,
+    evaluations: u64,
+    last_good: ParticleState,
+    divergence: Option<Divergence>,
+}
+
+impl Body {
+    /// A body at the start.
+    pub fn new(parts: BodyParts) -> Self {
+        let n = parts.state.len();
+        let mut body = Self {
+            held: vec![DVec3::ZERO; n],
+            net: Vec::new(),
+            current: false,
+            steps: 0,
+            evaluations: 0,
+            last_good: parts.state.clone(),
+            divergence: None,
+            parts,
+        };
+        body.settle(0.0);
+        body
+    }
+
+    /// What it was put together from, with the present state.
+    pub fn parts(&self) -> &BodyParts {
+        &self.parts
+    }
+
+    /// Present state of the particles.
+    pub fn state(&self) -> &ParticleState {
+        &self.parts.state
+    }
+
+    /// Time steps taken.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Force evaluations made.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    /// Why the body was stopped, if it was.
+    pub fn divergence(&self) -> Option<&Divergence> {
+        self.divergence.as_ref()
+    }
+
+    /// Net force on every particle [N], what other bodies add included, before constraints take their part.
+    pub fn net_force(&self, i: usize) -> DVec3 {
+        self.net[i] + self.held[i]
+    }
+
+    /// Forces from other bodies, held over the next steps [N].
+    pub(super) fn held_mut(&mut self) -> &mut [DVec3] {
+        &mut self.held
+    }
+
+    /// Remembers the present state as good.
+    pub(super) fn checkpoint(&mut self) {
+        if self.divergence.is_none() {
+            self.last_good.clone_from(&self.parts.state);
+        }
+    }
+
+    /// Takes `count` steps from `time` [s].
+    pub(super) fn advance(&mut self, time: f64, count: u32) {
+        for k in 0..count {
+            if self.divergence.is_some() {
+                return;
+            }
+            let dt = self.parts.dt;
+            let start = time + f64::from(k) * dt;
+            let mut dynamics = Dynamics {
+                forces: &mut self.parts.forces,
+                constraints: &self.parts.constraints,
+                held: &self.held,
+                net: &mut self.net,
+                current: &mut self.current,
+                evaluations: &mut self.evaluations,
+            };
+            self.parts.integrator.step(&mut dynamics, &mut self.parts.state, start, dt);
+            self.steps += 1;
+            self.guard(start + dt);
+        }
+    }
+
+    /// Makes the net forces those of the present state, so that reactions can be read.
+    pub(super) fn settle(&mut self, time: f64) {
+        if self.current || self.divergence.is_some() {
+            return;
+        }
+        let mut dynamics = Dynamics {
+            forces: &mut self.parts.forces,
+            constraints: &self.parts.constraints,
+            held: &self.held,
+            net: &mut self.net,
+            current: &mut self.current,
+            evaluations: &mut self.evaluations,
+        };
+        dynamics.evaluate_end(time, &mut self.parts.state);
+    }
+
+    /// Stops the body before numbers that are no longer meaningful spread.
+    fn guard(&mut self, time: f64) {
+        let ParticleState { velocities, .. } = &self.parts.state;
+        let mean = velocities.iter().sum::<DVec3>() / velocities.len() as f64;
+        let fastest = velocities.iter().map(|v| (*v - mean).length_squared()).fold(0.0, f64::max).sqrt();
+        let finite = mean.is_finite() && fastest.is_finite();
+        if finite && fastest * self.parts.dt <= self.parts.reach {
+            return;
+        }
+        let cause = if finite {
+            format!("a particle reached {fastest:.3e} m/s")
+        } else {
+            "a velocity is no longer a number".to_owned()
+        };
+        let BodyParts { dt, stable_dt, step_parameter, .. } = &self.parts;
+        let remedy = if dt > stable_dt {
+            format!("its time step {dt:.3e} s is beyond the stable {stable_dt:.3e} s: lower {step_parameter}")
+        } else {
+            format!("lower {step_parameter}, raise the damping, or soften what drives it")
+        };
+        self.parts.state.clone_from(&self.last_good);
+        self.divergence = Some(Divergence { body: self.parts.name.clone(), time, cause, remedy });
+    }
+
+    /// Energies of the present state.
+    pub fn energies(&self, time: f64) -> Energies {
+        let mut energies = Energies { kinetic: self.parts.state.kinetic_energy(), ..Energies::default() };
+        for force in &self.parts.forces {
+            force.add_energy(time, &self.parts.state, &mut energies);
+        }
+        energies
+    }
+
+    /// Whether nothing moves and nothing pushes: prescribed motions have ended, the largest net force on a free
+    /// particle and the largest kinetic energy of a particle are below the body's rest scales.
+    pub fn at_rest(&self, time: f64) -> bool {
+        if self.divergence.is_some() {
+            return true;
+        }
+        if self.parts.constraints.iter().any(|constraint| constraint.motion.end() > time) {
+            return false;
+        }
+        let mut free: Vec<DVec3> = (0..self.net.len()).map(|i| self.net_force(i)).collect();
+        for constraint in &self.parts.constraints {
+            constraint.mask(&mut free);
+        }
+        let ParticleState { velocities, masses, .. } = &self.parts.state;
+        let force = free.iter().map(|f| f.length()).fold(0.0, f64::max);
+        let energy = velocities.iter().zip(masses).map(|(v, m)| 0.5 * m * v.length_squared()).fold(0.0, f64::max);
+        force < self.parts.rest_scale.force && energy < self.parts.rest_scale.energy
+    }
+}

@@ -1,0 +1,162 @@
+//! Constraints: particles whose motion is prescribed along some axes.
+
+use super::state::ParticleState;
+use glam::{BVec3, DQuat, DVec3};
+
+/// Particles held or moved along some world axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constraint {
+    /// The particles.
+    pub particles: Vec<u32>,
+    /// Where each of them starts [m].
+    pub start: Vec<DVec3>,
+    /// Axes along which they are held.
+    pub locked: BVec3,
+    /// How they move.
+    pub motion: PrescribedMotion,
+}
+
+/// Motion relative to the start.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PrescribedMotion {
+    /// None.
+    Fixed,
+    /// By `displacement` [m] over the course.
+    Ramp {
+        /// Full displacement [m].
+        displacement: DVec3,
+        /// When.
+        course: Course,
+    },
+    /// By `angle` about a unit axis through `origin`.
+    Turn {
+        /// Unit axis.
+        axis: DVec3,
+        /// A point on the axis [m].
+        origin: DVec3,
+        /// Full angle [rad].
+        angle: f64,
+        /// When.
+        course: Course,
+    },
+    /// Along offsets [m] at ascending times [s], linear in between.
+    Keyframes(Vec<(f64, DVec3)>),
+}
+
+/// From 0 to 1 over a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Course {
+    /// When it starts [s].
+    pub start: f64,
+    /// How long it takes [s].
+    pub duration: f64,
+    /// Whether it eases from rest to rest (3 s² - 2 s³) or runs at a steady rate.
+    pub smooth: bool,
+}
+
+impl Course {
+    /// Progress (0 to 1) and its rate [1/s] at `time` [s].
+    pub fn at(&self, time: f64) -> (f64, f64) {
+        let since = time - self.start;
+        if since >= self.duration {
+            return (1.0, 0.0);
+        }
+        if since <= 0.0 {
+            return (0.0, 0.0);
+        }
+        let s = since / self.duration;
+        if self.smooth {
+            (s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s) / self.duration)
+        } else {
+            (s, 1.0 / self.duration)
+        }
+    }
+}
+
+impl PrescribedMotion {
+    /// Position [m] and velocity [m/s] at `time` of what starts at `start`.
+    pub fn at(&self, time: f64, start: DVec3) -> (DVec3, DVec3) {
+        match self {
+            Self::Fixed => (start, DVec3::ZERO),
+            Self::Ramp { displacement, course } => {
+                let (progress, rate) = course.at(time);
+                (start + progress * *displacement, rate * *displacement)
+            }
+            Self::Turn { axis, origin, angle, course } => {
+                let (progress, rate) = course.at(time);
+                let arm = DQuat::from_axis_angle(*axis, progress * angle) * (start - *origin);
+                (*origin + arm, (rate * angle * *axis).cross(arm))
+            }
+            Self::Keyframes(keys) => {
+                let (offset, velocity) = interpolate(keys, time);
+                (start + offset, velocity)
+            }
+        }
+    }
+
+    /// When the motion has ended [s].
+    pub fn end(&self) -> f64 {
+        match self {
+            Self::Fixed => 0.0,
+            Self::Ramp { course, .. } | Self::Turn { course, .. } => course.start + course.duration,
+            Self::Keyframes(keys) => keys.last().map_or(0.0, |key| key.0),
+        }
+    }
+}
+
+/// Linear interpolation of keyed vectors: value and rate; constant before the first and after the last.
+fn interpolate(keys: &[(f64, DVec3)], time: f64) -> (DVec3, DVec3) {
+    let next = keys.partition_point(|key| key.0 <= time);
+    match (next.checked_sub(1).map(|k| keys[k]), keys.get(next)) {
+        (Some((t0, a)), Some(&(t1, b))) => {
+            let rate = (b - a) / (t1 - t0);
+            (a + rate * (time - t0), rate)
+        }
+        (Some((_, last)), None) => (last, DVec3::ZERO),
+        (None, first) => (first.map_or(DVec3::ZERO, |key| key.1), DVec3::ZERO),
+    }
+}
+
+impl Constraint {
+    /// Puts the held particles where they belong at `time` [s], with their velocities.
+    pub fn apply(&self, time: f64, state: &mut ParticleState) {
+        for (&i, &start) in self.particles.iter().zip(&self.start) {
+            let (position, velocity) = self.motion.at(time, start);
+            let i = i as usize;
+            state.positions[i] = DVec3::select(self.locked, position, state.positions[i]);
+            state.velocities[i] = DVec3::select(self.locked, velocity, state.velocities[i]);
+        }
+    }
+
+    /// Sets the held components of a vector field to zero.
+    pub fn mask(&self, field: &mut [DVec3]) {
+        for &i in &self.particles {
+            let i = i as usize;
+            field[i] = DVec3::select(self.locked, DVec3::ZERO, field[i]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prescribed_velocities_are_the_rates_of_prescribed_positions() {
+        let course = Course { start: 0.1, duration: 0.4, smooth: true };
+        let motions = [
+            PrescribedMotion::Ramp { displacement: DVec3::new(1.0, 2.0, 3.0), course },
+            PrescribedMotion::Turn { axis: DVec3::Y, origin: DVec3::X, angle: 2.0, course },
+            PrescribedMotion::Keyframes(vec![(0.0, DVec3::ZERO), (0.3, DVec3::X), (0.6, DVec3::Y)]),
+        ];
+        let start = DVec3::new(0.3, 0.2, 0.5);
+        for motion in &motions {
+            for time in [0.05, 0.15, 0.25, 0.45, 0.7] {
+                let d = 1e-6;
+                let rate = (motion.at(time + d, start).0 - motion.at(time - d, start).0) / (2.0 * d);
+                assert!(rate.distance(motion.at(time, start).1) < 1e-7, "{motion:?} at {time}");
+            }
+        }
+        assert_eq!(motions[0].at(9.0, start).0, start + DVec3::new(1.0, 2.0, 3.0));
+    }
+}

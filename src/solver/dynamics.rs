@@ -1,0 +1,66 @@
+//! What an integrator sees of a body: forces in, accelerations out.
+
+use super::constraint::Constraint;
+use super::forces::Force;
+use super::state::ParticleState;
+use glam::DVec3;
+
+/// The forces and constraints of one body during one step.
+///
+/// The forces of the last evaluation are kept; where an integrator says that they belong to the end of its step, the
+/// next step starts from them without evaluating again.
+pub struct Dynamics<'a> {
+    pub(super) forces: &'a mut [Box<dyn Force>],
+    pub(super) constraints: &'a [Constraint],
+    /// Forces that other bodies put on this one [N], held over the step.
+    pub(super) held: &'a [DVec3],
+    pub(super) net: &'a mut Vec<DVec3>,
+    pub(super) current: &'a mut bool,
+    pub(super) evaluations: &'a mut u64,
+}
+
+impl Dynamics<'_> {
+    /// Makes the forces at the start of a step available, evaluating them only if the last step did not leave them.
+    pub fn start(&mut self, time: f64, state: &mut ParticleState) {
+        if !*self.current {
+            self.evaluate(time, state);
+        }
+        *self.current = false;
+    }
+
+    /// Brings `state` onto the constraints at `time` [s] and evaluates all forces there.
+    pub fn evaluate(&mut self, time: f64, state: &mut ParticleState) {
+        for constraint in self.constraints {
+            constraint.apply(time, state);
+        }
+        self.net.clear();
+        self.net.resize(state.len(), DVec3::ZERO);
+        for force in self.forces.iter_mut() {
+            force.add_forces(time, state, self.net);
+        }
+        *self.current = false;
+        *self.evaluations += 1;
+    }
+
+    /// Evaluates at the end of a step; the next step will start from the result.
+    pub fn evaluate_end(&mut self, time: f64, state: &mut ParticleState) {
+        self.evaluate(time, state);
+        *self.current = true;
+    }
+
+    /// Accelerations [m/s²] by the last evaluation, zero along held axes.
+    pub fn accelerations(&self, state: &ParticleState, out: &mut Vec<DVec3>) {
+        out.clear();
+        out.extend(self.net.iter().zip(self.held).zip(&state.masses).map(|((&net, &held), &mass)| (net + held) / mass));
+        for constraint in self.constraints {
+            constraint.mask(out);
+        }
+    }
+
+    /// Brings `state` onto the constraints at `time` [s].
+    pub fn constrain(&self, time: f64, state: &mut ParticleState) {
+        for constraint in self.constraints {
+            constraint.apply(time, state);
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! Explicit Euler.
+
+use super::{Integrator, advance};
+use crate::solver::dynamics::Dynamics;
+use crate::solver::state::ParticleState;
+use glam::DVec3;
+
+/// `x += dt v; v += dt a(x, v)`, both from the start of the step: order 1. Undamped oscillations always grow.
+#[derive(Clone, Debug, Default)]
+pub struct ExplicitEuler {
+    accelerations: Vec<DVec3>,
+}
+
+impl Integrator for ExplicitEuler {
+    fn step(&mut self, dynamics: &mut Dynamics<'_>, state: &mut ParticleState, time: f64, dt: f64) {
+        dynamics.start(time, state);
+        dynamics.accelerations(state, &mut self.accelerations);
+        for (x, &v) in state.positions.iter_mut().zip(&state.velocities) {
+            *x += dt * v;
+        }
+        advance(&mut state.velocities, &self.accelerations, dt);
+        dynamics.constrain(time + dt, state);
+    }
+
+    fn stable_step(&self, omega: f64, damping: f64) -> f64 {
+        // Under-damped, |1 + dt lambda| <= 1 needs dt <= c / w²; an undamped oscillation grows by (w dt)² / 2 a step.
+        let damped = if omega > 0.0 { damping / (omega * omega) } else { 2.0 / damping };
+        let slow_growth = 0.02 / omega;
+        if damping > 0.0 { damped.max(slow_growth).min(1.0 / omega) } else { slow_growth }
+    }
+
+    fn clone_box(&self) -> Box<dyn Integrator> {
+        Box::new(self.clone())
+    }
+}

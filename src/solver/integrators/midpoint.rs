@@ -1,0 +1,38 @@
+//! Explicit midpoint.
+
+use super::{Integrator, advance};
+use crate::solver::dynamics::Dynamics;
+use crate::solver::state::ParticleState;
+use glam::DVec3;
+
+/// Half an Euler step, then a whole step with the rates found there: order 2. Undamped oscillations grow slowly.
+#[derive(Clone, Debug, Default)]
+pub struct Midpoint {
+    accelerations: Vec<DVec3>,
+    middle: ParticleState,
+}
+
+impl Integrator for Midpoint {
+    fn step(&mut self, dynamics: &mut Dynamics<'_>, state: &mut ParticleState, time: f64, dt: f64) {
+        dynamics.start(time, state);
+        dynamics.accelerations(state, &mut self.accelerations);
+        self.middle.clone_from(state);
+        advance(&mut self.middle.positions, &state.velocities, 0.5 * dt);
+        advance(&mut self.middle.velocities, &self.accelerations, 0.5 * dt);
+        dynamics.evaluate(time + 0.5 * dt, &mut self.middle);
+        dynamics.accelerations(state, &mut self.accelerations);
+        advance(&mut state.positions, &self.middle.velocities, dt);
+        advance(&mut state.velocities, &self.accelerations, dt);
+        dynamics.constrain(time + dt, state);
+    }
+
+    fn stable_step(&self, omega: f64, damping: f64) -> f64 {
+        // An undamped oscillation grows by (w dt)^4 / 8 a step: 1e-4 at a third of 1 / w.
+        let real = if damping > 0.0 { 2.0 / damping } else { f64::INFINITY };
+        (0.17 / omega).min(real)
+    }
+
+    fn clone_box(&self) -> Box<dyn Integrator> {
+        Box::new(self.clone())
+    }
+}

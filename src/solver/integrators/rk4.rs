@@ -1,0 +1,50 @@
+//! Classical Runge-Kutta.
+
+use super::{Integrator, advance};
+use crate::solver::dynamics::Dynamics;
+use crate::solver::state::ParticleState;
+use glam::DVec3;
+
+/// The classical Runge-Kutta method: order 4, four force evaluations a step.
+#[derive(Clone, Debug, Default)]
+pub struct Rk4 {
+    accelerations: Vec<DVec3>,
+    stage: ParticleState,
+    velocity_sum: Vec<DVec3>,
+    acceleration_sum: Vec<DVec3>,
+}
+
+impl Integrator for Rk4 {
+    fn step(&mut self, dynamics: &mut Dynamics<'_>, state: &mut ParticleState, time: f64, dt: f64) {
+        dynamics.start(time, state);
+        dynamics.accelerations(state, &mut self.accelerations);
+        self.velocity_sum.clone_from(&state.velocities);
+        self.acceleration_sum.clone_from(&self.accelerations);
+        self.stage.clone_from(state);
+        for (share, weight) in [(0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
+            let h = share * dt;
+            // The stage's rates are those of the stage before; its state starts from that of the step.
+            for i in 0..state.len() {
+                self.stage.positions[i] = state.positions[i] + h * self.stage.velocities[i];
+                self.stage.velocities[i] = state.velocities[i] + h * self.accelerations[i];
+            }
+            dynamics.evaluate(time + h, &mut self.stage);
+            dynamics.accelerations(state, &mut self.accelerations);
+            advance(&mut self.velocity_sum, &self.stage.velocities, weight);
+            advance(&mut self.acceleration_sum, &self.accelerations, weight);
+        }
+        advance(&mut state.positions, &self.velocity_sum, dt / 6.0);
+        advance(&mut state.velocities, &self.acceleration_sum, dt / 6.0);
+        dynamics.constrain(time + dt, state);
+    }
+
+    fn stable_step(&self, omega: f64, damping: f64) -> f64 {
+        // 2 sqrt 2 on the imaginary axis, 2.785 on the real one.
+        let imaginary = 8.0_f64.sqrt() / omega;
+        if damping > 0.0 { imaginary.min(2.785 / damping) } else { imaginary }
+    }
+
+    fn clone_box(&self) -> Box<dyn Integrator> {
+        Box::new(self.clone())
+    }
+}

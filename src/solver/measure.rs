@@ -1,0 +1,136 @@
+//! Signed numbers read off a body.
+
+use super::body::Body;
+use glam::DVec3;
+
+/// A value, a number or a vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MeasureValue {
+    /// A number.
+    Scalar(f64),
+    /// A vector, world axes.
+    Vector(DVec3),
+}
+
+impl MeasureValue {
+    /// Its size, for comparing.
+    pub fn magnitude(&self) -> f64 {
+        match self {
+            Self::Scalar(value) => value.abs(),
+            Self::Vector(value) => value.length(),
+        }
+    }
+}
+
+/// Particles of one body.
+pub type Group = Vec<u32>;
+
+/// What is read.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Quantity {
+    /// Mean displacement from the rest shape in the world [mm].
+    MeanDisplacement(Group),
+    /// Largest displacement [mm].
+    TipDisplacement(Group),
+    /// Shortening of the distance between two groups along an axis, over the rest distance.
+    HeightLoss(Group, Group, usize),
+    /// Turn of the first group against the second about a unit axis [degrees].
+    Twist(Group, Group, DVec3),
+    /// Displacement of the first group against the second, across the line between them at rest [mm].
+    Shear(Group, Group),
+    /// Force on the pins of a group along a unit direction [N]; the flags tell which axes are held, particle by
+    /// particle.
+    ReactionForce(Group, Vec<DVec3>, DVec3),
+    /// Torque on the pins of a group about a unit direction through the group's centre [N m].
+    ReactionTorque(Group, Vec<DVec3>, DVec3),
+}
+
+const MILLI: f64 = 1e3;
+
+impl Quantity {
+    /// Name of the kind in reports.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::MeanDisplacement(..) => "mean_displacement",
+            Self::TipDisplacement(..) => "tip_displacement",
+            Self::HeightLoss(..) => "height_loss",
+            Self::Twist(..) => "twist",
+            Self::Shear(..) => "shear",
+            Self::ReactionForce(..) => "reaction_force",
+            Self::ReactionTorque(..) => "reaction_torque",
+        }
+    }
+
+    /// Unit of the value.
+    pub fn unit(&self) -> &'static str {
+        match self {
+            Self::MeanDisplacement(..) | Self::TipDisplacement(..) | Self::Shear(..) => "mm",
+            Self::HeightLoss(..) => "1",
+            Self::Twist(..) => "degrees",
+            Self::ReactionForce(..) => "N",
+            Self::ReactionTorque(..) => "N m",
+        }
+    }
+
+    /// Whether the value is a vector.
+    pub fn is_vector(&self) -> bool {
+        matches!(self, Self::MeanDisplacement(..) | Self::Shear(..))
+    }
+
+    /// Present value.
+    pub fn read(&self, body: &Body) -> MeasureValue {
+        let now = &body.state().positions;
+        let rest = &body.parts().rest;
+        match self {
+            Self::MeanDisplacement(group) => MeasureValue::Vector(MILLI * (mean(group, now) - mean(group, rest))),
+            Self::TipDisplacement(group) => MeasureValue::Scalar(
+                MILLI * group.iter().map(|&i| now[i as usize].distance(rest[i as usize])).fold(0.0, f64::max),
+            ),
+            Self::HeightLoss(a, b, axis) => {
+                let before = (mean(a, rest) - mean(b, rest))[*axis];
+                let after = (mean(a, now) - mean(b, now))[*axis];
+                MeasureValue::Scalar(1.0 - after / before)
+            }
+            Self::Twist(a, b, axis) => {
+                let turn = turn_about(a, rest, now, *axis) - turn_about(b, rest, now, *axis);
+                // Into (-180, 180].
+                let wrapped = turn - 360.0 * ((turn - 180.0) / 360.0).ceil();
+                MeasureValue::Scalar(wrapped)
+            }
+            Self::Shear(a, b) => {
+                let line = (mean(a, rest) - mean(b, rest)).normalize_or_zero();
+                let moved = (mean(a, now) - mean(a, rest)) - (mean(b, now) - mean(b, rest));
+                MeasureValue::Vector(MILLI * (moved - line * moved.dot(line)))
+            }
+            Self::ReactionForce(group, held, along) => MeasureValue::Scalar(
+                group.iter().zip(held).map(|(&i, &held)| (body.net_force(i as usize) * held).dot(*along)).sum(),
+            ),
+            Self::ReactionTorque(group, held, along) => {
+                let center = mean(group, now);
+                let torque: DVec3 = group
+                    .iter()
+                    .zip(held)
+                    .map(|(&i, &held)| (now[i as usize] - center).cross(body.net_force(i as usize) * held))
+                    .sum();
+                MeasureValue::Scalar(torque.dot(*along))
+            }
+        }
+    }
+}
+
+fn mean(group: &[u32], positions: &[DVec3]) -> DVec3 {
+    group.iter().map(|&i| positions[i as usize]).sum::<DVec3>() / group.len().max(1) as f64
+}
+
+/// Best turn [degrees] of a group about an axis from `rest` to `now`, in the plane across the axis.
+fn turn_about(group: &[u32], rest: &[DVec3], now: &[DVec3], axis: DVec3) -> f64 {
+    let (center_rest, center_now) = (mean(group, rest), mean(group, now));
+    let (mut sine, mut cosine) = (0.0, 0.0);
+    for &i in group {
+        let across = |x: DVec3| x - axis * x.dot(axis);
+        let (from, to) = (across(rest[i as usize] - center_rest), across(now[i as usize] - center_now));
+        sine += from.cross(to).dot(axis);
+        cosine += from.dot(to);
+    }
+    sine.atan2(cosine).to_degrees()
+}

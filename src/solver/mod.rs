@@ -1,0 +1,22 @@
+//! The solver: a world of bodies and its step. Knows no scene file, clock, thread start, egui or wgpu.
+//!
+//! A body is a [`state::ParticleState`] with a list of [`forces`], and any of the [`integrators`] steps any body.
+//! Positions are world coordinates in metres; rest data are in the body's model frame, and rotations carry one into
+//! the other. State and forces are f64.
+
+pub mod body;
+pub mod constraint;
+pub mod dynamics;
+pub mod embedding;
+pub mod energy;
+pub mod forces;
+pub mod integrators;
+pub mod measure;
+pub mod neighbourhood;
+pub mod panel;
+pub mod rotation;
+pub mod snapshot;
+pub mod stable_step;
+pub mod state;
+pub mod volume_fraction;
+pub mod world;

@@ -1,0 +1,196 @@
+//! Rest neighbourhoods of the material particles: who feels whom, by which weight, over which rest offset.
+//!
+//! The lists are those of the rest shape and never change (total Lagrangian), and they are never truncated: a list cut
+//! at some length is no longer symmetric and loses momentum. On a lattice an offset recurs all over the body, so that
+//! each neighbour is an index and the number of its offset in a small palette (80 entries at D = 0.4 h).
+
+use crate::geometry::kernel::Kernel;
+use crate::geometry::neighbours::PointGrid;
+use glam::{DMat3, DVec3, IVec3};
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::ops::Range;
+use thiserror::Error;
+
+/// A rest offset and its weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct RestBond {
+    /// `w_ij X_ji` [1/m], `X_ji = X_j - X_i`.
+    pub weighted_offset: DVec3,
+    /// `w_ij = -V W'(r) / r` [1/m²].
+    pub weight: f64,
+}
+
+/// Rest neighbourhoods and what follows from them.
+#[derive(Clone, Debug)]
+pub struct Neighbourhood {
+    starts: Vec<u32>,
+    neighbours: Vec<u32>,
+    bonds: Vec<u32>,
+    palette: Vec<RestBond>,
+    offsets: Vec<DVec3>,
+    /// `A_i^-1`, the inverse of `A_i = sum w_ij X_ji (x) X_ji` (dimensionless).
+    pub inverse_moment: Vec<DMat3>,
+    /// `B_i = sum w_ij X_ji` [1/m]; zero inside, not at surfaces.
+    pub weighted_sum: Vec<DVec3>,
+    /// `sum w_ij` [1/m²].
+    pub weight_sum: Vec<f64>,
+}
+
+/// A shape too thin for its particles.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error(
+    "{count} of {total} particles lie in a part only one layer thick (the first at {at:.4?} m), which cannot resist \
+     bending: lower the support radius from {support_radius} m to at most {suggested:.3e} m for two layers"
+)]
+pub struct TooThin {
+    /// Particles whose neighbours lie on a plane or a line.
+    pub count: usize,
+    /// All particles.
+    pub total: usize,
+    /// Rest position of the first of them [m].
+    pub at: [f64; 3],
+    /// Support radius in use [m].
+    pub support_radius: f64,
+    /// Support radius that would give two layers [m].
+    pub suggested: f64,
+}
+
+/// Condition (least over greatest eigenvalue estimate) of A below which a neighbourhood counts as flat.
+const FLAT: f64 = 1e-6;
+
+impl Neighbourhood {
+    /// Builds the neighbourhoods of `points` (rest, model frame). `cells` are their lattice indices at `spacing`, or
+    /// none for points off a lattice; `volume` is that of a particle [m³].
+    ///
+    /// # Errors
+    /// [`TooThin`] if some particle's neighbours lie on a plane or a line: A has no inverse there.
+    pub fn new(
+        points: &[DVec3],
+        cells: Option<&[IVec3]>,
+        spacing: f64,
+        kernel: Kernel,
+        volume: f64,
+    ) -> Result<Self, TooThin> {
+        let grid = PointGrid::new(points, kernel.support_radius);
+        let lists: Vec<Vec<u32>> = points.par_iter().map(|&point| grid.within(point)).collect();
+        let mut this = Self {
+            starts: vec![0],
+            neighbours: Vec::new(),
+            bonds: Vec::new(),
+            palette: Vec::new(),
+            offsets: Vec::new(),
+            inverse_moment: Vec::new(),
+            weighted_sum: Vec::new(),
+            weight_sum: Vec::new(),
+        };
+        let mut known: HashMap<IVec3, u32> = HashMap::new();
+        for (i, list) in lists.iter().enumerate() {
+            for &j in list {
+                if j as usize == i {
+                    continue;
+                }
+                let bond = match cells {
+                    Some(cells) => {
+                        let step = cells[j as usize] - cells[i];
+                        *known.entry(step).or_insert_with(|| this.add_bond(spacing * step.as_dvec3(), kernel, volume))
+                    }
+                    None => this.add_bond(points[j as usize] - points[i], kernel, volume),
+                };
+                this.neighbours.push(j);
+                this.bonds.push(bond);
+            }
+            this.starts.push(this.neighbours.len() as u32);
+        }
+        this.moments(points, kernel)?;
+        Ok(this)
+    }
+
+    fn add_bond(&mut self, offset: DVec3, kernel: Kernel, volume: f64) -> u32 {
+        let weight = volume * kernel.minus_slope_over_r(offset.length());
+        self.palette.push(RestBond { weighted_offset: weight * offset, weight });
+        self.offsets.push(offset);
+        self.palette.len() as u32 - 1
+    }
+
+    fn moments(&mut self, points: &[DVec3], kernel: Kernel) -> Result<(), TooThin> {
+        let mut flat = Vec::new();
+        for (i, &point) in points.iter().enumerate() {
+            let (mut moment, mut sum, mut weight) = (DMat3::ZERO, DVec3::ZERO, 0.0);
+            for k in self.range(i) {
+                let bond = self.palette[self.bonds[k] as usize];
+                let offset = self.offsets[self.bonds[k] as usize];
+                moment += outer(bond.weighted_offset, offset);
+                sum += bond.weighted_offset;
+                weight += bond.weight;
+            }
+            // Exact symmetry: the gradient of the energy relies on it.
+            let moment = 0.5 * (moment + moment.transpose());
+            let trace = moment.x_axis.x + moment.y_axis.y + moment.z_axis.z;
+            let determinant = moment.determinant();
+            if trace.is_nan() || determinant <= FLAT * trace.powi(3) {
+                flat.push(point);
+                continue;
+            }
+            let inverse = moment.inverse();
+            self.inverse_moment.push(0.5 * (inverse + inverse.transpose()));
+            self.weighted_sum.push(sum);
+            self.weight_sum.push(weight);
+        }
+        match flat.first() {
+            None => Ok(()),
+            Some(first) => Err(TooThin {
+                count: flat.len(),
+                total: points.len(),
+                at: first.to_array(),
+                support_radius: kernel.support_radius,
+                suggested: 0.5 * kernel.support_radius,
+            }),
+        }
+    }
+
+    /// Number of particles.
+    pub fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Whether there is no particle.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Positions of particle `i`'s bonds in the lists.
+    pub fn range(&self, i: usize) -> Range<usize> {
+        self.starts[i] as usize..self.starts[i + 1] as usize
+    }
+
+    /// Particle `i`'s neighbours with their palette entries, in ascending order of neighbours.
+    #[inline]
+    pub fn bonds(&self, i: usize) -> impl Iterator<Item = (usize, &RestBond)> {
+        let range = self.range(i);
+        self.neighbours[range.clone()]
+            .iter()
+            .zip(&self.bonds[range])
+            .map(|(&j, &bond)| (j as usize, &self.palette[bond as usize]))
+    }
+
+    /// Particle `i`'s neighbours with their rest offsets X_ji [m].
+    pub fn offsets(&self, i: usize) -> impl Iterator<Item = (usize, DVec3)> {
+        let range = self.range(i);
+        self.neighbours[range.clone()]
+            .iter()
+            .zip(&self.bonds[range])
+            .map(|(&j, &bond)| (j as usize, self.offsets[bond as usize]))
+    }
+
+    /// Mean number of neighbours of a particle.
+    pub fn mean_neighbours(&self) -> f64 {
+        self.neighbours.len() as f64 / self.len().max(1) as f64
+    }
+}
+
+/// `a (x) b`, the matrix with entries `a_r b_c`.
+pub fn outer(a: DVec3, b: DVec3) -> DMat3 {
+    DMat3::from_cols(a * b.x, a * b.y, a * b.z)
+}

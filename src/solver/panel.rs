@@ -1,0 +1,77 @@
+//! Rigid horizontal panels that move up and down and press on bodies below them.
+
+use super::body::Body;
+use super::forces::ContactLaw;
+use glam::{DVec2, DVec3};
+
+/// A rigid horizontal panel with one degree of freedom, its height.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// Stable identifier of the scene.
+    pub id: String,
+    /// Height of the underside [m].
+    pub height: f64,
+    /// Vertical velocity [m/s].
+    pub velocity: f64,
+    /// Centre in X and Z [m].
+    pub center: DVec2,
+    /// Half extents along X and Z [m].
+    pub half_size: DVec2,
+    /// Mass [kg].
+    pub mass: f64,
+    /// Coulomb friction coefficient of the underside.
+    pub friction: f64,
+    /// Heights [m] at ascending times [s], eased from one to the next; none for a panel that falls.
+    pub driven: Option<Vec<(f64, f64)>>,
+}
+
+impl Panel {
+    /// Adds the panel's push to what the body holds over the next step; returns the vertical force on the panel [N].
+    pub(super) fn press(&self, body: &mut Body) -> f64 {
+        let law = ContactLaw { friction: self.friction, ..body.parts().contact };
+        let reach = body.parts().reach;
+        let mut lift = 0.0;
+        for i in 0..body.state().len() {
+            let x = body.state().positions[i];
+            let gap = self.height - x.y;
+            let off = (DVec2::new(x.x, x.z) - self.center).abs();
+            // What lies further above the underside than a particle's reach is not pressed, it lies on top.
+            if gap > law.radius || gap < -reach || off.cmpgt(self.half_size).any() {
+                continue;
+            }
+            let velocity = body.state().velocities[i] - DVec3::new(0.0, self.velocity, 0.0);
+            let force = law.force(gap, DVec3::NEG_Y, velocity);
+            body.held_mut()[i] += force;
+            lift -= force.y;
+        }
+        lift
+    }
+
+    /// Moves the panel over one outer step from `time` to `time + dt` [s] under `lift` [N] from below.
+    pub(super) fn advance(&mut self, time: f64, dt: f64, lift: f64, gravity: f64) {
+        if let Some(keys) = &self.driven {
+            (self.height, self.velocity) = eased(keys, time + dt);
+        } else {
+            self.velocity += dt * (gravity + lift / self.mass);
+            self.height += dt * self.velocity;
+        }
+    }
+
+    /// When a driven panel has come to rest [s]; zero for one that falls.
+    pub fn end(&self) -> f64 {
+        self.driven.as_ref().and_then(|keys| keys.last()).map_or(0.0, |key| key.0)
+    }
+}
+
+/// Smoothly eased value (3 s² - 2 s³) and its rate between keys.
+pub(super) fn eased(keys: &[(f64, f64)], time: f64) -> (f64, f64) {
+    let next = keys.partition_point(|key| key.0 <= time);
+    match (next.checked_sub(1).map(|k| keys[k]), keys.get(next)) {
+        (Some((t0, a)), Some(&(t1, b))) => {
+            let s = (time - t0) / (t1 - t0);
+            (a + (b - a) * s * s * (3.0 - 2.0 * s), (b - a) * 6.0 * s * (1.0 - s) / (t1 - t0))
+        }
+        (Some((_, last)), None) => (last, 0.0),
+        (None, first) => (first.map_or(0.0, |key| key.1), 0.0),
+    }
+}

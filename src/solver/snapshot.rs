@@ -1,0 +1,73 @@
+//! What the solver shows of itself: plain positions at one time.
+
+use super::world::World;
+use glam::DVec3;
+
+/// A world at one time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Snapshot {
+    /// Simulated time [s].
+    pub time: f64,
+    /// Bodies in the order of the scene.
+    pub bodies: Vec<BodySnapshot>,
+    /// Heights of the panels' undersides [m] in the order of the scene.
+    pub panels: Vec<f64>,
+}
+
+/// A body at one time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BodySnapshot {
+    /// Name a person reads.
+    pub name: String,
+    /// Material particles [m].
+    pub particles: Vec<DVec3>,
+    /// Structure particles of each fibre [m].
+    pub fibres: Vec<FibreSnapshot>,
+    /// Vertices of the skin [m].
+    pub skin: Vec<DVec3>,
+    /// Vertex indices of the skin's faces.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// A fibre at one time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FibreSnapshot {
+    /// Identifier of the scene's fibre.
+    pub id: String,
+    /// Structure particles [m].
+    pub vertices: Vec<DVec3>,
+}
+
+impl Snapshot {
+    /// The world as it stands.
+    pub fn of(world: &World) -> Self {
+        let bodies = world
+            .bodies()
+            .iter()
+            .map(|body| {
+                let positions = &body.state().positions;
+                let parts = body.parts();
+                BodySnapshot {
+                    name: parts.name.clone(),
+                    particles: positions.clone(),
+                    fibres: parts
+                        .fibres
+                        .iter()
+                        .map(|fibre| FibreSnapshot {
+                            id: fibre.id.clone(),
+                            vertices: fibre.vertices.iter().map(|vertex| vertex.gather(positions)).collect(),
+                        })
+                        .collect(),
+                    skin: parts
+                        .skin
+                        .iter()
+                        .flat_map(|skin| &skin.vertices)
+                        .map(|vertex| vertex.gather(positions))
+                        .collect(),
+                    triangles: parts.skin.iter().flat_map(|skin| skin.triangles.iter().copied()).collect(),
+                }
+            })
+            .collect();
+        Self { time: world.time(), bodies, panels: world.panels().iter().map(|panel| panel.height).collect() }
+    }
+}

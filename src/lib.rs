@@ -2,6 +2,7 @@
 
 pub mod bake;
 pub mod geometry;
+pub mod io;
 pub mod scene;
 pub mod sim;
 pub mod sketch;

@@ -32,7 +32,7 @@ fn selector<'a>(select: &'a Selector, sample: &'a LatticeSample) -> Box<dyn Fn(u
     let slack = ON_EDGE * sample.spacing;
     match select {
         Selector::Everything => Box::new(|_| true),
-        Selector::Layers { axis, side, count } => {
+        Selector::Layers { axis, side, count, .. } => {
             let axis = axis.index();
             let along = move |cell: &glam::IVec3| cell[axis];
             let count = count.cast_signed();
@@ -43,11 +43,11 @@ fn selector<'a>(select: &'a Selector, sample: &'a LatticeSample) -> Box<dyn Fn(u
                 Side::Max => Box::new(move |i| along(&sample.cells[i]) > last - count),
             }
         }
-        Selector::Box { min, max } => {
+        Selector::Box { min, max, .. } => {
             let (min, max) = (DVec3::from_array(*min) - slack, DVec3::from_array(*max) + slack);
             Box::new(move |i| sample.points[i].cmpge(min).all() && sample.points[i].cmple(max).all())
         }
-        Selector::Sphere { center, radius } => {
+        Selector::Sphere { center, radius, .. } => {
             let center = DVec3::from_array(*center);
             Box::new(move |i| sample.points[i].distance(center) <= radius + slack)
         }

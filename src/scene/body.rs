@@ -85,11 +85,14 @@ pub struct Rotation {
     pub axis: [f64; 3],
     /// Angle [degrees], right-handed about the axis.
     pub degrees: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
 }
 
 impl Default for Rotation {
     fn default() -> Self {
-        Self { axis: [0.0, 1.0, 0.0], degrees: 0.0 }
+        Self { axis: [0.0, 1.0, 0.0], degrees: 0.0, extra: Extra::new() }
     }
 }
 
@@ -254,6 +257,9 @@ pub enum Selector {
         side: Side,
         /// How many layers.
         count: u32,
+        /// Unknown fields, kept.
+        #[serde(flatten)]
+        extra: Extra,
     },
     /// Particles in an axis-aligned box of the model frame.
     Box {
@@ -261,6 +267,9 @@ pub enum Selector {
         min: [f64; 3],
         /// Greatest corner [m].
         max: [f64; 3],
+        /// Unknown fields, kept.
+        #[serde(flatten)]
+        extra: Extra,
     },
     /// Particles in a ball of the model frame.
     Sphere {
@@ -268,6 +277,9 @@ pub enum Selector {
         center: [f64; 3],
         /// Radius [m].
         radius: f64,
+        /// Unknown fields, kept.
+        #[serde(flatten)]
+        extra: Extra,
     },
 }
 

@@ -22,6 +22,7 @@ pub use fibre::{Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidit
 pub use measure::{Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 pub use support::{Axis, Distance, Easing, Keyframe, Motion, Pin, Ramp, Side, Turn};
 pub use validate::SceneError;
+pub(crate) use validate::{brief, one_line};
 pub use world::{Automatic, HeightKey, Manual, Panel, PanelMotion, Room, Time, TimeStep};
 
 use schemars::JsonSchema;

@@ -141,6 +141,9 @@ pub struct Keyframe {
     pub time: f64,
     /// Offset [m], world axes.
     pub offset: [f64; 3],
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
 }
 
 fn all_axes() -> Vec<Axis> {

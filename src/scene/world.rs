@@ -96,6 +96,9 @@ pub struct HeightKey {
     pub time: f64,
     /// Height of the underside [m].
     pub height: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
 }
 
 /// Frame rate, length and time step.

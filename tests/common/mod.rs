@@ -57,7 +57,7 @@ pub fn in_space(body: Body) -> Scene {
 }
 
 pub fn layers(id: &str, axis: Axis, side: Side, count: u32) -> Region {
-    Region { id: id.into(), select: Selector::Layers { axis, side, count }, extra: Extra::new() }
+    Region { id: id.into(), select: Selector::Layers { axis, side, count, extra: Extra::new() }, extra: Extra::new() }
 }
 
 pub fn everything(id: &str) -> Region {

@@ -1,0 +1,88 @@
+//! What can go wrong with a file, each as one line that says what, where and what to do.
+
+use crate::scene::{SceneError, one_line};
+use std::io;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// A file that cannot be read or written, or whose content cannot be used.
+#[derive(Debug, Error)]
+pub enum IoError {
+    /// Any of the errors below, in a file.
+    #[error("{}: {error}", one_line(&file.display().to_string()))]
+    InFile {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong with it.
+        error: Box<IoError>,
+    },
+    /// There is nothing at the path.
+    #[error("there is no such file; check the path")]
+    Missing,
+    /// A folder, pipe or device where a file is needed.
+    #[error("this is {0}, not a file; name a regular file")]
+    NotAFile(&'static str),
+    /// A file too large to be meant.
+    #[error("the file has {bytes} bytes where at most {limit} are read; is it the right file?")]
+    TooLarge {
+        /// Size of the file.
+        bytes: u64,
+        /// Greatest size that is read.
+        limit: u64,
+    },
+    /// The system refused to read.
+    #[error("the file cannot be read ({0}); check its permissions")]
+    Read(#[source] io::Error),
+    /// The system refused to write; what was there before is still there.
+    #[error("the file cannot be written ({0}); check that its folder exists, has room and may be written to")]
+    Write(#[source] io::Error),
+    /// Bytes that are no text.
+    #[error("the file is not text in UTF-8 from byte {at} on; save it as UTF-8")]
+    NotUtf8 {
+        /// Offset of the first such byte.
+        at: usize,
+    },
+    /// Text that is not JSON.
+    #[error("line {line}, column {column}{}: {problem}; correct the JSON there", at_path(path))]
+    Syntax {
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// RFC 6901 pointer to the value that was being read, as far as it is known.
+        path: String,
+        /// What is wrong there.
+        problem: String,
+    },
+    /// A version of the format that this program does not read.
+    #[error(transparent)]
+    Version(SceneError),
+    /// JSON of another shape than a scene has.
+    #[error(transparent)]
+    Type(SceneError),
+    /// A pointer that leads to no field of a scene.
+    #[error(transparent)]
+    Pointer(SceneError),
+    /// A value out of range or a reference to nothing.
+    #[error(transparent)]
+    Invalid(#[from] SceneError),
+}
+
+impl IoError {
+    /// The same error with the file it is in.
+    pub(super) fn within(self, file: &Path) -> Self {
+        Self::InFile { file: file.to_owned(), error: Box::new(self) }
+    }
+
+    /// The error without the file it is in.
+    pub fn bare(&self) -> &Self {
+        match self {
+            Self::InFile { error, .. } => error.bare(),
+            other => other,
+        }
+    }
+}
+
+fn at_path(path: &str) -> String {
+    if path.is_empty() { String::new() } else { format!(" (at {path})") }
+}

@@ -1,0 +1,195 @@
+//! Scene files: versioned JSON in and out.
+
+use super::json::{parse, pointer_of};
+use super::pointer::node_at;
+use super::schema::{Node, closest, unknown_fields_of};
+use super::{IoError, write_atomically};
+use crate::scene::{SCENE_VERSION, Scene, SceneError, brief, one_line};
+use serde_json::Value;
+use std::fs::{self, File, FileType};
+use std::io::{self, Read};
+use std::path::Path;
+
+/// Scene files larger than this are refused [bytes].
+pub const MAX_SCENE_BYTES: u64 = 64 << 20;
+
+/// Reads a scene file and checks it.
+///
+/// # Errors
+/// [`IoError::InFile`] with what is wrong: no regular file of sensible size, no JSON, another version, another shape
+/// than a scene has, or a value that [`Scene::validate`] refuses.
+pub fn load_scene(path: &Path) -> Result<Scene, IoError> {
+    read_text(path).and_then(|text| scene_from_json(&text)).map_err(|error| error.within(path))
+}
+
+/// Reads a scene from JSON text and checks it.
+///
+/// # Errors
+/// As [`load_scene`], without the file.
+pub fn scene_from_json(text: &str) -> Result<Scene, IoError> {
+    let value = parse(text)?;
+    check_version(&value)?;
+    let scene = scene_from_value(&value)?;
+    scene.validate()?;
+    Ok(scene)
+}
+
+/// A scene as JSON text for people: indented, short rows of numbers on one line, a line break at the end.
+///
+/// Every finite number reads back with the same bits. Non-finite ones have no JSON; [`save_scene`] refuses them.
+pub fn scene_to_json(scene: &Scene) -> String {
+    // Serialising these types to memory cannot fail: their map keys are strings.
+    let text = serde_json::to_string_pretty(scene).unwrap_or_default();
+    join_rows(&text)
+}
+
+/// Checks a scene and writes it, wholly or not at all.
+///
+/// # Errors
+/// [`IoError::InFile`] with [`IoError::Invalid`] for a scene that could not be loaded again, or [`IoError::Write`].
+pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), IoError> {
+    scene.validate().map_err(|error| IoError::Invalid(error).within(path))?;
+    write_atomically(path, |out| out.write_all(scene_to_json(scene).as_bytes()))
+}
+
+/// The scene that a value tree holds, unchecked.
+pub(super) fn scene_from_value(value: &Value) -> Result<Scene, IoError> {
+    serde_path_to_error::deserialize(value).map_err(|error| {
+        let (path, found) = deepest(value, pointer_of(error.path()));
+        let message = error.inner().to_string();
+        let (problem, remedy) = match missing_field(&message) {
+            Some(field) => (format!("lacks the member {field:?}"), add_field(value, &path, field)),
+            None => (mismatch(&message), describe(&path)),
+        };
+        IoError::Type(SceneError { path, value: brief(found), problem: one_line(&problem), remedy })
+    })
+}
+
+/// The longest part of a pointer that leads to a value: of a choice that is wrong its names lead nowhere.
+fn deepest(value: &Value, mut pointer: String) -> (String, &Value) {
+    loop {
+        if let Some(found) = value.pointer(&pointer) {
+            return (pointer, found);
+        }
+        pointer.truncate(pointer.rfind('/').unwrap_or(0));
+    }
+}
+
+fn missing_field(message: &str) -> Option<&str> {
+    message.strip_prefix("missing field `")?.split('`').next()
+}
+
+/// What to do about a missing member: often it is there, misspelt.
+fn add_field(value: &Value, path: &str, field: &str) -> String {
+    let described = node_at(path).and_then(|node| node.child(field)).map_or("", Node::description);
+    let add = if described.is_empty() { "add it".to_owned() } else { format!("add it: {described}") };
+    let unknown = unknown_fields_of(value);
+    let here = unknown.iter().filter_map(|other| other.strip_prefix(path)?.strip_prefix('/'));
+    match closest(field, here) {
+        Some(other) => format!("{add} (is {other:?} a misspelling of it?)"),
+        None => add,
+    }
+}
+
+/// What the schema says belongs at a place.
+fn describe(path: &str) -> String {
+    match node_at(path).map_or("", Node::description) {
+        "" => "see `sinew schema`".to_owned(),
+        text => format!("it stands for: {text}"),
+    }
+}
+
+/// What serde says of a value of another shape, without the value, which stands beside it, and in plain words.
+fn mismatch(message: &str) -> String {
+    const PLAIN: [(&str, &str); 8] = [
+        ("f64", "a number"),
+        ("u32", "a whole number from 0 to 4294967295"),
+        ("a sequence", "an array"),
+        ("map with a single key", "an object with a single member"),
+        ("newtype variant", "an object with this name as its only member"),
+        ("struct variant", "an object with this name as its only member"),
+        ("unit variant", "a name without members"),
+        ("variant identifier", "a name"),
+    ];
+    let (_, expected) = message.rsplit_once(", expected ").unwrap_or(("", "another value"));
+    let expected = PLAIN.iter().find(|(rust, _)| *rust == expected).map_or(expected, |(_, plain)| plain);
+    let expected = expected.strip_prefix("struct ").map_or(expected.to_owned(), |name| format!("an object ({name})"));
+    let fault = if message.starts_with("unknown variant") { "is unknown here" } else { "has the wrong type" };
+    format!("{fault}, expected {expected}")
+}
+
+/// Refuses versions of the format that this program does not read, before anything else is made of the file.
+pub(super) fn check_version(value: &Value) -> Result<(), IoError> {
+    let fail = |path: &str, found: &Value, problem: String, remedy: String| {
+        Err(IoError::Version(SceneError { path: path.to_owned(), value: brief(found), problem, remedy }))
+    };
+    let Value::Object(members) = value else {
+        return fail("", value, "is not an object".to_owned(), "give a scene, {\"version\": 1, ...}".to_owned());
+    };
+    let known = format!("\"version\": {SCENE_VERSION}");
+    match members.get("version") {
+        None => fail("", value, "has no version".to_owned(), format!("add {known}")),
+        Some(found) => match found.as_u64() {
+            Some(version) if version == u64::from(SCENE_VERSION) => Ok(()),
+            Some(version) if version > u64::from(SCENE_VERSION) => fail(
+                "/version",
+                found,
+                format!("is newer than this program reads ({SCENE_VERSION})"),
+                "use a newer sinew for this scene".to_owned(),
+            ),
+            _ => fail("/version", found, "is no version of the format".to_owned(), format!("give {known}")),
+        },
+    }
+}
+
+fn read_text(path: &Path) -> Result<String, IoError> {
+    let metadata = fs::metadata(path).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => IoError::Missing,
+        _ => IoError::Read(error),
+    })?;
+    // Asked before opening: opening a pipe would wait for somebody to write to it.
+    if !metadata.is_file() {
+        return Err(IoError::NotAFile(kind_of(metadata.file_type())));
+    }
+    let too_large = |bytes| Err(IoError::TooLarge { bytes, limit: MAX_SCENE_BYTES });
+    if metadata.len() > MAX_SCENE_BYTES {
+        return too_large(metadata.len());
+    }
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(IoError::Read)?;
+    file.take(MAX_SCENE_BYTES + 1).read_to_end(&mut bytes).map_err(IoError::Read)?;
+    if bytes.len() as u64 > MAX_SCENE_BYTES {
+        return too_large(bytes.len() as u64);
+    }
+    String::from_utf8(bytes).map_err(|error| IoError::NotUtf8 { at: error.utf8_error().valid_up_to() })
+}
+
+fn kind_of(file_type: FileType) -> &'static str {
+    if file_type.is_dir() { "a folder" } else { "a pipe or device" }
+}
+
+/// Puts arrays of plain values that fit on one line there. Works on lines: JSON strings hold no line breaks.
+fn join_rows(pretty: &str) -> String {
+    const WIDTH: usize = 100;
+    let mut out = String::with_capacity(pretty.len());
+    let lines: Vec<_> = pretty.lines().collect();
+    let mut index = 0;
+    while index < lines.len() {
+        let line = lines[index];
+        index += 1;
+        out += line;
+        if line.ends_with('[') {
+            let plain = |line: &&str| !line.ends_with(['[', '{', ']', '}']) && !line.ends_with("],");
+            let items: Vec<_> = lines[index..].iter().copied().take_while(plain).map(str::trim).collect();
+            let close = lines.get(index + items.len()).map_or("", |line| line.trim());
+            let length = line.len() + items.iter().map(|item| item.len() + 1).sum::<usize>() + close.len();
+            if close.starts_with(']') && length <= WIDTH {
+                out += &items.join(" ");
+                out += close;
+                index += items.len() + 1;
+            }
+        }
+        out.push('\n');
+    }
+    out
+}

@@ -1,0 +1,284 @@
+//! What is loaded is what was saved.
+
+use super::{EVERY_FIELD, every_field};
+use proptest::collection::vec;
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use sinew::io::{scene_from_json, scene_to_json, unknown_fields};
+use sinew::scene::*;
+use sinew::sketch::View;
+
+#[test]
+fn every_field_survives() {
+    let scene = every_field();
+    assert_eq!(scene_from_json(&scene_to_json(&scene)).expect("valid"), scene);
+    assert_eq!(unknown_fields(&scene), Vec::<String>::new());
+}
+
+/// An object member added to every object of a scene that may hold one is kept and listed.
+#[test]
+fn unknown_fields_are_kept_and_listed_everywhere() {
+    fn add(value: &mut Value, path: &str, added: &mut Vec<String>, is_choice: bool) {
+        match value {
+            Value::Object(members) => {
+                for (name, member) in members.iter_mut() {
+                    let choice = matches!(
+                        name.as_str(),
+                        "shape" | "mass" | "source" | "stiffness" | "select" | "motion" | "distance" | "kind" | "step"
+                    );
+                    add(member, &format!("{path}/{name}"), added, choice);
+                }
+                // The alternatives of a choice are its only members.
+                if !is_choice {
+                    members.insert("~new/er".to_owned(), json!({"deep": [1, {"x": null}]}));
+                    added.push(format!("{path}/~0new~1er"));
+                }
+            }
+            Value::Array(items) => {
+                for (index, item) in items.iter_mut().enumerate() {
+                    add(item, &format!("{path}/{index}"), added, false);
+                }
+            }
+            _ => {}
+        }
+    }
+    let mut value: Value = serde_json::from_str(EVERY_FIELD).expect("JSON");
+    let mut added = Vec::new();
+    add(&mut value, "", &mut added, false);
+    let scene = scene_from_json(&value.to_string()).expect("valid");
+    let again = scene_from_json(&scene_to_json(&scene)).expect("valid");
+    assert_eq!(again, scene);
+    let mut listed = unknown_fields(&again);
+    listed.sort();
+    added.sort();
+    assert!(added.len() > 40, "{}", added.len());
+    assert_eq!(listed, added);
+}
+
+#[test]
+fn text_is_laid_out_for_people() {
+    let text = scene_to_json(&every_field());
+    assert!(text.contains("\"gravity\": [0.0, -9.81, 0.0],\n"), "{text}");
+    assert!(text.contains("\"axes\": [\"x\", \"z\"],\n"), "{text}");
+    assert!(text.starts_with("{\n  \"version\": 1,\n") && text.ends_with("}\n"));
+}
+
+/// Numbers in the accepted range, of every exponent and any mantissa.
+fn number() -> impl Strategy<Value = f64> {
+    (any::<i64>(), -15_i32..15).prop_map(|(mantissa, power)| mantissa as f64 / i64::MAX as f64 * 10_f64.powi(power))
+}
+
+fn above_zero() -> impl Strategy<Value = f64> {
+    number().prop_map(|value| value.abs().max(1e-12))
+}
+
+fn vector() -> impl Strategy<Value = [f64; 3]> {
+    [number(), number(), number()]
+}
+
+fn direction() -> impl Strategy<Value = [f64; 3]> {
+    (above_zero(), number(), number()).prop_map(|(x, y, z)| [x, y, z])
+}
+
+fn rotation() -> impl Strategy<Value = Rotation> {
+    (direction(), number(), extra()).prop_map(|(axis, degrees, extra)| Rotation { axis, degrees, extra })
+}
+
+/// Members of newer programs, with awkward names and values.
+fn extra() -> impl Strategy<Value = Extra> {
+    let value = prop_oneof![
+        Just(Value::Null),
+        any::<bool>().prop_map(Value::from),
+        any::<i64>().prop_map(Value::from),
+        any::<u64>().prop_map(Value::from),
+        number().prop_map(Value::from),
+        any::<String>().prop_map(Value::from),
+        vec(number(), 0..4).prop_map(Value::from),
+    ];
+    proptest::collection::btree_map("x[\\PC]{0,5}", value, 0..2)
+}
+
+fn motion() -> impl Strategy<Value = Motion> {
+    let easing = || prop_oneof![Just(Easing::Linear), Just(Easing::Smooth)];
+    let distance = prop_oneof![number().prop_map(Distance::Metres), number().prop_map(Distance::Fraction)];
+    let ramp = (direction(), distance, above_zero(), above_zero(), easing(), extra()).prop_map(
+        |(direction, distance, start, duration, easing, extra)| {
+            Motion::Ramp(Ramp { direction, distance, start, duration, easing, extra })
+        },
+    );
+    let turn = (direction(), proptest::option::of(vector()), number(), above_zero(), easing()).prop_map(
+        |(axis, origin, degrees, duration, easing)| {
+            Motion::Turn(Turn { axis, origin, degrees, start: 0.0, duration, easing, extra: Extra::new() })
+        },
+    );
+    let keys = vec((vector(), extra()), 1..4).prop_map(|keys| {
+        let keys = keys.into_iter().enumerate();
+        Motion::Keyframes(
+            keys.map(|(time, (offset, extra))| Keyframe { time: time as f64 / 3.0, offset, extra }).collect(),
+        )
+    });
+    prop_oneof![Just(Motion::Fixed), ramp, turn, keys]
+}
+
+fn selector() -> impl Strategy<Value = Selector> {
+    let axis = prop_oneof![Just(Axis::X), Just(Axis::Y), Just(Axis::Z)];
+    let side = prop_oneof![Just(Side::Min), Just(Side::Max)];
+    prop_oneof![
+        Just(Selector::Everything),
+        (axis, side, 1..2_000_000_u32, extra()).prop_map(|(axis, side, count, extra)| Selector::Layers {
+            axis,
+            side,
+            count,
+            extra
+        }),
+        (vector(), extra()).prop_map(|(min, extra)| Selector::Box { min, max: min.map(f64::abs), extra }),
+        (vector(), above_zero(), extra()).prop_map(|(center, radius, extra)| Selector::Sphere {
+            center,
+            radius,
+            extra
+        }),
+    ]
+}
+
+fn fibre() -> impl Strategy<Value = Fibre> {
+    let stroke = |view| {
+        (vec([number(), number()], 2..6), extra()).prop_map(move |(points, extra)| ViewStroke { view, points, extra })
+    };
+    let strokes = (stroke(View::Front), stroke(View::Top), any::<bool>(), extra()).prop_map(
+        |(first, second, flip_second, extra)| {
+            FibreSource::Strokes(StrokePair { first, second, flip_second, mismatch: Mismatch::Stretch, extra })
+        },
+    );
+    let source = prop_oneof![strokes, vec(vector(), 3..6).prop_map(FibreSource::Vertices)];
+    let stiffness = prop_oneof![
+        (above_zero(), above_zero(), extra()).prop_map(|(ea, ei, extra)| Stiffness::Rigidity(Rigidity {
+            ea,
+            ei,
+            extra
+        })),
+        (above_zero(), above_zero(), extra()).prop_map(|(kb, ks, extra)| Stiffness::Paper(PaperStiffness {
+            kb,
+            ks,
+            extra
+        })),
+    ];
+    (any::<String>(), source, stiffness, 0.0..=1.0, extra()).prop_map(|(name, source, stiffness, share, extra)| Fibre {
+        id: "fibre".to_owned(),
+        name,
+        source,
+        stiffness,
+        volume_fraction: share,
+        rest_shape: RestShape::Straight,
+        extra,
+    })
+}
+
+fn body() -> impl Strategy<Value = Body> {
+    let material = (above_zero(), 0.0..0.49, above_zero(), 0.3..0.6, extra()).prop_map(
+        |(young_modulus, poisson_ratio, density, spacing_ratio, extra)| Material {
+            young_modulus,
+            poisson_ratio,
+            mass: Mass::Density(density),
+            support_radius: 0.05,
+            spacing_ratio,
+            damping: Damping { pair: 1.0 / 3.0, air: 0.1, extra: Extra::new() },
+            volume_fraction_falloff: Falloff::Constant,
+            extra,
+        },
+    );
+    let shape = ([0.1..0.5, 0.1..0.5, 0.1..0.5], vector(), rotation(), extra())
+        .prop_map(|(size, center, rotation, extra)| Shape::Box(BoxShape { center, size, rotation, extra }));
+    let placement = (vector(), rotation(), extra()).prop_map(|(translation, rotation, extra)| Placement {
+        translation,
+        rotation,
+        extra,
+    });
+    let initial = (vector(), vector(), extra()).prop_map(|(velocity, angular_velocity, extra)| Initial {
+        velocity,
+        angular_velocity,
+        extra,
+        ..Initial::default()
+    });
+    let pin = (motion(), extra()).prop_map(|(motion, extra)| Pin {
+        id: "pin".to_owned(),
+        region: "region".to_owned(),
+        axes: vec![Axis::Z],
+        motion,
+        extra,
+    });
+    (any::<String>(), shape, placement, material, initial, selector(), fibre(), pin, extra()).prop_map(
+        |(name, shape, placement, material, initial, select, fibre, pin, extra)| Body {
+            id: "body \"\\ \u{1F9B4}\n".to_owned(),
+            name,
+            kind: BodyKind::FibreSolid,
+            shape,
+            placement,
+            material,
+            integrator: IntegratorKind::Midpoint,
+            initial,
+            impulses: Vec::new(),
+            fibres: vec![fibre],
+            regions: vec![Region { id: "region".to_owned(), select, extra: Extra::new() }],
+            pins: vec![pin],
+            extra,
+        },
+    )
+}
+
+fn scene() -> impl Strategy<Value = Scene> {
+    let room = (proptest::option::of(number()), above_zero(), extra()).prop_map(|(floor, friction, extra)| Room {
+        floor,
+        friction,
+        extra,
+        ..Room::default()
+    });
+    (vector(), room, vec(body(), 0..=1), any::<String>(), extra()).prop_map(
+        |(gravity, room, bodies, description, extra)| Scene {
+            gravity,
+            room,
+            bodies,
+            description,
+            extra,
+            ..Scene::default()
+        },
+    )
+}
+
+/// The bits of every number in a value tree, in order: equality of floats takes 0 and -0 for the same.
+fn bits(value: &Value, out: &mut Vec<u64>) {
+    match value {
+        Value::Number(number) => out.extend(number.as_f64().map(f64::to_bits)),
+        Value::Array(items) => items.iter().for_each(|item| bits(item, out)),
+        Value::Object(members) => members.values().for_each(|member| bits(member, out)),
+        _ => {}
+    }
+}
+
+fn bits_of(scene: &Scene) -> Vec<u64> {
+    let mut out = Vec::new();
+    bits(&serde_json::to_value(scene).expect("serialises"), &mut out);
+    out
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn random_scenes_survive(scene in scene()) {
+        let text = scene_to_json(&scene);
+        let again = scene_from_json(&text).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        prop_assert_eq!(&again, &scene);
+        prop_assert_eq!(bits_of(&again), bits_of(&scene));
+        prop_assert_eq!(scene_to_json(&again), text);
+    }
+
+    /// Any bit pattern of an f64 in the accepted range, -0 and subnormals included.
+    #[test]
+    fn numbers_keep_their_bits(pattern in any::<u64>()) {
+        let number = f64::from_bits(pattern);
+        prop_assume!(number.abs() <= 1e15);
+        let scene = Scene { gravity: [number, -number, 0.1], ..Scene::default() };
+        let again = scene_from_json(&scene_to_json(&scene)).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        prop_assert_eq!(again.gravity.map(f64::to_bits), scene.gravity.map(f64::to_bits));
+    }
+}

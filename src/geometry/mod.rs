@@ -1,0 +1,3 @@
+//! Geometry that knows nothing of bodies, fibres or files.
+
+pub mod curve;

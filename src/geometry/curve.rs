@@ -18,6 +18,7 @@ pub trait Point: Copy + PartialEq + Add<Output = Self> + Sub<Output = Self> + Mu
     }
 
     /// The point at fraction `t` of the way to `other`.
+    #[must_use]
     fn mix(self, other: Self, t: f64) -> Self {
         self + (other - self) * t
     }
@@ -37,7 +38,8 @@ impl Point for DVec3 {
 
 /// Length of the polyline [m]; 0 for fewer than two points.
 pub fn arc_length<P: Point>(points: &[P]) -> f64 {
-    segments(points).map(|(a, b)| a.distance(b)).sum()
+    // Not `sum`, which begins at minus zero.
+    segments(points).map(|(a, b)| a.distance(b)).fold(0.0, |length, segment| length + segment)
 }
 
 /// `count` points spaced uniformly by arc length along the polyline, both ends kept to the bit.

@@ -5,8 +5,8 @@ use super::correspond::{ARC_LENGTH_WEIGHT, End, Match, Sequences, correspond};
 use super::message::{SketchError, SketchNote, Which};
 use super::range::to_one_range;
 use super::view::Pair;
-use super::{LiftOptions, Stroke};
-use crate::geometry::curve::{resample, smooth};
+use super::{LiftOptions, Stroke, View};
+use crate::geometry::curve::{distance_to_polyline, resample, smooth};
 use glam::{DVec2, DVec3};
 
 /// Samples M on each stroke and on the curve.
@@ -15,9 +15,13 @@ pub const SAMPLES: usize = 192;
 pub const REVERSE_RATIO: f64 = 0.25;
 /// Root-mean cost, as a fraction of the model's diagonal, above which a pair is doubtful.
 pub const POOR_COST: f64 = 0.03;
+/// Deviation, as a fraction of the model's diagonal, that the curve is to keep from its strokes; beyond it a note says
+/// so. Averaging halves a difference between the strokes, but where one turn or end is higher in one view than in the
+/// other no curve fits both.
+pub const STRAY_LIMIT: f64 = 0.01;
 /// Passes of [1/4 1/2 1/4] over the merged curve: they take the steps out of the path, which moves on one stroke or
 /// the other by whole samples.
-const CURVE_SMOOTHING_PASSES: usize = 8;
+const CURVE_SMOOTHING_PASSES: usize = 4;
 
 /// A curve in space, and how it came out of its pair of strokes.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +30,9 @@ pub struct Lifted {
     pub curve: Vec<DVec3>,
     /// Root-mean cost of the correspondence, as a fraction of the model's diagonal.
     pub cost: f64,
+    /// Largest distance of the curve, as a drawing view sees it, from its stroke in `strokes`, as a fraction of the
+    /// model's diagonal.
+    pub deviation: f64,
     /// Whether the second stroke runs against its drawing order.
     pub reversed: bool,
     /// The cleaned strokes that were matched, stretched or clipped: [`SAMPLES`] points each, (horizontal, vertical) in
@@ -74,21 +81,31 @@ pub fn lift(first: &Stroke, second: &Stroke, options: &LiftOptions) -> Result<Li
         notes.push(SketchNote::Reversed);
     }
     let cost = found.mean_cost.sqrt();
+    let curve = merge(&first, &second, &found, pair, origins);
+    let strokes = [(0, first), (1, second)].map(|(which, points)| in_view(&points, which, pair, origins));
+    let deviation = deviation(&curve, &strokes, pair) / options.model_diagonal;
     if cost > POOR_COST {
         notes.push(SketchNote::PoorMatch { cost });
+    } else if deviation > STRAY_LIMIT {
+        notes.push(SketchNote::Strays { deviation, axis: pair.shared });
     }
-    let in_view = |which: usize, point: DVec2| pair.swap(which, point + origins[which]);
-    Ok(Lifted {
-        curve: merge(&first, &second, &found, pair, origins),
-        cost,
-        reversed: is_reversed,
-        strokes: [first.iter().map(|&p| in_view(0, p)).collect(), second.iter().map(|&p| in_view(1, p)).collect()],
-        matches: found.pairs,
-        clipped: [0, 1].map(|which| {
-            ranged.clipped[which].iter().map(|part| part.iter().map(|&p| in_view(which, p)).collect()).collect()
-        }),
-        notes,
-    })
+    let [first_clipped, second_clipped] = ranged.clipped;
+    let clipped = [(0, first_clipped), (1, second_clipped)]
+        .map(|(which, parts)| parts.iter().map(|part| in_view(part, which, pair, origins)).collect());
+    Ok(Lifted { curve, cost, deviation, reversed: is_reversed, strokes, matches: found.pairs, clipped, notes })
+}
+
+/// Working coordinates of stroke `which` as (horizontal, vertical) in its view [m].
+fn in_view(points: &[DVec2], which: usize, pair: Pair, origins: [DVec2; 2]) -> Vec<DVec2> {
+    points.iter().map(|&point| pair.swap(which, point + origins[which])).collect()
+}
+
+/// Largest distance of the curve from either stroke, as seen in the view of that stroke [m].
+fn deviation(curve: &[DVec3], strokes: &[Vec<DVec2>; 2], pair: Pair) -> f64 {
+    let from = |(stroke, view): (&Vec<DVec2>, View)| {
+        curve.iter().map(|&point| distance_to_polyline(view.project(point), stroke)).fold(0.0, f64::max)
+    };
+    strokes.iter().zip(pair.views).map(from).fold(0.0, f64::max)
 }
 
 /// The curve through all matched pairs, uniform in arc length [m].

@@ -135,6 +135,13 @@ pub enum SketchNote {
         /// Root-mean cost, as a fraction of the model's diagonal.
         cost: f64,
     },
+    /// The strokes fit one curve on the whole, but not everywhere.
+    Strays {
+        /// Largest distance of the curve, as a drawing view sees it, from its stroke, over the model's diagonal.
+        deviation: f64,
+        /// Index of the shared axis.
+        axis: usize,
+    },
     /// Structure particles outside the solid were left out.
     Trimmed {
         /// How many.
@@ -171,6 +178,10 @@ impl fmt::Display for SketchNote {
             Self::PoorMatch { cost } => {
                 let off = 100.0 * cost;
                 write!(f, "Strokes fit poorly: {off:.1} % of the model apart. Check the start dots, or redraw one")
+            }
+            Self::Strays { deviation, axis } => {
+                let (off, along) = (100.0 * deviation, along(axis));
+                write!(f, "The fibre strays {off:.1} % of the model from a stroke: their turns or ends differ {along}")
             }
             Self::Trimmed { trimmed, total } => {
                 let verb = if trimmed == 1 { "was" } else { "were" };

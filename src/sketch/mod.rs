@@ -7,8 +7,8 @@
 //! Why not otherwise. Pairing by arc length alone drifts, because a curve is foreshortened differently in each view.
 //! Sorting by the shared coordinate breaks any stroke that turns back.
 //!
-//! The steps: [`guides`] after the first stroke, [`follow`] while the second is drawn, [`lift`] for the pair,
-//! [`structure_particles`] to sample the curve, [`trim`] to keep what lies in the solid. All of them are pure.
+//! The steps: [`guides()`] after the first stroke, [`follow()`] while the second is drawn, [`lift()`] for the pair,
+//! [`structure_particles`] to sample the curve, [`trim()`] to keep what lies in the solid. All of them are pure.
 
 mod clean;
 mod correspond;
@@ -25,7 +25,7 @@ pub use correspond::ARC_LENGTH_WEIGHT;
 pub use fibre::{PARTICLE_COUNT, structure_particles};
 pub use follow::{Follow, follow};
 pub use guides::{Guides, guides};
-pub use lift::{Lifted, POOR_COST, REVERSE_RATIO, SAMPLES, lift};
+pub use lift::{Lifted, POOR_COST, REVERSE_RATIO, SAMPLES, STRAY_LIMIT, lift};
 pub use message::{SketchError, SketchNote, Which};
 pub use range::{CLIP_LIMIT, STRETCH_LIMIT};
 pub use trim::{Placed, SHORTEST_RUN, Trimmed, trim};

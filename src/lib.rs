@@ -1,4 +1,6 @@
 //! sinew: an interactive stroke-based fibre editor for soft solids.
+// Units stand in brackets throughout the docs: [m], [N/m].
+#![allow(rustdoc::broken_intra_doc_links, reason = "units in brackets are no links")]
 
 pub mod bake;
 pub mod geometry;

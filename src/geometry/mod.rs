@@ -1,5 +1,7 @@
-//! Shapes and distances: kernel, lattice sampling, neighbour search, surface meshes. Knows nothing of scenes or physics.
+//! Shapes and distances: curves, kernel, lattice sampling, neighbour search, surface meshes. Knows nothing of scenes or
+//! physics.
 
+pub mod curve;
 pub mod kernel;
 pub mod lattice;
 pub mod mesh;

@@ -1,5 +1,54 @@
 //! Strokes to curves: a pair of strokes in two orthogonal views becomes one curve in space.
+//!
+//! How it works. Two of the three orthographic views share one axis. Each stroke is cleaned and resampled by arc
+//! length; an order-preserving dynamic programming pairs the two sequences by their shared coordinate; each pair gives
+//! one point: the shared coordinate is the mean of both, the other two come from one stroke each.
+//!
+//! Why not otherwise. Pairing by arc length alone drifts, because a curve is foreshortened differently in each view.
+//! Sorting by the shared coordinate breaks any stroke that turns back.
+//!
+//! The steps: [`guides()`] after the first stroke, [`follow()`] while the second is drawn, [`lift()`] for the pair,
+//! [`structure_particles`] to sample the curve, [`trim()`] to keep what lies in the solid. All of them are pure.
 
+mod clean;
+mod correspond;
+mod fibre;
+mod follow;
+mod guides;
+mod lift;
+mod message;
+mod range;
+mod trim;
 mod view;
 
+pub use correspond::ARC_LENGTH_WEIGHT;
+pub use fibre::{PARTICLE_COUNT, structure_particles};
+pub use follow::{Follow, follow};
+pub use guides::{Guides, guides};
+pub use lift::{Lifted, POOR_COST, REVERSE_RATIO, SAMPLES, STRAY_LIMIT, lift};
+pub use message::{SketchError, SketchNote, Which};
+pub use range::{CLIP_LIMIT, STRETCH_LIMIT};
+pub use trim::{Placed, SHORTEST_RUN, Trimmed, trim};
 pub use view::View;
+
+use glam::DVec2;
+
+/// A stroke as it was drawn in one view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stroke {
+    /// View in which it was drawn.
+    pub view: View,
+    /// Points as drawn, (horizontal, vertical) in the view's plane [m].
+    pub points: Vec<DVec2>,
+}
+
+/// How a pair of strokes is lifted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LiftOptions {
+    /// Run the second stroke the other way from what the lift would choose by itself.
+    pub flip_second: bool,
+    /// Stretch the second stroke onto the range of the first, however far they differ, instead of clipping both.
+    pub stretch: bool,
+    /// Diagonal H of the model's bounding box [m].
+    pub model_diagonal: f64,
+}

@@ -1,0 +1,8 @@
+//! Strokes to fibres, through the public API.
+
+mod accuracy;
+mod drawing;
+mod hostile;
+mod preview;
+mod rules;
+mod trimming;

@@ -2,7 +2,7 @@
 
 use super::CliError;
 use crate::scene::one_line;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
@@ -73,12 +73,12 @@ impl Console {
     pub fn progress(&mut self, done: u64, total: u64, pieces: &str) {
         if self.is_long() && self.bar.is_none() && done < total {
             let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr());
-            let template = format!("{{bar:40}} {{pos}}/{{len}} {pieces}, {{elapsed}} gone, {{eta}} left");
+            let template = format!("{{bar:40}} {{pos}}/{{len}} {pieces}, {{elapsed}} gone{{msg}}");
             bar.set_style(ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar()));
-            // What was done before the bar appeared counts towards the estimate of the time left.
-            self.bar = Some(bar.with_elapsed(self.begun.elapsed()).with_position(done));
+            self.bar = Some(bar.with_elapsed(self.begun.elapsed()));
         }
         if let Some(bar) = &self.bar {
+            bar.set_message(time_left(self.begun.elapsed(), done, total));
             bar.set_position(done);
         }
     }
@@ -104,5 +104,38 @@ impl Console {
 
     fn is_long(&self) -> bool {
         self.interactive && self.begun.elapsed() >= LONG
+    }
+}
+
+/// The time that is left when the rest goes as the part that is done. The bar's own estimate takes what was done
+/// before it appeared for the work of an instant.
+fn time_left(gone: Duration, done: u64, total: u64) -> String {
+    if done == 0 {
+        return String::new();
+    }
+    let left = gone.as_secs_f64() * total.saturating_sub(done) as f64 / done as f64;
+    format!(", {:#} left", HumanDuration(Duration::try_from_secs_f64(left).unwrap_or(Duration::MAX)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_long_work_at_a_terminal_shows_a_bar() {
+        for (interactive, age, shown) in [(true, LONG, true), (true, Duration::ZERO, false), (false, LONG, false)] {
+            let mut console = Console::new(Box::new(io::sink()), Box::new(io::sink()), interactive);
+            console.begun = Instant::now().checked_sub(age).unwrap();
+            console.progress(3, 10, "rows");
+            assert_eq!(console.bar.as_ref().map(ProgressBar::position), shown.then_some(3));
+            console.end();
+            assert!(console.bar.is_none());
+        }
+    }
+
+    #[test]
+    fn the_rest_takes_as_long_as_the_part_that_is_done() {
+        assert_eq!(time_left(Duration::from_secs(20), 40, 180), ", 70s left");
+        assert_eq!(time_left(Duration::from_secs(20), 0, 180), "");
     }
 }

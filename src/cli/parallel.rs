@@ -7,10 +7,15 @@
 use super::CliError;
 use rayon::ThreadPoolBuilder;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::{Sender, channel};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread;
+use std::time::Duration;
 
-/// Results of jobs 0 to `count`, in that order, worked on by `threads` threads; `done` hears how many are finished.
+/// How often progress is told while no job finishes.
+const PULSE: Duration = Duration::from_millis(250);
+
+/// Results of jobs 0 to `count`, in that order, worked on by `threads` threads; `done` hears how many are finished, at
+/// least once a [`PULSE`].
 ///
 /// # Errors
 /// That of the first job, by its number, that failed; later jobs are not begun then.
@@ -34,9 +39,17 @@ pub fn in_parallel<T: Send>(
         }
         // The loop below ends when the last worker drops its own sender.
         drop(sender);
-        for (finished, (index, result)) in receiver.into_iter().enumerate() {
-            results[index] = Some(result);
-            done(finished as u64 + 1);
+        let mut finished = 0;
+        loop {
+            match receiver.recv_timeout(PULSE) {
+                Ok((index, result)) => {
+                    results[index] = Some(result);
+                    finished += 1;
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+            done(finished);
         }
     });
     // Jobs are begun in order and finish once begun: whatever was left out comes after a failure.

@@ -72,6 +72,7 @@ fn watch(
 ) -> Result<Drive, CliError> {
     let limit = args.span.limit(scene);
     let frames = runner.frames_for(limit);
+    let pieces = if args.span.until_rest { "frames at most" } else { "frames" };
     let mut stopped = vec![false; runner.world().bodies().len()];
     console.begin();
     let ran = drive(runner, frames, args.span.until_rest, &mut |runner| {
@@ -81,7 +82,7 @@ fn watch(
                 *stopped = true;
             }
         }
-        console.progress(runner.world().frame(), frames, "frames");
+        console.progress(runner.world().frame(), frames, pieces);
         records.push(runner)
     });
     console.end();

@@ -1,0 +1,158 @@
+//! Rods of n x n layers against beam theory.
+
+mod common;
+use common::*;
+use sinew::scene::{Axis, Easing, Extra, Mass, MeasureKind, Motion, OfRegion, Scene, Side, Turn, Turned};
+
+const E: f64 = 5e6;
+const NU: f64 = 0.33;
+const DENSITY: f64 = 4e-4 / (D * D * D);
+
+/// A cantilever along x with three clamped layers and a small load; its root is the last clamped layer's centre, its
+/// last layer lies eight sections from there and its end face half a spacing further. With it, Timoshenko's
+/// deflection [m] at the last layer.
+fn cantilever(n: u32) -> (Scene, f64) {
+    let free = 8 * n;
+    let mut rod = block([free + 3, n, n], E);
+    let height = f64::from(n) * D;
+    let (l, x) = ((f64::from(free) + 0.5) * D, f64::from(free) * D);
+    let gravity = 9.81 * 1e-2;
+    let (area, inertia) = (height * height, height.powi(4) / 12.0);
+    let load = DENSITY * area * gravity;
+    let shear_coefficient = 10.0 * (1.0 + NU) / (12.0 + 11.0 * NU);
+    let shear = shear_coefficient * area * E / (2.0 * (1.0 + NU));
+    let bending = load * x * x * (6.0 * l * l - 4.0 * l * x + x * x) / (24.0 * E * inertia);
+    let theory = bending + load * (l * x - 0.5 * x * x) / shear;
+    // Critical damping of the first bending mode settles fastest.
+    let omega = 3.516 * (E * inertia / (DENSITY * area)).sqrt() / (l * l);
+    rod.material.damping.air = 2.0 * omega;
+    rod.regions = vec![layers("root", Axis::X, Side::Min, 3), layers("tip", Axis::X, Side::Max, 1)];
+    rod.pins = vec![pin("root", &ALL, Motion::Fixed)];
+    let mut scene = in_space(rod);
+    scene.gravity = [0.0, -gravity, 0.0];
+    scene.time.frames_per_second = omega;
+    scene.measures =
+        vec![measure("sag", MeasureKind::MeanDisplacement(OfRegion { region: "tip".into(), extra: Extra::new() }))];
+    (scene, theory)
+}
+
+#[test]
+fn cantilevers_sag_as_timoshenko_says() {
+    for (n, expected) in [(3, 1.050), (5, 1.001)] {
+        let (scene, theory) = cantilever(n);
+        let runner = settle(&scene, 400);
+        let sinew::solver::measure::MeasureValue::Vector(sag) = runner.world().measures()[0] else {
+            panic!("a vector")
+        };
+        let ratio = -sag.y / 1e3 / theory;
+        println!("{n} layers: {ratio:.4} of theory, {} steps", runner.world().bodies()[0].steps());
+        assert!((ratio - expected).abs() < 0.015, "{n} layers: {ratio}, not {expected}");
+    }
+}
+
+/// A rod six sections long, its ends turned against each other by a small angle.
+fn twisted(n: u32) -> (Scene, f64) {
+    let mut rod = block([n, 6 * n, n], E);
+    let height = f64::from(n) * D;
+    let speed = (E / (2.0 * (1.0 + NU)) / DENSITY).sqrt();
+    // First torsional mode between held ends.
+    let omega = std::f64::consts::PI * speed / (6.0 * height);
+    rod.material.damping.air = 2.0 * omega;
+    rod.material.mass = Mass::PerParticle(4e-4);
+    rod.regions = vec![
+        layers("bottom", Axis::Y, Side::Min, 1),
+        layers("top", Axis::Y, Side::Max, 1),
+        slab("low", 2.0 * height),
+        slab("high", 5.0 * height),
+    ];
+    let turn = Turn {
+        axis: [0.0, 1.0, 0.0],
+        origin: Some([0.0; 3]),
+        degrees: 0.5,
+        start: 0.0,
+        duration: 4.0 / omega,
+        easing: Easing::Smooth,
+        extra: Extra::new(),
+    };
+    rod.pins = vec![pin("bottom", &ALL, Motion::Fixed), pin("top", &[Axis::X, Axis::Z], Motion::Turn(turn))];
+    let mut scene = in_space(rod);
+    scene.time.frames_per_second = omega;
+    let turned = |region: &str, against: &str| {
+        MeasureKind::Twist(Turned {
+            region: region.into(),
+            against: against.into(),
+            axis: [0.0, 1.0, 0.0],
+            extra: Extra::new(),
+        })
+    };
+    scene.measures = vec![
+        measure("twist", turned("high", "low")),
+        measure("torque", MeasureKind::ReactionTorque(reaction("top", [0.0, -1.0, 0.0]))),
+    ];
+    (scene, height)
+}
+
+/// The layers whose centres lie within half a spacing of a height.
+fn slab(id: &str, y: f64) -> sinew::scene::Region {
+    sinew::scene::Region {
+        id: id.into(),
+        select: sinew::scene::Selector::Box {
+            min: [-1.0, y - 0.51 * D, -1.0],
+            max: [1.0, y + 0.51 * D, 1.0],
+            extra: Extra::new(),
+        },
+        extra: Extra::new(),
+    }
+}
+
+#[test]
+fn rods_twist_as_saint_venant_says() {
+    for (n, expected) in [(3, 1.016), (5, 1.038)] {
+        let (scene, height) = twisted(n);
+        let runner = settle(&scene, 400);
+        let (twist, torque) = (scalar(&runner, 0).to_radians(), scalar(&runner, 1));
+        let rigidity = E / (2.0 * (1.0 + NU)) * 0.140_577 * height.powi(4);
+        // The slabs lie symmetrically around 2 H and 5 H.
+        let ratio = torque * 3.0 * height / twist / rigidity;
+        println!("{n} layers: {ratio:.4} of theory, {} steps", runner.world().bodies()[0].steps());
+        assert!((ratio - expected).abs() < 0.015, "{n} layers: {ratio}, not {expected}");
+    }
+}
+
+#[test]
+fn rods_pull_as_hooke_says() {
+    let n = 3;
+    let mut rod = block([n, 6 * n, n], E);
+    let height = f64::from(n) * D;
+    rod.material.damping.air = 2.0 * std::f64::consts::PI * (E / DENSITY).sqrt() / (6.0 * height);
+    rod.regions = vec![
+        layers("bottom", Axis::Y, Side::Min, 1),
+        layers("top", Axis::Y, Side::Max, 1),
+        slab("low", 2.0 * height),
+        slab("high", 5.0 * height),
+    ];
+    // Held along y only, and kept from drifting by the symmetry of the rod.
+    rod.pins = vec![
+        pin("bottom", &[Axis::Y], Motion::Fixed),
+        pin("top", &[Axis::Y], ramp([0.0, 1.0, 0.0], sinew::scene::Distance::Fraction(1e-3), 0.01)),
+    ];
+    let mut scene = in_space(rod);
+    scene.time.frames_per_second = 500.0;
+    scene.measures = vec![
+        measure(
+            "stretch",
+            MeasureKind::HeightLoss(sinew::scene::Extent {
+                region: "high".into(),
+                against: "low".into(),
+                axis: Axis::Y,
+                extra: Extra::new(),
+            }),
+        ),
+        measure("force", MeasureKind::ReactionForce(reaction("top", [0.0, -1.0, 0.0]))),
+    ];
+    let runner = settle(&scene, 400);
+    let (strain, force) = (-scalar(&runner, 0), scalar(&runner, 1));
+    let ratio = force / (strain * E * height * height);
+    println!("{ratio:.4} of theory");
+    assert!((ratio - 1.0).abs() < 0.005, "{ratio}");
+}

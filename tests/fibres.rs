@@ -2,7 +2,6 @@
 
 mod common;
 use common::*;
-use glam::DVec3;
 use sinew::scene::{Axis, Distance, MeasureKind, Motion, RestShape, Scene, Side};
 
 /// The press of the short bar at 2 %, with the four fibres of the design's figure.

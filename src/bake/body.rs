@@ -2,9 +2,9 @@
 
 use super::{BakeError, BakeStage, Note, fibres, supports};
 use crate::geometry::kernel::Kernel;
-use crate::geometry::lattice::{LatticeSample, OrientedBox, fill_box};
+use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box};
 use crate::geometry::mesh::box_surface;
-use crate::scene::{Body, BodyKind, BoxShape, IntegratorKind, Mass, Placement, Rotation, Scene, Shape, TimeStep};
+use crate::scene::{Body, BodyKind, IntegratorKind, Mass, Placement, Rotation, Scene, Shape, TimeStep};
 use crate::solver::body::{BodyParts, RestScale, Skin};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
@@ -46,21 +46,21 @@ pub(super) fn draft(
 
     progress(name, BakeStage::Sampling);
     let Shape::Box(shape) = &body.shape;
-    let solid = solid(shape);
-    let sample = fill_box(&solid, spacing);
+    let solid = Cuboid { center: DVec3::from_array(shape.center), size: DVec3::from_array(shape.size) };
+    let sample = fill_box(&solid, spacing, lattice_axes(&shape.lattice_rotation));
     if sample.points.is_empty() {
         return Err(BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing });
     }
     note_sampling(&sample, &solid, path, notes);
 
     progress(name, BakeStage::Neighbours);
-    let neighbourhood = Neighbourhood::new(&sample.points, Some(&sample.cells), spacing, kernel, volume)
+    let neighbourhood = Neighbourhood::on_lattice(&sample, kernel, volume)
         .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);
 
     progress(name, BakeStage::Embedding);
     let embedder = Embedder::new(&sample.points, kernel);
-    let diagonal = 2.0 * solid.half_bounds().length();
+    let diagonal = solid.size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let skin = skin(&solid, spacing, &embedder);
 
@@ -138,16 +138,13 @@ pub(super) fn draft(
     Ok(Draft { parts, regions })
 }
 
-fn solid(shape: &BoxShape) -> OrientedBox {
-    OrientedBox {
-        center: DVec3::from_array(shape.center),
-        size: DVec3::from_array(shape.size),
-        axes: if shape.rotation.degrees == 0.0 { DMat3::IDENTITY } else { DMat3::from_quat(turn(&shape.rotation)) },
-    }
+fn lattice_axes(rotation: &Rotation) -> DMat3 {
+    // Exactly along the axes when not turned: that decides how the box is filled.
+    if rotation.degrees == 0.0 { DMat3::IDENTITY } else { DMat3::from_quat(turn(rotation)) }
 }
 
 /// The surface that is drawn; none where some part of it has too little material around it to ride on.
-fn skin(solid: &OrientedBox, edge: f64, embedder: &Embedder<'_>) -> Option<Arc<Skin>> {
+fn skin(solid: &Cuboid, edge: f64, embedder: &Embedder<'_>) -> Option<Arc<Skin>> {
     let surface = box_surface(solid, edge);
     let vertices: Option<Vec<_>> = surface.positions.iter().map(|&at| embedder.stencil(at)).collect();
     vertices.map(|vertices| Arc::new(Skin { vertices, triangles: surface.triangles }))
@@ -187,7 +184,7 @@ fn stable_step(
     integrator.stable_step(frequency_squared.sqrt(), damping_rate)
 }
 
-fn note_sampling(sample: &LatticeSample, solid: &OrientedBox, path: &str, notes: &mut Vec<Note>) {
+fn note_sampling(sample: &LatticeSample, solid: &Cuboid, path: &str, notes: &mut Vec<Note>) {
     let (_, pieces) = sample.pieces();
     if pieces > 1 {
         notes.push(Note {

@@ -3,6 +3,7 @@
 #![allow(rustdoc::broken_intra_doc_links, reason = "units in brackets are no links")]
 
 pub mod bake;
+pub mod cli;
 pub mod geometry;
 pub mod io;
 pub mod scene;

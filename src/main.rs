@@ -1,3 +1,15 @@
 //! The `sinew` binary: arguments in, a headless command or the window out.
 
-fn main() {}
+use clap::Parser;
+use sinew::cli::{Cli, Console, nothing_asked, run};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let mut console = Console::of_process();
+    match &cli.command {
+        Some(command) => run(command, &mut console),
+        // The window's place.
+        None => nothing_asked(&mut console),
+    }
+}

@@ -14,6 +14,7 @@ use crate::solver::neighbourhood::TooThin;
 use crate::solver::panel::Panel;
 use crate::solver::world::{StepPlan, World};
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
 use std::fmt;
 use thiserror::Error;
 
@@ -118,6 +119,8 @@ pub struct Baked {
     pub world: World,
     /// What was noticed.
     pub notes: Vec<Note>,
+    /// Particles of the regions of each body, by the region's id.
+    pub regions: Vec<HashMap<String, Vec<u32>>>,
 }
 
 /// Puts a scene together. Call [`Scene::validate`] first: values out of range are not looked for again here.
@@ -151,9 +154,9 @@ pub fn bake(scene: &Scene, progress: &mut dyn FnMut(&str, BakeStage)) -> Result<
         }
     }
     let probes = measures::probes(scene, &drafts)?;
-    let bodies = drafts.into_iter().map(|draft| Body::new(draft.parts)).collect();
+    let (bodies, regions) = drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
     let world = World::new(bodies, panels, probes, plan, DVec3::from_array(scene.gravity));
-    Ok(Baked { world, notes })
+    Ok(Baked { world, notes, regions })
 }
 
 fn panel(panel: &crate::scene::Panel) -> Panel {

@@ -1,9 +1,10 @@
 //! Writes that happen wholly or not at all.
 
 use super::IoError;
-use std::fs::{self, File};
+use std::fs::{self, File, Metadata};
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// Writes a file through `content`, so that the path holds either what it held before or all that is new.
 ///
@@ -17,37 +18,86 @@ pub fn write_atomically(path: &Path, content: impl FnOnce(&mut dyn Write) -> io:
     replace(path, content).map_err(|error| IoError::Write(error).within(path))
 }
 
-fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    // Renaming over a link would replace the link and leave the file that it names as it was.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let old = fs::metadata(&target).ok();
-    if old.as_ref().is_some_and(|old| !old.is_file()) {
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a regular file"));
-    }
-    let folder = match target.parent() {
-        Some(folder) if folder.as_os_str().is_empty() => Path::new("."),
-        Some(folder) => folder,
-        None => return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not the path of a file")),
+/// Looks whether [`write_atomically`] could write to a path, before the work whose result is to go there is begun.
+/// Leaves nothing behind. Returns the file that would be written, whole and with links followed, for comparing.
+///
+/// # Errors
+/// [`IoError::Write`] within [`IoError::InFile`], as writing would give it.
+pub fn check_writable(path: &Path) -> Result<PathBuf, IoError> {
+    let probe = || {
+        let place = Place::of(path)?;
+        place.temporary_file()?.close()?;
+        let name = place.target.file_name().unwrap_or_default();
+        Ok(fs::canonicalize(place.folder())?.join(name))
     };
-    let mut options = tempfile::Builder::new();
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // What the system gives any new file; temporary files are private otherwise.
-        options.permissions(fs::Permissions::from_mode(0o666));
+    probe().map_err(|error| IoError::Write(error).within(path))
+}
+
+/// Makes a folder, and those above it that are missing, unless it is there.
+///
+/// # Errors
+/// [`IoError::Folder`] within [`IoError::InFile`]: it cannot be made or written to, or the path is a file.
+pub fn make_folder(path: &Path) -> Result<(), IoError> {
+    let make = || {
+        fs::create_dir_all(path)?;
+        tempfile::Builder::new().prefix(".sinew-").suffix(".tmp").tempfile_in(path)?.close()
+    };
+    make().map_err(|error| IoError::Folder(error).within(path))
+}
+
+/// Where a file is going to be.
+struct Place {
+    target: PathBuf,
+    old: Option<Metadata>,
+}
+
+impl Place {
+    fn of(path: &Path) -> io::Result<Self> {
+        // Renaming over a link would replace the link and leave the file that it names as it was.
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let old = fs::metadata(&target).ok();
+        if old.as_ref().is_some_and(|old| !old.is_file()) {
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a regular file"));
+        }
+        if target.file_name().is_none() {
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not the path of a file"));
+        }
+        Ok(Self { target, old })
     }
-    let mut file = options.prefix(".sinew-").suffix(".tmp").tempfile_in(folder)?;
+
+    fn folder(&self) -> &Path {
+        match self.target.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        }
+    }
+
+    fn temporary_file(&self) -> io::Result<NamedTempFile> {
+        let mut options = tempfile::Builder::new();
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            // What the system gives any new file; temporary files are private otherwise.
+            options.permissions(fs::Permissions::from_mode(0o666));
+        }
+        options.prefix(".sinew-").suffix(".tmp").tempfile_in(self.folder())
+    }
+}
+
+fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let place = Place::of(path)?;
+    let mut file = place.temporary_file()?;
     let mut buffer = BufWriter::new(file.as_file_mut());
     content(&mut buffer)?;
     buffer.flush()?;
     drop(buffer);
-    if let Some(old) = old {
+    if let Some(old) = &place.old {
         file.as_file().set_permissions(old.permissions())?;
     }
     file.as_file().sync_all()?;
-    file.persist(&target).map_err(|error| error.error)?;
+    file.persist(&place.target).map_err(|error| error.error)?;
     // The rename itself is on the disk once the folder is. Not every system can open a folder: then it is on its own.
-    if let Ok(folder) = File::open(folder) {
+    if let Ok(folder) = File::open(place.folder()) {
         folder.sync_all().ok();
     }
     Ok(())

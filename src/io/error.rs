@@ -36,6 +36,9 @@ pub enum IoError {
     /// The system refused to write; what was there before is still there.
     #[error("the file cannot be written ({0}); check that its folder exists, has room and may be written to")]
     Write(#[source] io::Error),
+    /// The system refused to make or use a folder.
+    #[error("the folder cannot be written to ({0}); name a folder that can be made or may be written to")]
+    Folder(#[source] io::Error),
     /// Bytes that are no text.
     #[error("the file is not text in UTF-8 from byte {at} on; save it as UTF-8")]
     NotUtf8 {

@@ -173,6 +173,21 @@ impl EnergyReport {
             gravity: energies.gravity,
         }
     }
+
+    /// Every energy [J] with the name it has in reports, in their order.
+    pub fn named(&self) -> [(&'static str, f64); 9] {
+        [
+            ("kinetic", self.kinetic),
+            ("matrix", self.matrix),
+            ("zero_energy", self.zero_energy),
+            ("stretching", self.stretching),
+            ("bending", self.bending),
+            ("springs", self.springs),
+            ("pressure", self.pressure),
+            ("contact", self.contact),
+            ("gravity", self.gravity),
+        ]
+    }
 }
 
 fn state_hash(body: &Body) -> String {

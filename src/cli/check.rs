@@ -1,0 +1,148 @@
+//! `sinew check`: what a scene holds and what is odd about it, without running it.
+
+use super::error::printable;
+use super::prepare::{Sets, load, notes, put_together, tell};
+use super::series::labels;
+use super::table::{Align, Table, figures};
+use super::{CliError, Console, Outcome};
+use crate::bake::Baked;
+use crate::scene::{Scene, one_line};
+use crate::solver::body::Body;
+use crate::solver::world::World;
+use clap::Args;
+use glam::DVec3;
+use std::path::PathBuf;
+
+/// Arguments of `sinew check`.
+#[derive(Debug, Args)]
+pub struct Check {
+    /// Scene file
+    scene: PathBuf,
+    #[command(flatten)]
+    sets: Sets,
+}
+
+/// Puts the scene together and prints what is there.
+///
+/// # Errors
+/// A scene or a set that cannot be used.
+pub fn run(args: &Check, console: &mut Console) -> Result<Outcome, CliError> {
+    let source = printable(&args.scene);
+    let scene = load(Some(&args.scene), &args.sets, None)?;
+    let baked = put_together(&scene, &source, console)?;
+    tell(&notes(&scene, &baked), console);
+    console.print(&contents(&scene, &baked, &source))?;
+    Ok(Outcome::Done)
+}
+
+fn contents(scene: &Scene, baked: &Baked, source: &str) -> String {
+    let world = &baked.world;
+    let frame = world.plan().frame_seconds;
+    let name = if scene.name.is_empty() { source.to_owned() } else { one_line(&scene.name) };
+    let mut text = format!(
+        "{name}: {} s in frames of {} s; bodies: {}, panels: {}, measures: {}\n",
+        figures(scene.time.duration),
+        figures(frame),
+        world.bodies().len(),
+        world.panels().len(),
+        world.probes().len(),
+    );
+    for part in [bodies(world), steps(world), regions(baked), measures(world)] {
+        if !part.is_empty() {
+            text += "\n";
+            text += &part.render();
+        }
+    }
+    text
+}
+
+fn bodies(world: &World) -> Table {
+    let mut table = Table::new([
+        ("body", Align::Left),
+        ("kind", Align::Left),
+        ("particles", Align::Right),
+        ("neighbours", Align::Right),
+        ("fibres", Align::Right),
+        ("vertices", Align::Right),
+        ("span of particles [m]", Align::Right),
+        ("mass [kg]", Align::Right),
+    ]);
+    for (body, label) in world.bodies().iter().zip(labels(world.bodies())) {
+        let parts = body.parts();
+        let span = span(&body.state().positions).to_array().map(figures).join(" x ");
+        table.push([
+            label,
+            parts.kind.to_owned(),
+            body.state().len().to_string(),
+            figures(parts.mean_neighbours),
+            parts.fibres.len().to_string(),
+            parts.fibres.iter().map(|fibre| fibre.vertices.len()).sum::<usize>().to_string(),
+            span,
+            figures(body.state().mass()),
+        ]);
+    }
+    table
+}
+
+/// From the first to the last particle along each world axis [m].
+fn span(positions: &[DVec3]) -> DVec3 {
+    let least = positions.iter().copied().reduce(DVec3::min).unwrap_or_default();
+    let greatest = positions.iter().copied().reduce(DVec3::max).unwrap_or_default();
+    greatest - least
+}
+
+fn steps(world: &World) -> Table {
+    let mut table = Table::new([
+        ("body", Align::Left),
+        ("time step [s]", Align::Right),
+        ("stable up to [s]", Align::Right),
+        ("steps a frame", Align::Right),
+        ("particle steps a second", Align::Right),
+    ]);
+    let plan = world.plan();
+    let label_of = labels(world.bodies());
+    for ((body, label), &substeps) in world.bodies().iter().zip(label_of).zip(&plan.substeps) {
+        let a_frame = f64::from(substeps) * f64::from(plan.outer_steps);
+        table.push([
+            label,
+            figures(body.parts().dt),
+            figures(body.parts().stable_dt),
+            a_frame.to_string(),
+            figures(cost(body, a_frame / plan.frame_seconds)),
+        ]);
+    }
+    table
+}
+
+/// Particles moved for one simulated second: what the run will cost, whatever the machine.
+fn cost(body: &Body, steps_a_second: f64) -> f64 {
+    body.state().len() as f64 * steps_a_second
+}
+
+fn regions(baked: &Baked) -> Table {
+    let mut table = Table::new([("region", Align::Left), ("body", Align::Left), ("particles", Align::Right)]);
+    for (regions, label) in baked.regions.iter().zip(labels(baked.world.bodies())) {
+        let mut regions: Vec<_> = regions.iter().collect();
+        regions.sort_by_key(|(id, _)| *id);
+        for (id, particles) in regions {
+            table.push([one_line(id), label.clone(), particles.len().to_string()]);
+        }
+    }
+    table
+}
+
+fn measures(world: &World) -> Table {
+    let mut table =
+        Table::new([("measure", Align::Left), ("body", Align::Left), ("kind", Align::Left), ("unit", Align::Left)]);
+    let label_of = labels(world.bodies());
+    for probe in world.probes() {
+        let quantity = &probe.quantity;
+        table.push([
+            one_line(&probe.name),
+            label_of.get(probe.body).cloned().unwrap_or_default(),
+            quantity.kind().to_owned(),
+            quantity.unit().to_owned(),
+        ]);
+    }
+    table
+}

@@ -1,0 +1,55 @@
+//! Running a [`Runner`] to the end that was asked for, against the clock.
+
+use super::CliError;
+use crate::sim::Runner;
+use std::time::{Duration, Instant};
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// All the time that was asked for has been simulated.
+    Time,
+    /// Everything came to rest.
+    Rest,
+    /// Every body was stopped.
+    Stopped,
+}
+
+/// A run that has ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drive {
+    /// Time spent stepping, and nothing else [s].
+    pub wall_seconds: f64,
+    /// Why it ended.
+    pub end: End,
+}
+
+/// Advances `runner` by at most `frames` frames; `each` sees it before the first and after every frame.
+///
+/// # Errors
+/// What `each` gives, at once.
+pub fn drive(
+    runner: &mut Runner,
+    frames: u64,
+    until_rest: bool,
+    each: &mut dyn FnMut(&Runner) -> Result<(), CliError>,
+) -> Result<Drive, CliError> {
+    let mut stepping = Duration::ZERO;
+    each(runner)?;
+    let mut end = End::Time;
+    while runner.world().frame() < frames {
+        let begun = Instant::now();
+        runner.advance_frame();
+        stepping += begun.elapsed();
+        each(runner)?;
+        if runner.all_stopped() {
+            end = End::Stopped;
+            break;
+        }
+        if until_rest && runner.at_rest() {
+            end = End::Rest;
+            break;
+        }
+    }
+    Ok(Drive { wall_seconds: stepping.as_secs_f64(), end })
+}

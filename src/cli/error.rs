@@ -1,0 +1,83 @@
+//! What can go wrong on the command line, each as one line that says what, where and what to do.
+
+use crate::bake::BakeError;
+use crate::io::IoError;
+use crate::scene::{SceneError, one_line};
+use rayon::ThreadPoolBuildError;
+use std::io;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// A command that cannot do its work.
+#[derive(Debug, Error)]
+pub enum CliError {
+    /// A file or a value that was set cannot be used.
+    #[error(transparent)]
+    Io(#[from] IoError),
+    /// A value that an option gave cannot be used.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A scene that cannot be put together.
+    #[error("{scene}: {source}")]
+    Bake {
+        /// Where the scene is from.
+        scene: String,
+        /// What is wrong with it.
+        source: BakeError,
+    },
+    /// Frames a second asked of a scene whose frames follow from its time step.
+    #[error(
+        "--fps: the scene steps by hand (/time/step/manual), so a frame lasts dt x substeps_per_frame = {frame} s; \
+         set /time/step/manual/dt and /time/step/manual/substeps_per_frame instead"
+    )]
+    ManualFrames {
+        /// Length of a frame [s].
+        frame: f64,
+    },
+    /// Two files that would be one.
+    #[error("{}: {first} and {second} are the same file; give {second} another name", printable(path))]
+    SameFile {
+        /// The file.
+        path: PathBuf,
+        /// What it is first.
+        first: &'static str,
+        /// What it would also be.
+        second: &'static str,
+    },
+    /// A combination of values that a sweep cannot run.
+    #[error("{values}: {source}")]
+    Row {
+        /// Pointers and values of the combination.
+        values: String,
+        /// What is wrong with it.
+        source: Box<CliError>,
+    },
+    /// A sweep over one value twice.
+    #[error("--vary {pointer}: this value is varied twice; give all its values in one list")]
+    VariedTwice {
+        /// Pointer to the value.
+        pointer: String,
+    },
+    /// A sweep of too many combinations.
+    #[error("--vary: {rows} combinations, where at most {limit} are run; give fewer values")]
+    TooManyRows {
+        /// Number of combinations.
+        rows: u128,
+        /// Greatest number.
+        limit: u128,
+    },
+    /// Threads could not be started.
+    #[error("--threads: the threads cannot be started ({0}); ask for fewer")]
+    Threads(#[from] ThreadPoolBuildError),
+    /// Rows of a series that cannot be formatted.
+    #[error("--series: a row cannot be written ({0})")]
+    Series(#[from] csv::Error),
+    /// Standard output takes nothing.
+    #[error("standard output cannot be written to ({0}); check where it goes")]
+    Output(#[source] io::Error),
+}
+
+/// A path on one line.
+pub(super) fn printable(path: &Path) -> String {
+    one_line(&path.display().to_string())
+}

@@ -1,0 +1,98 @@
+//! Many independent jobs on several threads.
+//!
+//! One rayon pool for both the jobs and the loops within them would let a job that waits for its own loop take up
+//! another whole job: its time would be counted twice, and waiting jobs would pile up on one stack. So each worker is
+//! a thread of its own with a small pool for the loops of its job.
+
+use super::CliError;
+use rayon::ThreadPoolBuilder;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Sender, channel};
+use std::thread;
+
+/// Results of jobs 0 to `count`, in that order, worked on by `threads` threads; `done` hears how many are finished.
+///
+/// # Errors
+/// That of the first job, by its number, that failed; later jobs are not begun then.
+pub fn in_parallel<T: Send>(
+    count: usize,
+    threads: usize,
+    job: impl Fn(usize) -> Result<T, CliError> + Sync,
+    mut done: impl FnMut(u64),
+) -> Result<Vec<T>, CliError> {
+    let workers = threads.clamp(1, count.max(1));
+    let inner = (threads / workers).max(1);
+    let pools = (0..workers).map(|_| ThreadPoolBuilder::new().num_threads(inner).build());
+    let pools = pools.collect::<Result<Vec<_>, _>>()?;
+    let queue = Queue { next: AtomicUsize::new(0), count, failed: AtomicBool::new(false) };
+    let mut results: Vec<Option<Result<T, CliError>>> = (0..count).map(|_| None).collect();
+    thread::scope(|scope| {
+        let (sender, receiver) = channel();
+        for pool in &pools {
+            let (queue, job, sender) = (&queue, &job, sender.clone());
+            scope.spawn(move || pool.install(|| queue.work(job, &sender)));
+        }
+        // The loop below ends when the last worker drops its own sender.
+        drop(sender);
+        for (finished, (index, result)) in receiver.into_iter().enumerate() {
+            results[index] = Some(result);
+            done(finished as u64 + 1);
+        }
+    });
+    // Jobs are begun in order and finish once begun: whatever was left out comes after a failure.
+    results.into_iter().flatten().collect()
+}
+
+struct Queue {
+    next: AtomicUsize,
+    count: usize,
+    failed: AtomicBool,
+}
+
+impl Queue {
+    /// Takes jobs until none is left or one has failed.
+    fn work<T>(
+        &self,
+        job: &(impl Fn(usize) -> Result<T, CliError> + Sync),
+        results: &Sender<(usize, Result<T, CliError>)>,
+    ) {
+        while !self.failed.load(Ordering::Relaxed) {
+            let index = self.next.fetch_add(1, Ordering::Relaxed);
+            if index >= self.count {
+                return;
+            }
+            let result = job(index);
+            if result.is_err() {
+                self.failed.store(true, Ordering::Relaxed);
+            }
+            if results.send((index, result)).is_err() {
+                return;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_come_in_order_on_any_number_of_threads() {
+        for threads in [1, 2, 5] {
+            let mut heard = 0;
+            let squares = in_parallel(20, threads, |k| Ok(k * k), |finished| heard = finished).unwrap();
+            assert_eq!(squares, (0..20).map(|k| k * k).collect::<Vec<_>>());
+            assert_eq!(heard, 20);
+        }
+        assert_eq!(in_parallel(0, 4, Ok, |_| {}).unwrap(), Vec::<usize>::new());
+    }
+
+    #[test]
+    fn the_first_failure_counts() {
+        let job = |k: usize| if k < 3 { Ok(k) } else { Err(CliError::VariedTwice { pointer: k.to_string() }) };
+        for threads in [1, 3] {
+            let failed = in_parallel(50, threads, job, |_| {});
+            assert!(matches!(failed, Err(CliError::VariedTwice { pointer }) if pointer == "3"));
+        }
+    }
+}

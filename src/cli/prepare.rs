@@ -1,0 +1,198 @@
+//! From arguments to a world that is ready to run: what every command does first.
+
+use super::error::printable;
+use super::{CliError, Console};
+use crate::bake::{Baked, Note, bake};
+use crate::io::{apply_sets, load_scene, scene_from_json, unknown_fields};
+use crate::scene::{Scene, TimeStep};
+use clap::Args;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+/// The scene that is there without any file.
+const BUILT_IN: &str = include_str!("../../scenes/short_bar_soft.json");
+
+/// Longest time that can be asked for [s], as in a scene.
+const LONGEST: f64 = 1e6;
+
+/// More unknown fields than this are counted instead of named one by one.
+const NAMED_FIELDS: usize = 10;
+
+/// Values to replace in the scene.
+#[derive(Clone, Debug, Args)]
+pub struct Sets {
+    /// Replace a value of the scene: an RFC 6901 pointer and JSON, as in /bodies/0/material/young_modulus=2e5
+    #[arg(long = "set", value_name = "POINTER=JSON")]
+    pub sets: Vec<Assignment>,
+}
+
+/// How long to run, and in which frames.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Span {
+    /// Simulated time to run [s]; the scene's duration unless given
+    #[arg(long, value_name = "S", value_parser = seconds)]
+    pub seconds: Option<f64>,
+    /// Frames a simulated second, as --set /time/frames_per_second
+    #[arg(long, value_name = "RATE")]
+    pub fps: Option<f64>,
+    /// Stop as soon as everything rests; at the latest after --seconds, or ten times the scene's duration
+    #[arg(long)]
+    pub until_rest: bool,
+}
+
+impl Span {
+    /// Simulated time after which a run ends at the latest [s].
+    pub fn limit(&self, scene: &Scene) -> f64 {
+        let factor = if self.until_rest { 10.0 } else { 1.0 };
+        self.seconds.unwrap_or(factor * scene.time.duration)
+    }
+}
+
+/// A pointer and the text of a value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Assignment {
+    /// RFC 6901 pointer.
+    pub pointer: String,
+    /// Text behind the equals sign.
+    pub text: String,
+}
+
+impl FromStr for Assignment {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.split_once('=') {
+            Some((pointer, value)) => Ok(Self { pointer: pointer.to_owned(), text: value.to_owned() }),
+            None => Err("it has no equals sign; write a pointer, = and a value, as in /gravity/1=-1.6".to_owned()),
+        }
+    }
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if (0.0..=LONGEST).contains(&seconds) => Ok(seconds),
+        _ => Err(format!("give a number of seconds from 0 to {LONGEST}")),
+    }
+}
+
+/// Where a scene is from, as a person reads it.
+pub fn source_name(source: Option<&Path>) -> String {
+    source.map_or_else(|| "the built-in scene".to_owned(), printable)
+}
+
+/// Reads a scene, or takes the built-in one, and replaces values in it.
+///
+/// # Errors
+/// A file or a value that cannot be used, or a frame rate where the scene's own time step gives one.
+pub fn load(source: Option<&PathBuf>, sets: &Sets, fps: Option<f64>) -> Result<Scene, CliError> {
+    let scene = source.map_or_else(|| scene_from_json(BUILT_IN), |path| load_scene(path))?;
+    let scene = with_sets(&scene, &sets.sets)?;
+    with_frame_rate(scene, fps)
+}
+
+/// The scene with values replaced, checked.
+///
+/// # Errors
+/// As [`apply_sets`].
+pub fn with_sets(scene: &Scene, sets: &[Assignment]) -> Result<Scene, CliError> {
+    let sets = sets.iter().map(|set| (set.pointer.as_str(), set.text.as_str()));
+    Ok(apply_sets(scene, sets)?)
+}
+
+/// The scene with another frame rate, if one is given, checked.
+///
+/// # Errors
+/// [`CliError::ManualFrames`] where the frames follow from the time step, [`CliError::Scene`] for a rate out of range.
+pub fn with_frame_rate(mut scene: Scene, fps: Option<f64>) -> Result<Scene, CliError> {
+    let Some(fps) = fps else { return Ok(scene) };
+    if let TimeStep::Manual(manual) = &scene.time.step {
+        return Err(CliError::ManualFrames { frame: manual.dt * f64::from(manual.substeps_per_frame) });
+    }
+    scene.time.frames_per_second = fps;
+    scene.validate()?;
+    Ok(scene)
+}
+
+/// Puts a scene together, showing what is worked on when it takes long.
+///
+/// # Errors
+/// [`CliError::Bake`], with where the scene is from.
+pub fn put_together(scene: &Scene, source: &str, console: &mut Console) -> Result<Baked, CliError> {
+    console.begin();
+    let baked = bake(scene, &mut |body, stage| console.stage(&format!("{body}: {stage}")));
+    console.end();
+    baked.map_err(|error| CliError::Bake { scene: source.to_owned(), source: error })
+}
+
+/// What is worth saying about a scene: fields that nothing reads, and what was noticed while putting it together.
+pub fn notes(scene: &Scene, baked: &Baked) -> Vec<Note> {
+    let unknown = unknown_fields(scene);
+    let behind = unknown.len().saturating_sub(NAMED_FIELDS);
+    let mut notes: Vec<Note> = unknown
+        .into_iter()
+        .take(NAMED_FIELDS)
+        .map(|path| Note {
+            path,
+            text: "an unknown field, kept but not used; check its name".to_owned(),
+            warning: true,
+        })
+        .collect();
+    if behind > 0 {
+        let text = format!("{behind} more unknown fields, kept but not used; see `sinew schema` for those there are");
+        notes.push(Note { path: "/".to_owned(), text, warning: true });
+    }
+    notes.extend(baked.notes.iter().cloned());
+    notes
+}
+
+/// Whether a person should act on a note, as the word before it.
+pub fn word(note: &Note) -> &'static str {
+    if note.warning { "warning" } else { "note" }
+}
+
+/// Says every note.
+pub fn tell(notes: &[Note], console: &mut Console) {
+    for note in notes {
+        console.say(word(note), note);
+    }
+}
+
+/// Runs `work` on `threads` threads, or on as many as the machine has. The results are the same bits on any number.
+///
+/// # Errors
+/// [`CliError::Threads`] where they cannot be started, and what `work` gives.
+pub fn on_threads<T: Send>(
+    threads: Option<u16>,
+    work: impl FnOnce() -> Result<T, CliError> + Send,
+) -> Result<T, CliError> {
+    match threads {
+        Some(threads) => rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build()?.install(work),
+        None => work(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_assignment_ends_its_pointer_at_the_first_equals_sign() {
+        let set: Assignment = "/name=\"a=b\"".parse().unwrap();
+        assert_eq!((set.pointer.as_str(), set.text.as_str()), ("/name", "\"a=b\""));
+        assert!("/name".parse::<Assignment>().is_err());
+    }
+
+    #[test]
+    fn seconds_are_finite_and_not_negative() {
+        assert_eq!(seconds("0.5"), Ok(0.5));
+        for bad in ["-1", "nan", "inf", "1e7", "", "x"] {
+            assert!(seconds(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn the_built_in_scene_is_a_scene_without_unknown_fields() {
+        let scene = scene_from_json(BUILT_IN).unwrap();
+        assert_eq!(unknown_fields(&scene), Vec::<String>::new());
+    }
+}

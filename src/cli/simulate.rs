@@ -1,0 +1,144 @@
+//! `sinew simulate`: one run of a scene, and what it shows.
+
+use super::drive::{Drive, End, drive};
+use super::prepare::{Sets, Span, load, notes, on_threads, put_together, source_name, tell, word};
+use super::series::Series;
+use super::summary::summary;
+use super::table::figures;
+use super::{CliError, Console, Outcome, output};
+use crate::io::ObjSequence;
+use crate::scene::Scene;
+use crate::sim::{Report, Runner};
+use clap::Args;
+use std::path::PathBuf;
+
+/// Arguments of `sinew simulate`.
+#[derive(Debug, Args)]
+pub struct Simulate {
+    /// Scene file; the built-in scene unless given
+    scene: Option<PathBuf>,
+    #[command(flatten)]
+    span: Span,
+    #[command(flatten)]
+    sets: Sets,
+    /// Threads to run on; the result is the same on any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Write a report as JSON
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+    /// Write energies, momenta and measures of every frame as CSV
+    #[arg(long, value_name = "FILE.csv")]
+    series: Option<PathBuf>,
+    /// Write the shape in every frame as an OBJ file in this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// Runs the scene, writes the files that were asked for and prints a summary.
+///
+/// # Errors
+/// A scene or an option that cannot be used, before any file is made; a file that cannot be written.
+pub fn run(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
+    on_threads(args.threads, || simulate(args, console))
+}
+
+fn simulate(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
+    let source = source_name(args.scene.as_deref());
+    let scene = load(args.scene.as_ref(), &args.sets, args.span.fps)?;
+    let baked = put_together(&scene, &source, console)?;
+    let notes = notes(&scene, &baked);
+    tell(&notes, console);
+    output::check(args.scene.as_ref(), &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
+
+    let mut runner = Runner::new(&scene, baked);
+    let mut records = Records::new(args, &runner)?;
+    let ran = watch(args, &scene, &mut runner, &mut records, console)?;
+    let lines = notes.iter().map(|note| format!("{}: {note}", word(note))).collect();
+    let report = Report::new(&scene, &runner, ran.wall_seconds, lines);
+    let mut text = summary(&report, runner.world(), &source);
+    text += &records.finish(args, &report, console)?;
+    console.print(&text)?;
+    Ok(if runner.world().divergence().is_some() { Outcome::Diverged } else { Outcome::Done })
+}
+
+/// Runs to the end; every frame is recorded, every divergence said when it happens.
+fn watch(
+    args: &Simulate,
+    scene: &Scene,
+    runner: &mut Runner,
+    records: &mut Records,
+    console: &mut Console,
+) -> Result<Drive, CliError> {
+    let limit = args.span.limit(scene);
+    let frames = runner.frames_for(limit);
+    let mut stopped = vec![false; runner.world().bodies().len()];
+    console.begin();
+    let ran = drive(runner, frames, args.span.until_rest, &mut |runner| {
+        for (body, stopped) in runner.world().bodies().iter().zip(&mut stopped) {
+            if let (Some(divergence), false) = (body.divergence(), *stopped) {
+                console.error(divergence);
+                *stopped = true;
+            }
+        }
+        console.progress(runner.world().frame(), frames, "frames");
+        records.push(runner)
+    });
+    console.end();
+    let ran = ran?;
+    if args.span.until_rest && ran.end == End::Time {
+        let limit = figures(limit);
+        console.warn(&format!(
+            "not everything has come to rest after {limit} s; give more --seconds, or the material damping"
+        ));
+    }
+    Ok(ran)
+}
+
+/// What is kept of every frame.
+struct Records {
+    series: Option<Series>,
+    frames: Option<ObjSequence>,
+}
+
+impl Records {
+    fn new(args: &Simulate, runner: &Runner) -> Result<Self, CliError> {
+        let series = args.series.as_ref().map(|_| Series::new(runner.world())).transpose()?;
+        let frames = args.out.as_deref().map(ObjSequence::create).transpose()?;
+        Ok(Self { series, frames })
+    }
+
+    fn push(&mut self, runner: &Runner) -> Result<(), CliError> {
+        if let Some(series) = &mut self.series {
+            series.push(runner)?;
+        }
+        if let Some(frames) = &mut self.frames {
+            frames.push(&runner.snapshot())?;
+        }
+        Ok(())
+    }
+
+    /// Writes what was collected; gives a line about each file.
+    fn finish(self, args: &Simulate, report: &Report, console: &mut Console) -> Result<String, CliError> {
+        let mut text = String::new();
+        if let Some(path) = &args.report {
+            output::write_json(path, report)?;
+            text += &output::wrote("report", path);
+        }
+        if let (Some(path), Some(series)) = (&args.series, self.series) {
+            output::write_bytes(path, &series.into_bytes()?)?;
+            text += &output::wrote("series", path);
+        }
+        if let Some(frames) = &self.frames {
+            text += &output::wrote(&format!("{} OBJ files", frames.frames()), frames.folder());
+            let left_over = frames.left_over();
+            if left_over > 0 {
+                console.warn(&format!(
+                    "{}: {left_over} more frames of an earlier, longer run lie behind the last of this one; remove them",
+                    super::error::printable(frames.folder())
+                ));
+            }
+        }
+        Ok(if text.is_empty() { text } else { format!("\n{text}") })
+    }
+}

@@ -1,0 +1,95 @@
+//! What a run has shown, for people.
+
+use super::table::{Align, Table, figures, readable};
+use crate::scene::one_line;
+use crate::sim::{MeasureReport, Report};
+use crate::solver::world::World;
+
+/// The summary of a run that has ended.
+pub fn summary(report: &Report, world: &World, source: &str) -> String {
+    let name = if report.scene.is_empty() { source.to_owned() } else { one_line(&report.scene) };
+    let mut text = format!(
+        "{name}: {} s in {} frames of {} s{}\n",
+        figures(report.seconds),
+        report.frames,
+        figures(world.plan().frame_seconds),
+        if report.at_rest { ", at rest" } else { "" },
+    );
+    text += &pace(report);
+    for part in [bodies(report, world), measures(&report.measures), energies(report)] {
+        if !part.is_empty() {
+            text += "\n";
+            text += &part.render();
+        }
+    }
+    text
+}
+
+/// How fast the run was, against the clock.
+fn pace(report: &Report) -> String {
+    let wall = figures(report.wall_seconds);
+    match report.real_time_factor {
+        0.0 => format!("stepped in {wall} s\n"),
+        factor if factor < 1.0 => {
+            format!("stepped in {wall} s: slow motion, {} times slower than real time\n", figures(1.0 / factor))
+        }
+        factor => format!("stepped in {wall} s: {} times as fast as real time\n", figures(factor)),
+    }
+}
+
+fn bodies(report: &Report, world: &World) -> Table {
+    let mut table = Table::new([
+        ("body", Align::Left),
+        ("kind", Align::Left),
+        ("particles", Align::Right),
+        ("neighbours", Align::Right),
+        ("fibres", Align::Right),
+        ("vertices", Align::Right),
+        ("time step [s]", Align::Right),
+        ("steps a frame", Align::Right),
+        ("", Align::Left),
+    ]);
+    for (body, substeps) in report.bodies.iter().zip(&world.plan().substeps) {
+        table.push([
+            one_line(&body.name),
+            body.kind.to_owned(),
+            body.particles.to_string(),
+            figures(body.mean_neighbours),
+            body.fibres.to_string(),
+            body.structure_particles.to_string(),
+            figures(body.dt),
+            (u64::from(*substeps) * u64::from(world.plan().outer_steps)).to_string(),
+            if body.diverged.is_some() { "diverged".to_owned() } else { String::new() },
+        ]);
+    }
+    table
+}
+
+fn measures(measures: &[MeasureReport]) -> Table {
+    let mut table =
+        Table::new([("measure", Align::Left), ("kind", Align::Left), ("value", Align::Right), ("unit", Align::Left)]);
+    for measure in measures {
+        table.push([
+            one_line(&measure.name),
+            measure.kind.to_owned(),
+            readable(&measure.value),
+            measure.unit.to_owned(),
+        ]);
+    }
+    table
+}
+
+/// One row an energy, one column a body; energies that no body has are left out.
+fn energies(report: &Report) -> Table {
+    let bodies = report.bodies.iter().map(|body| (one_line(&body.name), Align::Right));
+    let mut table = Table::new([("energy [J]".to_owned(), Align::Left)].into_iter().chain(bodies));
+    let named: Vec<_> = report.bodies.iter().map(|body| body.energy.named()).collect();
+    let Some(first) = named.first() else { return table };
+    for (index, (name, _)) in first.iter().enumerate() {
+        let values: Vec<f64> = named.iter().map(|energies| energies[index].1).collect();
+        if values.iter().any(|&value| value != 0.0) {
+            table.push([(*name).to_owned()].into_iter().chain(values.into_iter().map(figures)));
+        }
+    }
+    table
+}

@@ -1,0 +1,200 @@
+//! `sinew sweep`: a scene once for every combination of some values.
+
+use super::drive::{End, drive};
+use super::error::printable;
+use super::parallel::in_parallel;
+use super::prepare::{Sets, Span, load, notes, with_frame_rate, with_sets, word};
+use super::table::{Align, Table, figures, readable};
+use super::vary::{Product, Vary};
+use super::{CliError, Console, Outcome, output};
+use crate::bake::{Baked, Note, bake};
+use crate::scene::{Scene, one_line};
+use crate::sim::{BodyReport, MeasureReport, Report, Runner};
+use clap::Args;
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::path::PathBuf;
+
+/// Arguments of `sinew sweep`.
+#[derive(Debug, Args)]
+pub struct Sweep {
+    /// Scene file
+    scene: PathBuf,
+    /// Values to try, as in /bodies/0/fibres/0/volume_fraction=0,0.25,0.5; several lists give every combination
+    #[arg(long, value_name = "POINTER=a,b,c", required = true)]
+    vary: Vec<Vary>,
+    #[command(flatten)]
+    span: Span,
+    #[command(flatten)]
+    sets: Sets,
+    /// Threads to run on; the result is the same on any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Write all rows as JSON
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+}
+
+/// What a sweep has shown.
+#[derive(Debug, Serialize)]
+struct SweepReport<'a> {
+    scene: &'a str,
+    vary: &'a [Vary],
+    rows: &'a [Row],
+}
+
+/// One combination of values and what it gave.
+#[derive(Debug, Serialize)]
+struct Row {
+    values: Map<String, Value>,
+    seconds: f64,
+    at_rest: bool,
+    /// Why the first body that was stopped was stopped.
+    diverged: Option<String>,
+    measures: Map<String, Value>,
+    bodies: Vec<BodyReport>,
+    wall_seconds: f64,
+    /// Measures with their units, for the table.
+    #[serde(skip)]
+    readings: Vec<MeasureReport>,
+    #[serde(skip)]
+    end: End,
+}
+
+/// Runs every combination, writes the report and prints a table.
+///
+/// # Errors
+/// A scene, a combination or an option that cannot be used, before anything runs; a report that cannot be written.
+pub fn run(args: &Sweep, console: &mut Console) -> Result<Outcome, CliError> {
+    let base = load(Some(&args.scene), &args.sets, None)?;
+    let product = Product::of(&args.vary)?;
+    let plan = Plan { args, base: &base, product };
+    let threads = args.threads.map_or_else(rayon::current_num_threads, usize::from);
+    let rows = product.rows() as u64;
+
+    console.begin();
+    let checked =
+        in_parallel(product.rows(), threads, |row| plan.check(row), |done| console.progress(done, rows, "checked"));
+    console.end();
+    tell_all(&checked?, console);
+    output::check(Some(&args.scene), &[("--report", args.report.as_ref())])?;
+
+    console.begin();
+    let ran = in_parallel(product.rows(), threads, |row| plan.run(row), |done| console.progress(done, rows, "rows"));
+    console.end();
+    let rows = ran?;
+    for (index, row) in rows.iter().enumerate() {
+        if let Some(message) = &row.diverged {
+            console.error(&format!("{}: {message}", product.line(index)));
+        }
+    }
+    warn_of_restless(args, &rows, console);
+    let mut text = table(&product, &rows).render();
+    if let Some(path) = &args.report {
+        let scene = if base.name.is_empty() { &*printable(&args.scene) } else { &base.name };
+        output::write_json(path, &SweepReport { scene, vary: &args.vary, rows: &rows })?;
+        text.push('\n');
+        text += &output::wrote("report", path);
+    }
+    console.print(&text)?;
+    Ok(if rows.iter().any(|row| row.diverged.is_some()) { Outcome::Diverged } else { Outcome::Done })
+}
+
+/// The combinations of a scene.
+#[derive(Clone, Copy)]
+struct Plan<'a> {
+    args: &'a Sweep,
+    base: &'a Scene,
+    product: Product<'a>,
+}
+
+impl Plan<'_> {
+    /// The scene of a row, put together.
+    fn prepare(&self, row: usize) -> Result<(Scene, Baked), CliError> {
+        let attempt = || {
+            let scene = with_sets(self.base, &self.product.assignments(row))?;
+            let scene = with_frame_rate(scene, self.args.span.fps)?;
+            let source = printable(&self.args.scene);
+            let baked =
+                bake(&scene, &mut |_, _| {}).map_err(|error| CliError::Bake { scene: source, source: error })?;
+            Ok((scene, baked))
+        };
+        attempt().map_err(|error| CliError::Row { values: self.product.line(row), source: Box::new(error) })
+    }
+
+    /// What is worth saying about a row. Putting it together costs little beside running it, so it is done twice
+    /// rather than kept.
+    fn check(&self, row: usize) -> Result<Vec<Note>, CliError> {
+        let (scene, baked) = self.prepare(row)?;
+        Ok(notes(&scene, &baked))
+    }
+
+    fn run(&self, row: usize) -> Result<Row, CliError> {
+        let (scene, baked) = self.prepare(row)?;
+        let span = self.args.span;
+        let mut runner = Runner::new(&scene, baked);
+        let frames = runner.frames_for(span.limit(&scene));
+        let ran = drive(&mut runner, frames, span.until_rest, &mut |_| Ok(()))?;
+        let report = Report::new(&scene, &runner, ran.wall_seconds, Vec::new());
+        let measures = report.measures.iter().map(|measure| (measure.name.clone(), measure.value.clone())).collect();
+        Ok(Row {
+            values: self.product.object(row),
+            seconds: report.seconds,
+            at_rest: report.at_rest,
+            diverged: runner.world().divergence().map(ToString::to_string),
+            measures,
+            bodies: report.bodies,
+            wall_seconds: report.wall_seconds,
+            readings: report.measures,
+            end: ran.end,
+        })
+    }
+}
+
+/// Says every note once, and in how many rows it holds where that is not all.
+fn tell_all(rows: &[Vec<Note>], console: &mut Console) {
+    let mut seen: Vec<(&Note, usize)> = Vec::new();
+    for note in rows.iter().flatten() {
+        match seen.iter_mut().find(|(other, _)| *other == note) {
+            Some((_, count)) => *count += 1,
+            None => seen.push((note, 1)),
+        }
+    }
+    for (note, count) in seen {
+        let all = rows.len();
+        let share = if count < all { format!(" (in {count} of {all} rows)") } else { String::new() };
+        console.say(word(note), &format!("{note}{share}"));
+    }
+}
+
+fn warn_of_restless(args: &Sweep, rows: &[Row], console: &mut Console) {
+    let restless = rows.iter().filter(|row| row.end == End::Time).count();
+    if args.span.until_rest && restless > 0 {
+        let all = rows.len();
+        console.warn(&format!(
+            "{restless} of {all} rows have not come to rest in their time; give more --seconds, or the material damping"
+        ));
+    }
+}
+
+/// One line a row: its values, then its measures.
+fn table(product: &Product<'_>, rows: &[Row]) -> Table {
+    let mut names: Vec<(&str, &str)> = Vec::new();
+    for reading in rows.iter().flat_map(|row| &row.readings) {
+        if !names.iter().any(|(name, _)| *name == reading.name) {
+            names.push((&reading.name, reading.unit));
+        }
+    }
+    let pointers = product.row(0).into_iter().map(|(pointer, _)| one_line(pointer));
+    let measures = names.iter().map(|(name, unit)| one_line(&format!("{name} [{unit}]")));
+    let ends = ["time [s]", "at rest", ""].map(str::to_owned);
+    let mut table = Table::new(pointers.chain(measures).chain(ends).map(|name| (name, Align::Right)));
+    for (index, row) in rows.iter().enumerate() {
+        let values = product.row(index).into_iter().map(|(_, value)| one_line(&value.to_string()));
+        let measures = names.iter().map(|(name, _)| row.measures.get(*name).map_or("-".to_owned(), readable));
+        let rest = if row.at_rest { "yes" } else { "no" }.to_owned();
+        let diverged = if row.diverged.is_some() { "diverged" } else { "" }.to_owned();
+        table.push(values.chain(measures).chain([figures(row.seconds), rest, diverged]));
+    }
+    table
+}

@@ -1,0 +1,105 @@
+//! Tables and numbers for people.
+
+/// Where the text of a column stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Align {
+    /// Words.
+    Left,
+    /// Numbers.
+    Right,
+}
+
+/// A table of aligned columns. Numbers stand to the right, words to the left.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    rows: Vec<Vec<String>>,
+    aligns: Vec<Align>,
+}
+
+const GAP: &str = "  ";
+
+impl Table {
+    /// A table with these columns.
+    pub fn new(columns: impl IntoIterator<Item = (impl Into<String>, Align)>) -> Self {
+        let (head, aligns) = columns.into_iter().map(|(name, align)| (name.into(), align)).unzip();
+        Self { rows: vec![head], aligns }
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, row: impl IntoIterator<Item = String>) {
+        self.rows.push(row.into_iter().collect());
+    }
+
+    /// Whether it has no row but its head.
+    pub fn is_empty(&self) -> bool {
+        self.rows.len() < 2
+    }
+
+    /// The table as text, a line a row.
+    pub fn render(&self) -> String {
+        let widths: Vec<usize> = (0..self.aligns.len()).map(|column| self.width(column)).collect();
+        let mut text = String::new();
+        for row in &self.rows {
+            let cells = row.iter().zip(&self.aligns).zip(&widths).map(|((cell, align), &width)| match align {
+                Align::Left => format!("{cell:<width$}"),
+                Align::Right => format!("{cell:>width$}"),
+            });
+            text += cells.collect::<Vec<_>>().join(GAP).trim_end();
+            text.push('\n');
+        }
+        text
+    }
+
+    /// Width of a column [characters].
+    fn width(&self, column: usize) -> usize {
+        let cells = self.rows.iter().filter_map(|row| row.get(column));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    }
+}
+
+/// A number to four figures.
+pub fn figures(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e5).contains(&size) {
+        let decimals = (3 - size.log10().floor() as i32).max(0);
+        format!("{value:.*}", decimals.cast_unsigned() as usize)
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+/// A JSON value of a report for people: numbers to four figures, vectors in parentheses.
+pub fn readable(value: &serde_json::Value) -> String {
+    match value {
+        serde_json::Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), figures),
+        serde_json::Value::Array(items) => {
+            format!("({})", items.iter().map(readable).collect::<Vec<_>>().join(", "))
+        }
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_stand_below_each_other() {
+        let mut table = Table::new([("name", Align::Left), ("value", Align::Right)]);
+        assert!(table.is_empty());
+        table.push(["größe".to_owned(), "1".to_owned()]);
+        table.push(["x".to_owned(), "23.5".to_owned()]);
+        assert_eq!(table.render(), "name   value\ngröße      1\nx       23.5\n");
+    }
+
+    #[test]
+    fn numbers_have_four_figures() {
+        let cases = [(0.0, "0"), (1949.64, "1950"), (-0.012_345, "-0.01235"), (12.0, "12.00"), (3.2e-5, "3.200e-5")];
+        for (value, expected) in cases {
+            assert_eq!(figures(value), expected);
+        }
+        assert_eq!(figures(f64::NAN), "NaN");
+    }
+}

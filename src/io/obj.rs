@@ -1,0 +1,154 @@
+//! Wavefront OBJ: the shape of a world at one time, and sequences of them, one file a frame.
+
+use super::{IoError, make_folder, write_atomically};
+use crate::solver::snapshot::{BodySnapshot, Snapshot};
+use glam::DVec3;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a snapshot as OBJ text: of each body its skin (or, where it has none, its particles as points), then its
+/// fibres as polylines, every one an object of its own. Coordinates are in metres, world axes, Y up, to the nanometre.
+///
+/// # Errors
+/// What `out` gives.
+pub fn write_obj(out: &mut dyn Write, snapshot: &Snapshot) -> io::Result<()> {
+    writeln!(out, "# sinew, {} s; metres, Y up", snapshot.time)?;
+    // OBJ counts the vertices of a file from 1, through all of its objects.
+    let mut next = 1;
+    for body in &snapshot.bodies {
+        write_body(out, body, &mut next)?;
+        for fibre in &body.fibres {
+            let first = next;
+            writeln!(out, "o {}.{}", object_name(&body.name), object_name(&fibre.id))?;
+            write_vertices(out, &fibre.vertices, &mut next)?;
+            write_element(out, "l", first..next)?;
+        }
+    }
+    Ok(())
+}
+
+fn write_body(out: &mut dyn Write, body: &BodySnapshot, next: &mut usize) -> io::Result<()> {
+    let first = *next;
+    writeln!(out, "o {}", object_name(&body.name))?;
+    if body.triangles.is_empty() {
+        write_vertices(out, &body.particles, next)?;
+        return write_element(out, "p", first..*next);
+    }
+    write_vertices(out, &body.skin, next)?;
+    for triangle in &body.triangles {
+        let [a, b, c] = triangle.map(|vertex| first + vertex as usize);
+        writeln!(out, "f {a} {b} {c}")?;
+    }
+    Ok(())
+}
+
+fn write_vertices(out: &mut dyn Write, vertices: &[DVec3], next: &mut usize) -> io::Result<()> {
+    for vertex in vertices {
+        writeln!(out, "v {:.9} {:.9} {:.9}", vertex.x, vertex.y, vertex.z)?;
+    }
+    *next += vertices.len();
+    Ok(())
+}
+
+fn write_element(out: &mut dyn Write, kind: &str, vertices: std::ops::Range<usize>) -> io::Result<()> {
+    if vertices.is_empty() {
+        return Ok(());
+    }
+    write!(out, "{kind}")?;
+    for vertex in vertices {
+        write!(out, " {vertex}")?;
+    }
+    writeln!(out)
+}
+
+/// A name as one word: many readers end a name at the first space, all do at the end of the line.
+fn object_name(name: &str) -> String {
+    name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect()
+}
+
+/// A folder that takes one OBJ file a frame, `frame_000000.obj` and on.
+#[derive(Clone, Debug)]
+pub struct ObjSequence {
+    folder: PathBuf,
+    frames: u64,
+}
+
+impl ObjSequence {
+    /// An empty sequence; makes the folder unless it is there.
+    ///
+    /// # Errors
+    /// As [`make_folder`].
+    pub fn create(folder: &Path) -> Result<Self, IoError> {
+        make_folder(folder)?;
+        Ok(Self { folder: folder.to_owned(), frames: 0 })
+    }
+
+    /// Writes the next frame.
+    ///
+    /// # Errors
+    /// As [`write_atomically`].
+    pub fn push(&mut self, snapshot: &Snapshot) -> Result<(), IoError> {
+        let path = self.folder.join(format!("frame_{:06}.obj", self.frames));
+        write_atomically(&path, |out| write_obj(out, snapshot))?;
+        self.frames += 1;
+        Ok(())
+    }
+
+    /// Frames written.
+    pub fn frames(&self) -> u64 {
+        self.frames
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// How many frames of a longer, earlier sequence lie in the folder behind those of this one.
+    pub fn left_over(&self) -> usize {
+        let index = |name: &str| name.strip_prefix("frame_")?.strip_suffix(".obj")?.parse::<u64>().ok();
+        let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
+        entries
+            .filter(|entry| entry.file_name().to_str().and_then(index).is_some_and(|index| index >= self.frames))
+            .count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solver::snapshot::FibreSnapshot;
+
+    #[test]
+    fn indices_count_through_all_objects_and_names_are_one_word() {
+        let skin = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
+        let body = BodySnapshot {
+            name: "left arm\n2".to_owned(),
+            particles: vec![DVec3::Z; 2],
+            fibres: vec![FibreSnapshot {
+                id: "f 1".to_owned(),
+                vertices: vec![DVec3::ZERO, DVec3::new(0.0, 0.5, 0.0)],
+            }],
+            skin,
+            triangles: vec![[0, 1, 2]],
+        };
+        let bare = BodySnapshot { triangles: Vec::new(), fibres: Vec::new(), ..body.clone() };
+        let snapshot = Snapshot { time: 0.5, bodies: vec![body, bare], panels: Vec::new() };
+        let mut text = Vec::new();
+        write_obj(&mut text, &snapshot).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        let rest: Vec<&str> = text.lines().filter(|line| !line.starts_with("v ")).collect();
+        let expected = [
+            "# sinew, 0.5 s; metres, Y up",
+            "o left_arm_2",
+            "f 1 2 3",
+            "o left_arm_2.f_1",
+            "l 4 5",
+            "o left_arm_2",
+            "p 6 7",
+        ];
+        assert_eq!(rest, expected);
+        assert_eq!(text.lines().nth(3), Some("v 1.000000000 0.000000000 0.000000000"));
+    }
+}

@@ -2,9 +2,9 @@
 
 use super::{BakeError, BakeStage, Note, fibres, supports};
 use crate::geometry::kernel::Kernel;
-use crate::geometry::lattice::{LatticeSample, OrientedBox, fill_box};
+use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box};
 use crate::geometry::mesh::box_surface;
-use crate::scene::{Body, BodyKind, IntegratorKind, Mass, Placement, Rotation, Scene, Shape};
+use crate::scene::{Body, BodyKind, IntegratorKind, Mass, Placement, Rotation, Scene, Shape, TimeStep};
 use crate::solver::body::{BodyParts, RestScale, Skin};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
@@ -26,7 +26,7 @@ pub(super) struct Draft {
 }
 
 /// Friction below its Coulomb limit acts like a damper of this share of the contact's critical rate.
-const STICKING: f64 = 0.25;
+const STICKING: f64 = 0.5;
 
 /// Net force below which a particle counts as at rest, in units of E D².
 const REST_FORCE: f64 = 2e-7;
@@ -46,37 +46,26 @@ pub(super) fn draft(
 
     progress(name, BakeStage::Sampling);
     let Shape::Box(shape) = &body.shape;
-    let solid = OrientedBox {
-        center: DVec3::from_array(shape.center),
-        size: DVec3::from_array(shape.size),
-        axes: if shape.rotation.degrees == 0.0 { DMat3::IDENTITY } else { DMat3::from_quat(turn(&shape.rotation)) },
-    };
-    let sample = fill_box(&solid, spacing);
+    let solid = Cuboid { center: DVec3::from_array(shape.center), size: DVec3::from_array(shape.size) };
+    let sample = fill_box(&solid, spacing, lattice_axes(&shape.lattice_rotation));
     if sample.points.is_empty() {
         return Err(BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing });
     }
     note_sampling(&sample, &solid, path, notes);
 
     progress(name, BakeStage::Neighbours);
-    let neighbourhood = Neighbourhood::new(&sample.points, Some(&sample.cells), spacing, kernel, volume)
+    let neighbourhood = Neighbourhood::on_lattice(&sample, kernel, volume)
         .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);
 
     progress(name, BakeStage::Embedding);
     let embedder = Embedder::new(&sample.points, kernel);
     let diagonal = solid.size.length();
-    let placed = fibres::place(body, &embedder, diagonal, path, notes);
-    let share = fibres::matrix_share(body, &sample.points, kernel, &placed);
-    let surface = box_surface(&solid, spacing);
-    let skin = Skin {
-        vertices: surface.positions.iter().filter_map(|&at| embedder.stencil(at)).collect(),
-        triangles: surface.triangles,
-    };
-    let skin = (skin.vertices.len() == surface.positions.len()).then(|| Arc::new(skin));
+    let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
+    let skin = skin(&solid, spacing, &embedder);
 
-    let n = sample.points.len();
     let mass = match material.mass {
-        Mass::Density(density) => density * solid.volume() / n as f64,
+        Mass::Density(density) => density * solid.volume() / sample.points.len() as f64,
         Mass::PerParticle(mass) => mass,
     };
     let orientation = turn(&body.placement.rotation);
@@ -84,21 +73,12 @@ pub(super) fn draft(
     let rest: Arc<[DVec3]> = sample.points.iter().map(|&x| to_world(&body.placement, x)).collect();
     let state = initial_state(body, &sample.points, &regions, mass, path)?;
 
-    let stiffness = material.young_modulus * spacing;
-    let contact = ContactLaw {
-        radius: 0.5 * spacing,
-        stiffness,
-        damping: 2.0 * scene.room.contact_damping * (stiffness * mass).sqrt(),
-        friction: scene.room.friction,
-        sticking: STICKING * (stiffness * mass).sqrt(),
-    };
-    let elasticity = Elasticity::new(material.young_modulus, material.poisson_ratio, spacing);
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(MatrixForce::new(
         Arc::clone(&neighbourhood),
         sample.points.as_slice().into(),
-        elasticity,
+        Elasticity::new(material.young_modulus, material.poisson_ratio, spacing),
         volume,
-        share,
+        fibres::matrix_share(body, &sample.points, kernel, &placed),
         orientation,
     ))];
     let rods = fibres::rods(body, &embedder, volume, &placed);
@@ -115,24 +95,16 @@ pub(super) fn draft(
     if material.damping.air > 0.0 {
         forces.push(Box::new(AirDrag { rate: material.damping.air }));
     }
-    let contact_force = Contact { planes: room_planes(scene), law: contact };
-    let touches = !contact_force.planes.is_empty() || !scene.panels.is_empty();
-    let contact_limit = if touches { contact_force.step_limit(&state) } else { StepLimit::default() };
 
     progress(name, BakeStage::StableStep);
-    let mut probe = forces.clone();
-    let mut frequency_squared =
-        highest_frequency_squared(&mut probe, &state, spacing) + contact_limit.frequency_squared;
-    let mut damping_rate = contact_limit.damping_rate;
-    for force in &forces {
-        let limit = force.step_limit(&state);
-        frequency_squared += limit.frequency_squared;
-        damping_rate += limit.damping_rate;
-    }
+    let contact = Contact { planes: room_planes(scene), law: contact_law(scene, body, mass) };
+    let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
+    let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
     let integrator = integrator(body.integrator);
-    let stable_dt = integrator.stable_step(frequency_squared.sqrt(), damping_rate);
-    if !contact_force.planes.is_empty() {
-        forces.push(Box::new(contact_force));
+    let stable_dt = stable_step(integrator.as_ref(), &forces, contact_limit, &state, spacing);
+    let law = contact.law;
+    if !contact.planes.is_empty() {
+        forces.push(Box::new(contact));
     }
 
     let constraints = supports::constraints(body, &regions, &rest, &state, path)?;
@@ -147,7 +119,7 @@ pub(super) fn draft(
         forces,
         integrator,
         constraints,
-        contact,
+        contact: law,
         fibres: placed.iter().map(fibres::PlacedFibre::line).collect(),
         skin,
         reach: material.support_radius,
@@ -159,14 +131,60 @@ pub(super) fn draft(
         dt: stable_dt,
         stable_dt,
         step_parameter: match &scene.time.step {
-            crate::scene::TimeStep::Automatic(_) => "/time/step/automatic/safety".to_owned(),
-            crate::scene::TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
+            TimeStep::Automatic(_) => "/time/step/automatic/safety".to_owned(),
+            TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
         },
     };
     Ok(Draft { parts, regions })
 }
 
-fn note_sampling(sample: &LatticeSample, solid: &OrientedBox, path: &str, notes: &mut Vec<Note>) {
+fn lattice_axes(rotation: &Rotation) -> DMat3 {
+    // Exactly along the axes when not turned: that decides how the box is filled.
+    if rotation.degrees == 0.0 { DMat3::IDENTITY } else { DMat3::from_quat(turn(rotation)) }
+}
+
+/// The surface that is drawn; none where some part of it has too little material around it to ride on.
+fn skin(solid: &Cuboid, edge: f64, embedder: &Embedder<'_>) -> Option<Arc<Skin>> {
+    let surface = box_surface(solid, edge);
+    let vertices: Option<Vec<_>> = surface.positions.iter().map(|&at| embedder.stencil(at)).collect();
+    vertices.map(|vertices| Arc::new(Skin { vertices, triangles: surface.triangles }))
+}
+
+/// Particles are balls of radius D / 2, as stiff against others as the material.
+fn contact_law(scene: &Scene, body: &Body, mass: f64) -> ContactLaw {
+    let spacing = body.material.spacing();
+    let stiffness = body.material.young_modulus * spacing;
+    let critical = (stiffness * mass).sqrt();
+    ContactLaw {
+        radius: 0.5 * spacing,
+        stiffness,
+        damping: 2.0 * scene.room.contact_damping * critical,
+        friction: scene.room.friction,
+        sticking: STICKING * critical,
+    }
+}
+
+/// Greatest stable step [s] under `forces` and a contact that may come.
+fn stable_step(
+    integrator: &dyn Integrator,
+    forces: &[Box<dyn Force>],
+    contact: StepLimit,
+    state: &ParticleState,
+    spacing: f64,
+) -> f64 {
+    let mut frequency_squared = contact.frequency_squared;
+    let mut damping_rate = contact.damping_rate;
+    for force in forces {
+        let limit = force.step_limit(state);
+        frequency_squared += limit.frequency_squared;
+        damping_rate += limit.damping_rate;
+    }
+    // On a copy: the forces' warm starts must be those of the start when the run begins.
+    frequency_squared += highest_frequency_squared(&mut forces.to_vec(), state, spacing);
+    integrator.stable_step(frequency_squared.sqrt(), damping_rate)
+}
+
+fn note_sampling(sample: &LatticeSample, solid: &Cuboid, path: &str, notes: &mut Vec<Note>) {
     let (_, pieces) = sample.pieces();
     if pieces > 1 {
         notes.push(Note {

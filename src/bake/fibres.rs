@@ -2,12 +2,13 @@
 
 use super::Note;
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape};
+use crate::scene::{Body, Falloff, Fibre, FibreSource, Mismatch, RestShape, ViewStroke};
+use crate::sketch::{LiftOptions, Placed, SketchError, SketchNote, Stroke, lift, structure_particles, trim};
 use crate::solver::body::FibreLine;
 use crate::solver::embedding::{Embedder, Stencil};
 use crate::solver::forces::fibre::FibreRest;
 use crate::solver::volume_fraction::volume_fractions;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
@@ -36,42 +37,157 @@ impl PlacedFibre {
 /// Greatest `sum phi²` of a structure particle that carries force: beyond it the particle shrinks the stable step.
 const GREATEST_SQUARE_SUM: f64 = 1.0;
 
-/// Places every fibre of a body; what is trimmed, split or discarded is said in `notes`.
-pub(super) fn place(
-    body: &Body,
-    embedder: &Embedder<'_>,
-    diagonal: f64,
-    path: &str,
-    notes: &mut Vec<Note>,
-) -> Vec<PlacedFibre> {
-    let _ = diagonal;
-    let mut placed = Vec::new();
-    for (k, fibre) in body.fibres.iter().enumerate() {
-        let path = format!("{path}/fibres/{k}");
-        warn_if_weak(body, fibre, &path, notes);
-        let FibreSource::Vertices(vertices) = &fibre.source else { continue };
-        let vertices: Vec<DVec3> = vertices.iter().map(|&x| DVec3::from_array(x)).collect();
-        let stencils: Vec<Stencil> = vertices.iter().filter_map(|&x| embedder.stencil(x)).collect();
-        placed.push(PlacedFibre { fibre: k, id: fibre.id.clone(), active: 0..vertices.len(), vertices, stencils });
-    }
-    placed
+/// Structure particles nearer to each other than this share of the spacing D are warned of.
+const CROWDED: f64 = 0.75;
+
+/// Where the fibres of one body are put, and where it is said what happened.
+pub(super) struct Placing<'a> {
+    pub(super) body: &'a Body,
+    pub(super) embedder: &'a Embedder<'a>,
+    /// Diagonal H of the shape's bounding box [m].
+    pub(super) diagonal: f64,
+    /// Pointer to the body.
+    pub(super) path: &'a str,
+    pub(super) notes: &'a mut Vec<Note>,
 }
 
-/// A fibre softer than the material it displaces weakens the solid and reverses what it is meant to do.
-fn warn_if_weak(body: &Body, fibre: &Fibre, path: &str, notes: &mut Vec<Note>) {
-    let material = &body.material;
-    let (ea, _) = fibre.stiffness.rigidity(material.spacing().powi(3));
-    let displaced = material.young_modulus * 0.2 * PI * material.support_radius.powi(2);
-    if ea < displaced && fibre.volume_fraction > 0.0 {
-        notes.push(Note {
-            path: format!("{path}/stiffness"),
-            text: format!(
+impl Placing<'_> {
+    /// Places every fibre of the body; what is trimmed, split, moved or discarded is said in the notes.
+    pub(super) fn place(&mut self) -> Vec<PlacedFibre> {
+        let mut placed = Vec::new();
+        for (k, fibre) in self.body.fibres.iter().enumerate() {
+            let path = format!("{}/fibres/{k}", self.path);
+            self.warn_if_weak(fibre, &path);
+            match self.runs(fibre, &path) {
+                Ok(runs) => placed.extend(runs.into_iter().filter_map(|run| self.embed(k, run, &path))),
+                Err(error) => self.note(&path, true, error.to_string()),
+            }
+        }
+        placed
+    }
+
+    fn note(&mut self, path: &str, warning: bool, text: String) {
+        self.notes.push(Note { path: path.to_owned(), text, warning });
+    }
+
+    /// Structure particles of a fibre, cut to the runs that lie in the material.
+    fn runs(&mut self, fibre: &Fibre, path: &str) -> Result<Vec<Vec<DVec3>>, SketchError> {
+        let material = &self.body.material;
+        let particles = match &fibre.source {
+            FibreSource::Vertices(vertices) => vertices.iter().map(|&x| DVec3::from_array(x)).collect(),
+            FibreSource::Strokes(pair) => {
+                let options = LiftOptions {
+                    flip_second: pair.flip_second,
+                    stretch: pair.mismatch == Mismatch::Stretch,
+                    model_diagonal: self.diagonal,
+                };
+                let lifted = lift(&stroke(&pair.first), &stroke(&pair.second), &options)?;
+                for note in &lifted.notes {
+                    let warning = matches!(note, SketchNote::PoorMatch { .. } | SketchNote::Strays { .. });
+                    self.note(path, warning, note.to_string());
+                }
+                structure_particles(&lifted.curve, material.spacing())?
+            }
+        };
+        let placed: Vec<Placed> = particles
+            .into_iter()
+            .map(|point| Placed {
+                point,
+                embedded: self.embedder.is_embedded(point) && self.embedder.stencil(point).is_some(),
+                distance: self.embedder.distance(point) / material.support_radius,
+            })
+            .collect();
+        let trimmed = trim(&placed, material.support_radius)?;
+        for note in &trimmed.notes {
+            self.note(path, true, note.to_string());
+        }
+        Ok(trimmed.runs)
+    }
+
+    /// Embeds one run: ends too far outside the particles carry no force, inner vertices there slide inwards.
+    fn embed(&mut self, fibre: usize, mut vertices: Vec<DVec3>, path: &str) -> Option<PlacedFibre> {
+        let total = vertices.len();
+        let holds = |at: DVec3| self.embedder.stencil(at).is_some_and(|s| s.square_sum() <= GREATEST_SQUARE_SUM);
+        let first = vertices.iter().position(|&at| holds(at));
+        let last = vertices.iter().rposition(|&at| holds(at));
+        let (Some(first), Some(last)) = (first, last) else {
+            self.note(path, true, "discarded: it runs along the outside of the material; draw it deeper".to_owned());
+            return None;
+        };
+        let mut slid = 0;
+        for vertex in &mut vertices[first..=last] {
+            if let Some(inside) = self.slide_in(*vertex) {
+                *vertex = inside;
+                slid += 1;
+            }
+        }
+        let stubs = first + (total - 1 - last);
+        if last - first < 2 {
+            self.note(path, true, format!("discarded: {stubs} of {total} points lie too far outside; draw it deeper"));
+            return None;
+        }
+        if stubs > 0 {
+            let text = format!("{stubs} of {total} points at its ends lie too far outside the material to carry force");
+            self.note(path, false, text);
+        }
+        if slid > 0 {
+            let text = format!("{slid} of {total} points lay too far outside the material and were moved into it");
+            self.note(path, true, text);
+        }
+        let spacing = self.body.material.spacing();
+        let closest = vertices.windows(2).map(|pair| pair[0].distance(pair[1])).fold(f64::INFINITY, f64::min);
+        if closest < CROWDED * spacing {
+            let text = format!(
+                "its vertices lie as close as {closest:.2e} m, which shrinks the time step; keep them {spacing} m apart"
+            );
+            self.note(path, true, text);
+        }
+        let stencils = vertices.iter().map(|&at| self.embedder.stencil(at).unwrap_or_default()).collect();
+        let id = self.body.fibres[fibre].id.clone();
+        Some(PlacedFibre { fibre, id, vertices, stencils, active: first..last + 1 })
+    }
+
+    /// The nearest point on the way to the centroid of the particles around a vertex at which it may carry force; none
+    /// where it already may.
+    fn slide_in(&self, vertex: DVec3) -> Option<DVec3> {
+        let holds = |at: DVec3| self.embedder.stencil(at).is_some_and(|s| s.square_sum() <= GREATEST_SQUARE_SUM);
+        if holds(vertex) {
+            return None;
+        }
+        let inwards = self.embedder.centroid(vertex) - vertex;
+        let (mut outside, mut inside) = (0.0, 1.0);
+        while !holds(vertex + inside * inwards) && inside < 8.0 {
+            outside = inside;
+            inside *= 2.0;
+        }
+        for _ in 0..30 {
+            let middle = 0.5 * (outside + inside);
+            if holds(vertex + middle * inwards) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        Some(vertex + inside * inwards)
+    }
+
+    /// A fibre softer than the material it displaces weakens the solid and reverses what it is meant to do.
+    fn warn_if_weak(&mut self, fibre: &Fibre, path: &str) {
+        let material = &self.body.material;
+        let (ea, _) = fibre.stiffness.rigidity(material.spacing().powi(3));
+        let displaced = material.young_modulus * 0.2 * PI * material.support_radius.powi(2);
+        if ea < displaced && fibre.volume_fraction > 0.0 {
+            let text = format!(
                 "EA = {ea:.3e} N is less than the {displaced:.3e} N of the material that the fibre displaces, so it \
                  weakens the solid; raise EA or lower the material's Young's modulus"
-            ),
-            warning: true,
-        });
+            );
+            self.note(&format!("{path}/stiffness"), true, text);
+        }
     }
+}
+
+fn stroke(drawn: &ViewStroke) -> Stroke {
+    Stroke { view: drawn.view, points: drawn.points.iter().map(|&point| DVec2::from_array(point)).collect() }
 }
 
 /// Share of matrix, `1 - l_i`, at every particle.

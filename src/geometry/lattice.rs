@@ -3,108 +3,96 @@
 use glam::{DMat3, DVec3, IVec3};
 use std::collections::HashMap;
 
-/// Points of a cubic lattice inside a shape, ordered by z, then y, then x (rows along x are contiguous).
-#[derive(Clone, Debug, Default, PartialEq)]
+/// Points of a cubic lattice inside a shape, ordered by z, then y, then x of the lattice (rows along x are contiguous).
+#[derive(Clone, Debug, PartialEq)]
 pub struct LatticeSample {
     /// Lattice spacing D [m].
     pub spacing: f64,
+    /// Unit axes of the lattice, as columns.
+    pub axes: DMat3,
     /// Positions [m].
     pub points: Vec<DVec3>,
-    /// Lattice index of every point: `points[i] = origin + spacing * cells[i]`.
+    /// Lattice index of every point: `points[i] = origin + spacing * axes * cells[i]`.
     pub cells: Vec<IVec3>,
 }
 
-/// A box, possibly turned against the lattice.
+/// A box along the coordinate axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OrientedBox {
+pub struct Cuboid {
     /// Centre [m].
     pub center: DVec3,
-    /// Full extents along its own axes [m].
+    /// Full extents [m].
     pub size: DVec3,
-    /// Its axes, as columns.
-    pub axes: DMat3,
 }
 
-impl OrientedBox {
+impl Cuboid {
     /// Whether `point` lies inside or on the surface.
     pub fn contains(&self, point: DVec3) -> bool {
-        let local = self.axes.transpose() * (point - self.center);
-        local.abs().cmple(0.5 * self.size).all()
+        (point - self.center).abs().cmple(0.5 * self.size).all()
     }
 
     /// Volume [m³].
     pub fn volume(&self) -> f64 {
         self.size.x * self.size.y * self.size.z
     }
-
-    /// Half extents of the axis-aligned bounds [m].
-    pub fn half_bounds(&self) -> DVec3 {
-        (self.axes.x_axis.abs() * self.size.x
-            + self.axes.y_axis.abs() * self.size.y
-            + self.axes.z_axis.abs() * self.size.z)
-            * 0.5
-    }
 }
 
 /// Lattice positions tried along each axis when a shape lies askew to the lattice.
 const OFFSETS_PER_AXIS: u32 = 4;
 
-/// Fills a box with lattice points at `spacing`.
+/// Fills a box with points of a lattice with unit `axes` at `spacing` [m].
 ///
 /// Along the lattice the box gets `round(size / spacing)` layers (at least one), centred, so that a box of whole
 /// spacings is filled exactly. A box askew to the lattice gets the points inside it, for that position of the lattice
 /// at which the sampled volume comes closest to the box's.
-pub fn fill_box(shape: &OrientedBox, spacing: f64) -> LatticeSample {
-    if shape.axes == DMat3::IDENTITY { fill_aligned(shape, spacing) } else { fill_askew(shape, spacing) }
+pub fn fill_box(shape: &Cuboid, spacing: f64, axes: DMat3) -> LatticeSample {
+    if axes == DMat3::IDENTITY { fill_aligned(shape, spacing) } else { fill_askew(shape, spacing, axes) }
 }
 
-fn fill_aligned(shape: &OrientedBox, spacing: f64) -> LatticeSample {
+fn fill_aligned(shape: &Cuboid, spacing: f64) -> LatticeSample {
     let layers = (shape.size / spacing).round().max(DVec3::ONE).as_ivec3();
     let origin = shape.center - 0.5 * spacing * (layers - IVec3::ONE).as_dvec3();
-    collect(IVec3::ZERO, layers - IVec3::ONE, spacing, origin, |_| true)
+    let empty = LatticeSample { spacing, axes: DMat3::IDENTITY, points: Vec::new(), cells: Vec::new() };
+    empty.collect([IVec3::ZERO, layers - IVec3::ONE], origin, |_| true)
 }
 
-fn fill_askew(shape: &OrientedBox, spacing: f64) -> LatticeSample {
-    let reach = (shape.half_bounds() / spacing).ceil().as_ivec3() + IVec3::ONE;
-    let mut best = LatticeSample { spacing, ..LatticeSample::default() };
-    let mut best_error = f64::INFINITY;
+fn fill_askew(shape: &Cuboid, spacing: f64, axes: DMat3) -> LatticeSample {
+    // Half extents of the box as the lattice sees it.
+    let half = 0.5 * (axes.transpose().abs() * shape.size);
+    let reach = (half / spacing).ceil().as_ivec3() + IVec3::ONE;
+    let empty = LatticeSample { spacing, axes, points: Vec::new(), cells: Vec::new() };
+    let mut best = (f64::INFINITY, empty.clone());
     for k in 0..OFFSETS_PER_AXIS.pow(3) {
         let n = OFFSETS_PER_AXIS;
         let shift = DVec3::new(f64::from(k % n), f64::from(k / n % n), f64::from(k / (n * n))) / f64::from(n);
-        let sample = collect(-reach, reach, spacing, shape.center + spacing * shift, |point| shape.contains(point));
+        let origin = shape.center + axes * (spacing * shift);
+        let sample = empty.clone().collect([-reach, reach], origin, |point| shape.contains(point));
         let error = (sample.points.len() as f64 * spacing.powi(3) - shape.volume()).abs();
-        if error < best_error {
-            best_error = error;
-            best = sample;
+        if error < best.0 {
+            best = (error, sample);
         }
     }
-    best
-}
-
-fn collect(
-    first: IVec3,
-    last: IVec3,
-    spacing: f64,
-    origin: DVec3,
-    mut inside: impl FnMut(DVec3) -> bool,
-) -> LatticeSample {
-    let mut sample = LatticeSample { spacing, ..LatticeSample::default() };
-    for z in first.z..=last.z {
-        for y in first.y..=last.y {
-            for x in first.x..=last.x {
-                let cell = IVec3::new(x, y, z);
-                let point = origin + spacing * cell.as_dvec3();
-                if inside(point) {
-                    sample.points.push(point);
-                    sample.cells.push(cell);
-                }
-            }
-        }
-    }
-    sample
+    best.1
 }
 
 impl LatticeSample {
+    /// Adds the lattice points between two corners that lie inside.
+    fn collect(mut self, [first, last]: [IVec3; 2], origin: DVec3, mut inside: impl FnMut(DVec3) -> bool) -> Self {
+        for z in first.z..=last.z {
+            for y in first.y..=last.y {
+                for x in first.x..=last.x {
+                    let cell = IVec3::new(x, y, z);
+                    let point = origin + self.axes * (self.spacing * cell.as_dvec3());
+                    if inside(point) {
+                        self.points.push(point);
+                        self.cells.push(cell);
+                    }
+                }
+            }
+        }
+        self
+    }
+
     /// Pieces that are not connected through faces, edges or corners of the lattice: the piece number of every point,
     /// and how many pieces there are.
     pub fn pieces(&self) -> (Vec<usize>, usize) {
@@ -139,13 +127,13 @@ impl LatticeSample {
 mod tests {
     use super::*;
 
-    fn boxed(size: DVec3, axes: DMat3) -> OrientedBox {
-        OrientedBox { center: DVec3::new(0.1, 0.2, 0.3), size, axes }
+    fn boxed(size: DVec3) -> Cuboid {
+        Cuboid { center: DVec3::new(0.1, 0.2, 0.3), size }
     }
 
     #[test]
     fn a_box_of_whole_spacings_is_filled_exactly() {
-        let sample = fill_box(&boxed(DVec3::new(0.042, 0.072, 0.042), DMat3::IDENTITY), 0.006);
+        let sample = fill_box(&boxed(DVec3::new(0.042, 0.072, 0.042)), 0.006, DMat3::IDENTITY);
         assert_eq!(sample.points.len(), 588);
         let mean = sample.points.iter().sum::<DVec3>() / 588.0;
         assert!(mean.distance(DVec3::new(0.1, 0.2, 0.3)) < 1e-12);
@@ -153,19 +141,23 @@ mod tests {
     }
 
     #[test]
-    fn an_askew_box_keeps_its_volume() {
+    fn a_turned_lattice_keeps_the_volume() {
         for degrees in [10.0_f64, 30.0, 45.0] {
-            let shape = boxed(DVec3::new(0.03, 0.12, 0.03), DMat3::from_rotation_z(degrees.to_radians()));
-            let sample = fill_box(&shape, 0.006);
+            let shape = boxed(DVec3::new(0.03, 0.12, 0.03));
+            let axes = DMat3::from_rotation_z(degrees.to_radians());
+            let sample = fill_box(&shape, 0.006, axes);
             let volume = sample.points.len() as f64 * 0.006_f64.powi(3);
             assert!((volume / shape.volume() - 1.0).abs() < 0.02, "{degrees}: {volume}");
             assert!(sample.points.iter().all(|&point| shape.contains(point)));
+            let step = sample.points[1] - sample.points[0];
+            let cells = (sample.cells[1] - sample.cells[0]).as_dvec3();
+            assert!(step.distance(axes * (0.006 * cells)) < 1e-15);
         }
     }
 
     #[test]
     fn separate_pieces_are_counted() {
-        let mut sample = fill_box(&boxed(DVec3::splat(0.018), DMat3::IDENTITY), 0.006);
+        let mut sample = fill_box(&boxed(DVec3::splat(0.018)), 0.006, DMat3::IDENTITY);
         let keep: Vec<usize> = (0..27).filter(|&i| sample.cells[i].x != 1).collect();
         sample.points = keep.iter().map(|&i| sample.points[i]).collect();
         sample.cells = keep.iter().map(|&i| sample.cells[i]).collect();

@@ -1,6 +1,6 @@
 //! Triangle meshes.
 
-use super::lattice::OrientedBox;
+use super::lattice::Cuboid;
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -14,14 +14,14 @@ pub struct TriangleMesh {
 }
 
 /// Closed surface of a box, divided into squares of about `edge` [m], so that it can bend with what it encloses.
-pub fn box_surface(shape: &OrientedBox, edge: f64) -> TriangleMesh {
+pub fn box_surface(shape: &Cuboid, edge: f64) -> TriangleMesh {
     let cells = (shape.size / edge).round().max(DVec3::ONE).as_uvec3().to_array();
     let mut mesh = TriangleMesh::default();
     let mut seen: HashMap<[u32; 3], u32> = HashMap::new();
     let mut vertex = |mesh: &mut TriangleMesh, at: [u32; 3]| {
         *seen.entry(at).or_insert_with(|| {
             let share = DVec3::from_array(std::array::from_fn(|k| f64::from(at[k]) / f64::from(cells[k]) - 0.5));
-            mesh.positions.push(shape.center + shape.axes * (share * shape.size));
+            mesh.positions.push(shape.center + share * shape.size);
             mesh.positions.len() as u32 - 1
         })
     };
@@ -66,15 +66,10 @@ impl TriangleMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DMat3;
 
     #[test]
     fn a_box_surface_is_closed_and_turned_outwards() {
-        let shape = OrientedBox {
-            center: DVec3::new(1.0, 2.0, 3.0),
-            size: DVec3::new(0.3, 0.4, 0.5),
-            axes: DMat3::from_rotation_y(0.3),
-        };
+        let shape = Cuboid { center: DVec3::new(1.0, 2.0, 3.0), size: DVec3::new(0.3, 0.4, 0.5) };
         let mesh = box_surface(&shape, 0.1);
         assert!((mesh.volume() - 0.06).abs() < 1e-12);
         let mut edges: HashMap<[u32; 2], i32> = HashMap::new();

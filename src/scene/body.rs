@@ -62,7 +62,7 @@ pub enum Shape {
     Box(BoxShape),
 }
 
-/// A box in the model frame, filled with particles on the model frame's lattice.
+/// A box along the axes of the model frame, filled with particles on a cubic lattice.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BoxShape {
     /// Centre [m].
@@ -70,9 +70,10 @@ pub struct BoxShape {
     pub center: [f64; 3],
     /// Full extents [m].
     pub size: [f64; 3],
-    /// Turn of the box against the lattice. To turn a body in the world use its placement: that turns the lattice too.
+    /// Turn of the lattice against the box, to see how much of a result is the lattice's doing. To turn a body in the
+    /// world use its placement: that turns box and lattice together.
     #[serde(default)]
-    pub rotation: Rotation,
+    pub lattice_rotation: Rotation,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,

@@ -45,7 +45,7 @@ pub struct StrokePair {
     pub first: ViewStroke,
     /// The stroke that was drawn second, in another view.
     pub second: ViewStroke,
-    /// Run the second stroke backwards.
+    /// Run the second stroke the other way from what the correspondence chose.
     #[serde(default)]
     pub flip_second: bool,
     /// What to do where the strokes cover different ranges of their shared axis.
@@ -68,14 +68,14 @@ pub struct ViewStroke {
     pub extra: Extra,
 }
 
-/// What to do where two strokes cover different ranges of their shared axis (5 to 25 % of the larger range).
+/// What to do where two strokes cover ranges of their shared axis that differ by more than 5 % of the larger range.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Mismatch {
-    /// Cut both to the range that they share.
+    /// Cut both to the range that they share; ranges that differ by more than 25 % are refused.
     #[default]
     Clip,
-    /// Stretch the second onto the range of the first.
+    /// Stretch the second onto the range of the first, however far they differ.
     Stretch,
 }
 

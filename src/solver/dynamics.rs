@@ -12,8 +12,6 @@ use glam::DVec3;
 pub struct Dynamics<'a> {
     pub(super) forces: &'a mut [Box<dyn Force>],
     pub(super) constraints: &'a [Constraint],
-    /// Forces that other bodies put on this one [N], held over the step.
-    pub(super) held: &'a [DVec3],
     pub(super) net: &'a mut Vec<DVec3>,
     pub(super) current: &'a mut bool,
     pub(super) evaluations: &'a mut u64,
@@ -51,7 +49,7 @@ impl Dynamics<'_> {
     /// Accelerations [m/s²] by the last evaluation, zero along held axes.
     pub fn accelerations(&self, state: &ParticleState, out: &mut Vec<DVec3>) {
         out.clear();
-        out.extend(self.net.iter().zip(self.held).zip(&state.masses).map(|((&net, &held), &mass)| (net + held) / mass));
+        out.extend(self.net.iter().zip(&state.masses).map(|(&net, &mass)| net / mass));
         for constraint in self.constraints {
             constraint.mask(out);
         }

@@ -167,11 +167,11 @@ fn spans_space(c: DMat3) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::lattice::{OrientedBox, fill_box};
+    use crate::geometry::lattice::{Cuboid, fill_box};
 
     fn particles() -> Vec<DVec3> {
-        let shape = OrientedBox { center: DVec3::ZERO, size: DVec3::new(0.042, 0.072, 0.042), axes: DMat3::IDENTITY };
-        fill_box(&shape, 0.006).points
+        let shape = Cuboid { center: DVec3::ZERO, size: DVec3::new(0.042, 0.072, 0.042) };
+        fill_box(&shape, 0.006, DMat3::IDENTITY).points
     }
 
     #[test]
@@ -193,13 +193,17 @@ mod tests {
         let points = particles();
         let embedder = Embedder::new(&points, Kernel::new(0.015));
         let square_sum = |x: f64, y: f64, z: f64| embedder.stencil(DVec3::new(x, y, z)).unwrap().square_sum();
-        let on_hull = square_sum(0.018, 0.0, 0.0);
-        let off_face = square_sum(0.021, 0.0, 0.0);
-        let off_edge = square_sum(0.021, 0.0, 0.021);
-        let off_corner = square_sum(0.021, 0.036, 0.021);
-        for (found, expected) in [(on_hull, 0.63), (off_face, 0.9), (off_edge, 2.8), (off_corner, 5.5)] {
-            println!("{found} {expected}");
+        // At the hull's corner, and half a spacing beyond it along one, two and three axes.
+        let found = [
+            square_sum(0.018, 0.033, 0.018),
+            square_sum(0.021, 0.033, 0.018),
+            square_sum(0.021, 0.036, 0.018),
+            square_sum(0.021, 0.036, 0.021),
+        ];
+        for (found, expected) in found.into_iter().zip([0.63, 1.38, 2.8, 5.5]) {
+            assert!((found - expected).abs() < 0.05 * expected, "{found}, not {expected}");
         }
+        assert!(square_sum(0.0, 0.0, 0.0) < 0.06);
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! each neighbour is an index and the number of its offset in a small palette (80 entries at D = 0.4 h).
 
 use crate::geometry::kernel::Kernel;
+use crate::geometry::lattice::LatticeSample;
 use crate::geometry::neighbours::PointGrid;
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
@@ -61,18 +62,12 @@ pub struct TooThin {
 const FLAT: f64 = 1e-6;
 
 impl Neighbourhood {
-    /// Builds the neighbourhoods of `points` (rest, model frame). `cells` are their lattice indices at `spacing`, or
-    /// none for points off a lattice; `volume` is that of a particle [m³].
+    /// Builds the neighbourhoods of particles on a lattice (rest, model frame); `volume` is that of a particle [m³].
     ///
     /// # Errors
     /// [`TooThin`] if some particle's neighbours lie on a plane or a line: A has no inverse there.
-    pub fn new(
-        points: &[DVec3],
-        cells: Option<&[IVec3]>,
-        spacing: f64,
-        kernel: Kernel,
-        volume: f64,
-    ) -> Result<Self, TooThin> {
+    pub fn on_lattice(sample: &LatticeSample, kernel: Kernel, volume: f64) -> Result<Self, TooThin> {
+        let LatticeSample { points, cells, spacing, axes } = sample;
         let grid = PointGrid::new(points, kernel.support_radius);
         let lists: Vec<Vec<u32>> = points.par_iter().map(|&point| grid.within(point)).collect();
         let mut this = Self {
@@ -91,13 +86,10 @@ impl Neighbourhood {
                 if j as usize == i {
                     continue;
                 }
-                let bond = match cells {
-                    Some(cells) => {
-                        let step = cells[j as usize] - cells[i];
-                        *known.entry(step).or_insert_with(|| this.add_bond(spacing * step.as_dvec3(), kernel, volume))
-                    }
-                    None => this.add_bond(points[j as usize] - points[i], kernel, volume),
-                };
+                let step = cells[j as usize] - cells[i];
+                let bond = *known
+                    .entry(step)
+                    .or_insert_with(|| this.add_bond(*axes * (*spacing * step.as_dvec3()), kernel, volume));
                 this.neighbours.push(j);
                 this.bonds.push(bond);
             }

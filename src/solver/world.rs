@@ -90,12 +90,13 @@ impl World {
             for body in &mut self.bodies {
                 body.held_mut().fill(DVec3::ZERO);
             }
-            // Contact between two things is evaluated once, equal and opposite, and held over the outer step.
+            // Contact between two things is evaluated once an outer step, equal and opposite.
             for panel in &mut self.panels {
                 let lift = self.bodies.iter_mut().map(|body| panel.press(body)).sum();
                 panel.advance(time, outer_dt, lift, self.gravity.y);
             }
             for (body, &count) in self.bodies.iter_mut().zip(&self.plan.substeps) {
+                body.kick(outer_dt);
                 body.advance(time, count);
             }
         }

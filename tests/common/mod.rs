@@ -22,7 +22,7 @@ pub fn block(layers: [u32; 3], young_modulus: f64) -> Body {
         shape: Shape::Box(BoxShape {
             center: [0.0, 0.5 * size[1], 0.0],
             size,
-            rotation: Rotation::default(),
+            lattice_rotation: Rotation::default(),
             extra: Extra::new(),
         }),
         placement: Placement::default(),

@@ -59,7 +59,7 @@ fn numbers_out_of_range_are_refused() {
         ("/time/step/manual/dt", json!(1e-300), ["1e-300", "from 1e-15"]),
         ("/time/step/manual/substeps_per_frame", json!(0), ["takes no step", "1 or more"]),
         ("/bodies/0/shape/box/size/2", json!(-0.1), ["is not above zero", "above 0 m"]),
-        ("/bodies/0/shape/box/rotation/axis", json!([0, 0, 0]), ["points nowhere", "any length but zero"]),
+        ("/bodies/0/shape/box/lattice_rotation/axis", json!([0, 0, 0]), ["points nowhere", "any length but zero"]),
         ("/bodies/0/placement/rotation/axis", json!([1e-200, 0, 0]), ["points nowhere", "any length but zero"]),
         ("/bodies/0/material/young_modulus", json!(-5), ["is not above zero", "above 0 Pa"]),
         ("/bodies/0/material/poisson_ratio", json!(0.5), ["0.5", "0 to 0.49"]),

@@ -186,8 +186,9 @@ fn body() -> impl Strategy<Value = Body> {
             extra,
         },
     );
-    let shape = ([0.1..0.5, 0.1..0.5, 0.1..0.5], vector(), rotation(), extra())
-        .prop_map(|(size, center, rotation, extra)| Shape::Box(BoxShape { center, size, rotation, extra }));
+    let shape = ([0.1..0.5, 0.1..0.5, 0.1..0.5], vector(), rotation(), extra()).prop_map(
+        |(size, center, lattice_rotation, extra)| Shape::Box(BoxShape { center, size, lattice_rotation, extra }),
+    );
     let placement = (vector(), rotation(), extra()).prop_map(|(translation, rotation, extra)| Placement {
         translation,
         rotation,

@@ -1,5 +1,4 @@
 //! The matching figures: known curves, drawn unevenly with 1 % noise, against the curve that comes back.
-#![expect(clippy::print_stderr, reason = "`--nocapture` shows the measured figures")]
 
 use crate::drawing::{BOX_DIAGONAL, CURVES, apart, curve, draw, exact, lifted};
 use glam::DVec3;

@@ -44,7 +44,7 @@ fn shape(at: &At<'_>, shape: &Shape) -> Checked {
     for (axis, &size) in shape.size.iter().enumerate() {
         positive(&at.field("size").item(axis), size, "m")?;
     }
-    rotation(&at.field("rotation"), &shape.rotation)
+    rotation(&at.field("lattice_rotation"), &shape.lattice_rotation)
 }
 
 fn rotation(at: &At<'_>, rotation: &Rotation) -> Checked {

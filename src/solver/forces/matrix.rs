@@ -264,10 +264,9 @@ impl Force for MatrixForce {
             deviations,
         };
         let level = self.level;
-        let first_pass =
-            |(chunk, ((rotations, fields), own)): (usize, ((&mut [DQuat], &mut [Field]), &mut [DVec3]))| {
-                dispatch!(level, simd => pass.stresses(simd, chunk * CHUNK, rotations, fields, own));
-            };
+        let first_pass = |(chunk, ((rotations, fields), own)): (usize, FirstChunk<'_>)| {
+            dispatch!(level, simd => pass.stresses(simd, chunk * CHUNK, rotations, fields, own));
+        };
         let parallel = rotations.len() >= PARALLEL_FROM;
         if parallel {
             rotations

@@ -1,0 +1,82 @@
+//! Force evaluations and stroke lifting, one thread: `cargo bench`.
+//!
+//! Divan prints times per evaluation; items per second are particles (matrix), or structure particles (fibres).
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use glam::{DVec2, DVec3};
+use sinew::bake::bake;
+use sinew::scene::Scene;
+use sinew::sketch::{LiftOptions, Stroke, View, lift};
+use sinew::solver::forces::Force;
+use sinew::solver::state::ParticleState;
+
+fn main() {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool of this process");
+    divan::main();
+}
+
+/// A block of layers at the paper's spacing with four vertical fibres of one vertex a layer, slightly deformed.
+fn block([x, y, z]: [u32; 3]) -> (Vec<Box<dyn Force>>, ParticleState) {
+    let d = 0.006;
+    let size = [f64::from(x) * d, f64::from(y) * d, f64::from(z) * d];
+    let fibres: Vec<serde_json::Value> = [[-0.012, -0.012], [-0.012, 0.012], [0.012, -0.012], [0.012, 0.012]]
+        .iter()
+        .enumerate()
+        .map(|(k, [x, z])| {
+            let vertices: Vec<[f64; 3]> =
+                (0..=y).map(|layer| [*x, (f64::from(layer) - 0.5 * f64::from(y)) * d, *z]).collect();
+            serde_json::json!({
+                "id": format!("f{k}"), "source": {"vertices": vertices}, "rest_shape": "straight",
+                "stiffness": {"paper": {"kb": 5e5, "ks": 2.5e5}}
+            })
+        })
+        .collect();
+    let scene = serde_json::json!({
+        "version": 1, "gravity": [0, 0, 0],
+        "bodies": [{
+            "id": "block", "shape": {"box": {"size": size}}, "fibres": fibres,
+            "material": {"young_modulus": 5e7, "mass": {"per_particle": 4e-4}, "support_radius": 0.015}
+        }]
+    });
+    let scene: Scene = serde_json::from_value(scene).expect("a scene");
+    let baked = bake(&scene, &mut |_, _| {}).expect("a world");
+    let parts = baked.world.bodies()[0].parts();
+    let mut state = parts.state.clone();
+    for x in &mut state.positions {
+        *x += 1e-4 * DVec3::new((300.0 * x.y).sin(), (200.0 * x.z).sin(), (250.0 * x.x).sin());
+    }
+    (parts.forces.clone(), state)
+}
+
+const SIZES: [[u32; 3]; 4] = [[7, 12, 7], [13, 14, 15], [22, 22, 22], [37, 37, 37]];
+
+fn evaluate(bencher: Bencher<'_, '_>, force: &mut dyn Force, state: &ParticleState, items: usize) {
+    let mut forces = vec![DVec3::ZERO; state.len()];
+    bencher.counter(ItemsCount::new(items)).bench_local(|| force.add_forces(0.0, state, divan::black_box(&mut forces)));
+}
+
+#[divan::bench(args = SIZES, sample_count = 20)]
+fn matrix(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
+    let (mut forces, state) = block(layers);
+    evaluate(bencher, forces[0].as_mut(), &state, state.len());
+}
+
+#[divan::bench(args = SIZES)]
+fn four_fibres(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
+    let (mut forces, state) = block(layers);
+    evaluate(bencher, forces[1].as_mut(), &state, 4 * (layers[1] as usize + 1));
+}
+
+#[divan::bench]
+fn lift_two_strokes(bencher: Bencher<'_, '_>) {
+    let helix = |t: f64| DVec3::new(0.01 * (6.0 * t).cos(), 0.07 * t, 0.01 * (6.0 * t).sin());
+    let stroke = |view: View| {
+        let points =
+            (0..=400).map(|k| view.project(helix(f64::from(k) / 400.0))).map(|p| DVec2::new(p.x, p.y)).collect();
+        Stroke { view, points }
+    };
+    let (front, side) = (stroke(View::Front), stroke(View::Side));
+    let options = LiftOptions { flip_second: false, stretch: false, model_diagonal: 0.093 };
+    bencher.bench_local(|| lift(divan::black_box(&front), &side, &options));
+}

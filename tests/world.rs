@@ -1,0 +1,284 @@
+//! Room, panels, pins, starts, and what happens when a body cannot be computed.
+
+mod common;
+use common::*;
+use glam::DVec3;
+use sinew::scene::{
+    Axis, Distance, Extra, HeightKey, Impulse, IntegratorKind, Keyframe, Manual, Motion, Panel, PanelMotion, Rotation,
+    Scene, Side, TimeStep,
+};
+
+fn manual(dt: f64, substeps: u32) -> TimeStep {
+    TimeStep::Manual(Manual { dt, substeps_per_frame: substeps, extra: Extra::new() })
+}
+
+fn panel(motion: PanelMotion, mass: f64, height: f64) -> Panel {
+    Panel {
+        id: "panel".into(),
+        name: "Panel".into(),
+        height,
+        center: [0.0, 0.0],
+        size: [0.1, 0.1],
+        mass,
+        friction: 0.4,
+        motion,
+        extra: Extra::new(),
+    }
+}
+
+fn state_of(runner: &sinew::sim::Runner) -> &sinew::solver::state::ParticleState {
+    runner.world().bodies()[0].state()
+}
+
+#[test]
+fn a_free_fall_follows_the_parabola_until_the_floor() {
+    let mut bar = short_bar(2e5);
+    bar.placement.translation = [0.0, 0.5, 0.0];
+    bar.initial.velocity = [0.3, 0.0, 0.0];
+    let mut scene = in_space(bar);
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.room.floor = Some(0.0);
+    let mut runner = runner(&scene);
+    for _ in 0..12 {
+        runner.advance_frame();
+    }
+    let t = runner.world().time();
+    assert!((t - 0.2).abs() < 1e-12);
+    let expected = DVec3::new(0.3 * t, 0.536 - 0.5 * 9.81 * t * t, 0.0);
+    assert!(state_of(&runner).center().distance(expected) < 1e-9);
+}
+
+#[test]
+fn a_bounce_without_friction_keeps_its_energy_and_never_sinks_in() {
+    let mut bar = short_bar(2e5);
+    bar.placement.translation = [0.0, 0.1, 0.0];
+    let mut scene = in_space(bar);
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.room.floor = Some(0.0);
+    scene.room.friction = 0.0;
+    let mut runner = runner(&scene);
+    let start = runner.world().bodies()[0].energies(0.0).total();
+    let mut lowest = f64::INFINITY;
+    for _ in 0..40 {
+        runner.advance_frame();
+        let total = runner.world().bodies()[0].energies(runner.world().time()).total();
+        assert!((total / start - 1.0).abs() < 0.01, "{total} J of {start} J");
+        lowest = state_of(&runner).positions.iter().map(|x| x.y).fold(lowest, f64::min);
+    }
+    // Particles are balls of half a spacing: their centres stay above the floor.
+    assert!(lowest > 0.0, "{lowest}");
+}
+
+#[test]
+fn friction_holds_on_a_slope_up_to_its_coefficient() {
+    // A tilted gravity is a slope. Below the friction angle the body creeps at most, beyond it it slides at g (sin - mu cos).
+    let slide = |slope: f64| {
+        let mut bar = block([5, 3, 5], 2e5);
+        bar.material.damping.pair = 200.0;
+        let mut scene = in_space(bar);
+        scene.gravity = [9.81 * slope.sin(), -9.81 * slope.cos(), 0.0];
+        scene.room.floor = Some(0.0);
+        scene.room.friction = 0.5;
+        let mut runner = runner(&scene);
+        for _ in 0..30 {
+            runner.advance_frame();
+        }
+        state_of(&runner).linear_momentum().x / state_of(&runner).mass()
+    };
+    let (held, slid) = (slide(0.3), slide(0.7));
+    println!("held {held} m/s, slid {slid} m/s");
+    assert!(held.abs() < 0.012, "{held}");
+    let expected = 9.81 * (0.7_f64.sin() - 0.5 * 0.7_f64.cos()) * 0.5;
+    assert!((slid / expected - 1.0).abs() < 0.05, "{slid}, not {expected}");
+}
+
+#[test]
+fn a_falling_panel_and_the_bar_exchange_momentum_equally() {
+    let mut bar = short_bar(2e5);
+    bar.initial.velocity = [0.0, 1.0, 0.0];
+    let mut scene = in_space(bar);
+    scene.panels = vec![panel(PanelMotion::Falls, 0.5, 0.0725)];
+    let mut runner = runner(&scene);
+    let before = state_of(&runner).linear_momentum();
+    for _ in 0..6 {
+        runner.advance_frame();
+    }
+    let panel = &runner.world().panels()[0];
+    let after = state_of(&runner).linear_momentum() + DVec3::new(0.0, 0.5 * panel.velocity, 0.0);
+    assert!(panel.velocity > 0.1, "the bar pushed it: {}", panel.velocity);
+    assert!((after.y - before.y).abs() < 1e-12, "{after} {before}");
+}
+
+#[test]
+fn a_heavy_panel_comes_to_rest_on_the_bar_with_its_weight() {
+    let mut bar = short_bar(2e5);
+    bar.material.damping.pair = 300.0;
+    bar.material.damping.air = 30.0;
+    bar.regions = vec![layers("bottom", Axis::Y, Side::Min, 1)];
+    bar.pins = vec![pin("bottom", &ALL, Motion::Fixed)];
+    let mut scene = in_space(bar);
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.measures =
+        vec![measure("carried", sinew::scene::MeasureKind::ReactionForce(reaction("bottom", [0.0, -1.0, 0.0])))];
+    scene.panels = vec![panel(PanelMotion::Falls, 1.0, 0.074)];
+    let mut runner = runner(&scene);
+    for _ in 0..120 {
+        runner.advance_frame();
+    }
+    let weight = 9.81 * (1.0 + 588.0 * 4e-4);
+    let carried = scalar(&runner, 0);
+    println!("{carried} N of {weight} N, panel at {} m", runner.world().panels()[0].height);
+    assert!((carried / weight - 1.0).abs() < 0.01, "{carried}");
+}
+
+#[test]
+fn a_driven_panel_presses_to_its_height() {
+    let mut bar = short_bar(2e5);
+    bar.material.damping.pair = 300.0;
+    let mut scene = in_space(bar);
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.room.floor = Some(0.0);
+    let keys = vec![
+        HeightKey { time: 0.0, height: 0.08, extra: Extra::new() },
+        HeightKey { time: 0.3, height: 0.06, extra: Extra::new() },
+    ];
+    scene.panels = vec![panel(PanelMotion::Driven(keys), 1.0, 0.08)];
+    let mut runner = runner(&scene);
+    for _ in 0..30 {
+        runner.advance_frame();
+    }
+    assert!((runner.world().panels()[0].height - 0.06).abs() < 1e-12);
+    let top = state_of(&runner).positions.iter().map(|x| x.y).fold(f64::NEG_INFINITY, f64::max);
+    assert!((0.056..0.060).contains(&top), "{top}");
+}
+
+#[test]
+fn pins_lock_only_their_axes_and_follow_their_motion() {
+    let mut bar = short_bar(2e5);
+    bar.regions = vec![layers("bottom", Axis::Y, Side::Min, 1), layers("top", Axis::Y, Side::Max, 1)];
+    let key = |time: f64, x: f64| Keyframe { time, offset: [x, 0.0, 0.0], extra: Extra::new() };
+    bar.pins = vec![
+        pin("bottom", &[Axis::X, Axis::Y], Motion::Keyframes(vec![key(0.0, 0.0), key(0.1, 0.01), key(0.2, 0.01)])),
+        pin("top", &[Axis::Y], ramp([0.0, 1.0, 0.0], Distance::Metres(0.002), 0.1)),
+    ];
+    let mut scene = in_space(bar);
+    scene.bodies[0].initial.velocity = [0.0, 0.0, 0.05];
+    let mut runner = runner(&scene);
+    for _ in 0..9 {
+        runner.advance_frame();
+    }
+    let rest = &runner.world().bodies()[0].parts().rest;
+    for i in 0..588 {
+        let moved = state_of(&runner).positions[i] - rest[i];
+        if rest[i].y < D {
+            assert!((moved.x - 0.01).abs() < 1e-12 && moved.y.abs() < 1e-12, "{moved}");
+        }
+        if rest[i].y > 0.072 - D {
+            assert!((moved.y - 0.002).abs() < 1e-12, "{moved}");
+        }
+    }
+    // Nothing holds z: the whole bar drifts on.
+    let z = state_of(&runner).center().z;
+    assert!((z - 0.05 * runner.world().time()).abs() < 1e-12, "{z}");
+}
+
+#[test]
+fn an_impulse_adds_its_momentum() {
+    let mut bar = short_bar(2e5);
+    bar.regions = vec![layers("top", Axis::Y, Side::Max, 2)];
+    bar.impulses = vec![Impulse { region: "top".into(), impulse: [0.01, 0.02, -0.03], extra: Extra::new() }];
+    let mut runner = runner(&in_space(bar));
+    runner.advance_frame();
+    let p = state_of(&runner).linear_momentum();
+    assert!(p.distance(DVec3::new(0.01, 0.02, -0.03)) < 1e-15, "{p}");
+}
+
+#[test]
+fn a_turned_body_moves_as_the_unturned_one_turned() {
+    let at = |turned: bool| {
+        let mut bar = short_bar(2e5);
+        bar.fibres = vec![fibre(
+            "f",
+            (0..12)
+                .map(|k| {
+                    [
+                        0.01 * (0.5 * f64::from(k)).cos(),
+                        0.004 + 0.0058 * f64::from(k),
+                        0.01 * (0.5 * f64::from(k)).sin(),
+                    ]
+                })
+                .collect(),
+            rigidity(2000.0, 0.02),
+            0.5,
+            sinew::scene::RestShape::AsDrawn,
+        )];
+        bar.initial.deformation = [[0.95, 0.1, 0.0], [0.0, 1.05, 0.0], [0.0, 0.05, 1.0]];
+        if turned {
+            bar.placement.rotation = Rotation { axis: [0.0, 0.0, 1.0], degrees: 90.0, extra: Extra::new() };
+            bar.placement.translation = [5.0, 3.0, -2.0];
+        }
+        let mut scene = in_space(bar);
+        scene.time.step = manual(1e-4, 200);
+        let mut runner = runner(&scene);
+        runner.advance_frame();
+        state_of(&runner).positions.clone()
+    };
+    let (plain, turned) = (at(false), at(true));
+    for (a, b) in plain.iter().zip(&turned) {
+        let expected = DVec3::new(-a.y, a.x, a.z) + DVec3::new(5.0, 3.0, -2.0);
+        assert!(expected.distance(*b) < 1e-10, "{expected} {b}");
+    }
+}
+
+fn exploding(integrator: IntegratorKind) -> Scene {
+    let mut bar = short_bar(5e7);
+    bar.integrator = integrator;
+    bar.initial.deformation[1][1] = 1.05;
+    let mut scene = in_space(bar);
+    scene.time.step = manual(6e-5, 100);
+    scene
+}
+
+#[test]
+fn a_step_beyond_the_stable_one_is_warned_of_and_stops_the_body_in_a_good_state() {
+    let scene = exploding(IntegratorKind::LeapFrog);
+    let notes = baked(&scene).notes;
+    assert!(notes.iter().any(|note| note.warning && note.path == "/time/step/manual/dt"), "{notes:?}");
+    let mut runner = runner(&scene);
+    for _ in 0..20 {
+        runner.advance_frame();
+    }
+    let divergence = runner.world().divergence().expect("a divergence").to_string();
+    assert!(divergence.contains("\"Block\"") && divergence.contains("/time/step/manual/dt"), "{divergence}");
+    assert!(runner.all_stopped());
+    let state = state_of(&runner);
+    assert!(state.positions.iter().chain(&state.velocities).all(|v| v.is_finite()));
+    let extent = state.positions.iter().map(|x| x.length()).fold(0.0, f64::max);
+    assert!(extent < 0.2, "{extent}");
+}
+
+#[test]
+fn other_bodies_go_on_when_one_diverges() {
+    let mut scene = exploding(IntegratorKind::LeapFrog);
+    let mut second = short_bar(2e5);
+    second.id = "second".into();
+    second.name = "Second".into();
+    second.initial.velocity = [1.0, 0.0, 0.0];
+    second.placement.translation = [1.0, 0.0, 0.0];
+    scene.bodies.push(second);
+    let mut runner = runner(&scene);
+    for _ in 0..20 {
+        runner.advance_frame();
+    }
+    let bodies = runner.world().bodies();
+    assert!(bodies[0].divergence().is_some() && bodies[1].divergence().is_none());
+    assert!((bodies[1].state().center().x - 1.0 - runner.world().time()).abs() < 1e-9);
+}
+
+#[test]
+fn thin_shapes_are_refused_with_the_radius_that_helps() {
+    let mut sheet = block([10, 1, 10], 2e5);
+    sheet.id = "sheet".into();
+    let error = sinew::bake::bake(&in_space(sheet), &mut |_, _| {}).err().expect("an error").to_string();
+    assert!(error.contains("/bodies/0/material/support_radius") && error.contains("7.500e-3 m"), "{error}");
+}

@@ -78,8 +78,8 @@ impl Console {
             self.bar = Some(bar.with_elapsed(self.begun.elapsed()));
         }
         if let Some(bar) = &self.bar {
-            bar.set_message(time_left(self.begun.elapsed(), done, total));
             bar.set_position(done);
+            bar.set_message(time_left(self.begun.elapsed(), done, total));
         }
     }
 

@@ -26,8 +26,8 @@ struct Said {
 
 impl Desk {
     fn new(scene: &Value) -> Self {
-        let desk = Self { folder: TempDir::new().unwrap() };
-        fs::write(desk.path("scene.json"), scene.to_string()).unwrap();
+        let desk = Self { folder: TempDir::new().expect("a temporary folder") };
+        fs::write(desk.path("scene.json"), scene.to_string()).expect("the scene is written");
         desk
     }
 
@@ -58,11 +58,11 @@ impl Desk {
     }
 
     fn json(&self, name: &str) -> Value {
-        serde_json::from_str(&self.text(name)).unwrap()
+        serde_json::from_str(&self.text(name)).expect("the file is JSON")
     }
 
     fn text(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
+        fs::read_to_string(self.path(name)).expect("the file can be read")
     }
 
     /// Names of all that lies in the folder.
@@ -72,8 +72,8 @@ impl Desk {
 }
 
 fn names(folder: &Path) -> Vec<String> {
-    let name = |entry: fs::DirEntry| entry.file_name().into_string().unwrap();
-    let mut names: Vec<String> = fs::read_dir(folder).unwrap().map(|entry| name(entry.unwrap())).collect();
+    let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
+    let mut names: Vec<String> = fs::read_dir(folder).expect("the folder can be read").flatten().map(name).collect();
     names.sort();
     names
 }
@@ -83,8 +83,8 @@ fn program() -> Command {
 }
 
 fn said(command: &mut Command) -> Said {
-    let Output { status, stdout, stderr } = command.output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
+    let Output { status, stdout, stderr } = command.output().expect("the program runs");
+    let text = |bytes| String::from_utf8(bytes).expect("the program speaks UTF-8");
     Said { code: status.code(), out: text(stdout), err: text(stderr) }
 }
 
@@ -136,7 +136,7 @@ fn two_blocks() -> Value {
     stiff["name"] = json!("Stiff block");
     stiff["placement"] = json!({"translation": [0.1, 0, 0]});
     stiff["material"]["young_modulus"] = json!(1e8);
-    scene["bodies"].as_array_mut().unwrap().push(stiff);
+    scene["bodies"].as_array_mut().expect("a list").push(stiff);
     scene
 }
 

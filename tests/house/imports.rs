@@ -49,7 +49,7 @@ fn root_at(tokens: &[(Token, usize)], at: usize, module: &[String]) -> Option<us
         "crate" => Some(at + 2),
         "sinew" if module == ["main"] => Some(at + 2),
         "super" => {
-            let ups = (0..).take_while(|k| word(at + 2 * k) == Some("super")).count();
+            let ups = (0..tokens.len()).take_while(|k| word(at + 2 * k) == Some("super")).count();
             (ups == module.len()).then_some(at + 2 * ups)
         }
         _ => None,

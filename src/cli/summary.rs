@@ -9,9 +9,9 @@ use crate::solver::world::World;
 pub fn summary(report: &Report, world: &World, source: &str) -> String {
     let name = if report.scene.is_empty() { source.to_owned() } else { one_line(&report.scene) };
     let mut text = format!(
-        "{name}: {} s in {} frames of {} s{}\n",
+        "{name}: {} s in {} of {} s{}\n",
         figures(report.seconds),
-        report.frames,
+        if report.frames == 1 { "1 frame".to_owned() } else { format!("{} frames", report.frames) },
         figures(world.plan().frame_seconds),
         if report.at_rest { ", at rest" } else { "" },
     );
@@ -28,8 +28,10 @@ pub fn summary(report: &Report, world: &World, source: &str) -> String {
 /// How fast the run was, against the clock.
 fn pace(report: &Report) -> String {
     let wall = figures(report.wall_seconds);
+    // Time that passes without a body that moves says nothing about speed.
+    let moved = report.bodies.iter().any(|body| body.diverged.is_none());
     match report.real_time_factor {
-        0.0 => format!("stepped in {wall} s\n"),
+        factor if factor == 0.0 || !moved => format!("stepped in {wall} s\n"),
         factor if factor < 1.0 => {
             format!("stepped in {wall} s: slow motion, {} times slower than real time\n", figures(1.0 / factor))
         }

@@ -244,6 +244,7 @@ fn a_run_ends_when_nothing_is_left_to_run() {
     assert_eq!(said.code, Some(3), "{said:?}");
     assert!(number(&desk.json("r.json")["frames"]) < 10.0);
     assert_eq!(desk.json("r.json")["at_rest"], false);
+    assert!(!said.out.contains("real time"), "{}", said.out);
 }
 
 #[test]

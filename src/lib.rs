@@ -1,4 +1,125 @@
-//! sinew: an interactive stroke-based fibre editor for soft solids.
+//! **sinew** is an interactive stroke-based fibre editor for soft solids: a fibre drawn by one stroke in each of two
+//! orthogonal views makes a soft body bend, shear, twist or stiffen, with no constitutive parameters to tune. This
+//! crate is its core and command line: the same scene gives the same motion, bit for bit, wherever it runs.
+//!
+//! # The way through the house
+//!
+//! ```text
+//! strokes --sketch--> curve --scene--> Scene --bake--> World --sim--> frames --> Snapshot, Report --io--> files
+//! ```
+//!
+//! # Rooms
+//!
+//! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, surface meshes. Knows
+//!   nothing of scenes or physics.
+//! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not. Pure
+//!   functions.
+//! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, time, measures; data and validation only.
+//! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of [`solver::forces`], and any of
+//!   the [`solver::integrators`] steps any body. Knows no file, clock, thread start or window.
+//! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
+//!   world.
+//! - [`sim`]: the clock-free [`sim::Runner`] and its reports; whoever runs a scene runs it through this.
+//! - [`io`]: the only file access. Scene JSON and its schema, OBJ sequences, atomic writes.
+//! - [`cli`]: the command line, one file a command.
+//!
+//! What a room may import: geometry nothing; sketch geometry; scene geometry and sketch; solver geometry; bake scene,
+//! sketch, geometry and solver; io scene, geometry and the solver's snapshot; sim scene, bake and solver; cli all. A
+//! test holds the code to this.
+//!
+//! # Conventions
+//!
+//! SI units throughout: metres, kilograms, seconds, newtons, pascals; angles in degrees in scenes and reports, in
+//! radians in the code. Frames are right-handed with Y up. A body is described in its *model frame* and put into the
+//! world by its placement; capital X in formulae is the rest position, small x the present one. State and forces are
+//! f64. Parallel loops write by index and sums run in a fixed order, so that the number of threads changes nothing.
+//!
+//! # Running a scene
+//!
+//! ```
+//! use sinew::{bake::bake, io::scene_from_json, sim::Runner};
+//!
+//! let scene = scene_from_json(r#"{
+//!     "version": 1,
+//!     "room": {"floor": 0.0},
+//!     "bodies": [{
+//!         "id": "cube",
+//!         "shape": {"box": {"center": [0, 0.05, 0], "size": [0.03, 0.03, 0.03]}},
+//!         "material": {"young_modulus": 1e5, "mass": {"density": 1000}, "support_radius": 0.015}
+//!     }]
+//! }"#)?;
+//! let baked = bake(&scene, &mut |_, _| {})?;
+//! let mut runner = Runner::new(&scene, baked);
+//! runner.advance_frame();
+//! assert!(runner.world().bodies()[0].state().center().y < 0.05);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A force and an integrator of your own
+//!
+//! Both are traits; implement them and hand them to a body.
+//!
+//! ```
+//! use glam::DVec3;
+//! use sinew::solver::{dynamics::Dynamics, energy::Energies, forces::Force, integrators::Integrator, state::ParticleState};
+//!
+//! /// A steady push on every particle [N].
+//! #[derive(Clone)]
+//! struct Wind(DVec3);
+//!
+//! impl Force for Wind {
+//!     fn add_forces(&mut self, _time: f64, _state: &ParticleState, forces: &mut [DVec3]) {
+//!         for force in forces {
+//!             *force += self.0;
+//!         }
+//!     }
+//!     fn add_energy(&self, _time: f64, _state: &ParticleState, _energies: &mut Energies) {}
+//!     fn clone_box(&self) -> Box<dyn Force> {
+//!         Box::new(self.clone())
+//!     }
+//! }
+//!
+//! /// Kick, then drift: first order, symplectic.
+//! #[derive(Clone, Default)]
+//! struct SymplecticEuler(Vec<DVec3>);
+//!
+//! impl Integrator for SymplecticEuler {
+//!     fn step(&mut self, dynamics: &mut Dynamics<'_>, state: &mut ParticleState, time: f64, dt: f64) {
+//!         dynamics.start(time, state);
+//!         dynamics.accelerations(state, &mut self.0);
+//!         for i in 0..state.len() {
+//!             state.velocities[i] += dt * self.0[i];
+//!             state.positions[i] += dt * state.velocities[i];
+//!         }
+//!         dynamics.constrain(time + dt, state);
+//!     }
+//!     fn stable_step(&self, omega: f64, _damping: f64) -> f64 {
+//!         2.0 / omega
+//!     }
+//!     fn clone_box(&self) -> Box<dyn Integrator> {
+//!         Box::new(self.clone())
+//!     }
+//! }
+//!
+//! # let scene = sinew::io::scene_from_json(r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{"id": "cube",
+//! #     "shape": {"box": {"size": [0.03, 0.03, 0.03]}},
+//! #     "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.015}}]}"#)?;
+//! let mut world = sinew::bake::bake(&scene, &mut |_, _| {})?.world;
+//! let body = world.body_mut(0).expect("the scene's first body");
+//! body.set_integrator(Box::new(SymplecticEuler::default()));
+//! body.add_force(Box::new(Wind(DVec3::X * 1e-3)));
+//! world.advance_frame();
+//! assert!(world.bodies()[0].state().linear_momentum().x > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Where the formulation differs from the papers' print
+//!
+//! The fibre paper (Liu, He, Ren, Li, Wang: *Physical material editing with structure embedding for animated solid*,
+//! Graphics Interface 2012) is neither conservative nor dimensionally consistent as printed. What is done instead, and
+//! why, stands at the head of each file: [`geometry::kernel`] (eq. 13 unnormalised), [`solver::forces::matrix`] (eqs. 10
+//! to 15), [`solver::forces::fibre`] (eqs. 6 to 8 and the appendix), [`solver::embedding`] (eq. 17),
+//! [`scene::PaperStiffness`] (Table 1). The README lists them all.
 // Units stand in brackets throughout the docs: [m], [N/m].
 #![allow(rustdoc::broken_intra_doc_links, reason = "units in brackets are no links")]
 

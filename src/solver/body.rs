@@ -132,6 +132,17 @@ impl Body {
         &self.parts.state
     }
 
+    /// Steps it from now on by `integrator`. The time step stays as it was chosen for the one before.
+    pub fn set_integrator(&mut self, integrator: Box<dyn Integrator>) {
+        self.parts.integrator = integrator;
+    }
+
+    /// Adds a force. What it asks of the time step is not looked at: the step was chosen when the scene was baked.
+    pub fn add_force(&mut self, force: Box<dyn Force>) {
+        self.parts.forces.push(force);
+        self.current = false;
+    }
+
     /// Time steps taken.
     pub fn steps(&self) -> u64 {
         self.steps

@@ -49,6 +49,11 @@ impl World {
         &self.bodies
     }
 
+    /// One body, to give it another integrator or one more force.
+    pub fn body_mut(&mut self, index: usize) -> Option<&mut Body> {
+        self.bodies.get_mut(index)
+    }
+
     /// The panels in the order of the scene.
     pub fn panels(&self) -> &[Panel] {
         &self.panels

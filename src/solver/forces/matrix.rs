@@ -31,8 +31,8 @@ use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Particles a thread works on at a time; a body of fewer than [`PARALLEL_FROM`] stays on one thread.
-const CHUNK: usize = 256;
-const PARALLEL_FROM: usize = 2000;
+const CHUNK: usize = 128;
+const PARALLEL_FROM: usize = 512;
 
 /// Elastic constants of the matrix and the weights of its zero-energy terms, all in Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -16,7 +16,7 @@ pub struct Report {
     pub seconds: f64,
     /// Frames advanced.
     pub frames: u64,
-    /// Whether everything had come to rest.
+    /// Whether everything had come to rest and nothing diverged.
     pub at_rest: bool,
     /// Time spent stepping [s].
     pub wall_seconds: f64,
@@ -33,6 +33,8 @@ pub struct Report {
 /// One body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BodyReport {
+    /// Identifier in the scene.
+    pub id: String,
     /// Name a person reads.
     pub name: String,
     /// Kind of body.
@@ -110,7 +112,7 @@ impl Report {
             scene: scene.name.clone(),
             seconds,
             frames: world.frame(),
-            at_rest: runner.at_rest(),
+            at_rest: runner.at_rest() && world.divergence().is_none(),
             wall_seconds,
             real_time_factor: if wall_seconds > 0.0 { seconds / wall_seconds } else { 0.0 },
             bodies: world.bodies().iter().map(|body| BodyReport::new(body, seconds)).collect(),
@@ -138,6 +140,7 @@ impl BodyReport {
         let parts = body.parts();
         let state = body.state();
         Self {
+            id: parts.id.clone(),
             name: parts.name.clone(),
             kind: parts.kind,
             particles: state.len(),

@@ -65,7 +65,7 @@ impl Quantity {
     pub fn unit(&self) -> &'static str {
         match self {
             Self::MeanDisplacement(..) | Self::TipDisplacement(..) | Self::Shear(..) => "mm",
-            Self::HeightLoss(..) => "1",
+            Self::HeightLoss(..) => "fraction",
             Self::Twist(..) => "degrees",
             Self::ReactionForce(..) => "N",
             Self::ReactionTorque(..) => "N m",

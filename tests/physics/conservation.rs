@@ -1,7 +1,6 @@
 //! Momenta and energy of bodies in free flight.
 
-mod common;
-use common::*;
+use crate::common::*;
 use glam::DVec3;
 use sinew::scene::{IntegratorKind, RestShape, Scene};
 

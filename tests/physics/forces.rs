@@ -1,7 +1,6 @@
 //! Forces against the energies they come from, and against what must leave them at zero.
 
-mod common;
-use common::*;
+use crate::common::*;
 use glam::{DMat3, DQuat, DVec3};
 use sinew::scene::{Fibre, RestShape, Scene};
 use sinew::solver::body::Body;

@@ -1,8 +1,6 @@
 //! Rods of n x n layers against beam theory.
-#![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured ratios")]
 
-mod common;
-use common::*;
+use crate::common::*;
 use sinew::scene::{
     Axis, Body, Easing, Extra, Mass, MeasureKind, Motion, OfRegion, Region, Rotation, Scene, Selector, Shape, Turn,
     Turned,

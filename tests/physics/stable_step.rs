@@ -1,7 +1,6 @@
 //! The stable step, measured at load.
 
-mod common;
-use common::*;
+use crate::common::*;
 
 fn critical(scene: &sinew::scene::Scene) -> f64 {
     baked(scene).world.bodies()[0].parts().stable_dt

@@ -1,7 +1,6 @@
 //! The press of the short bar: bottom layer clamped, top layer's height prescribed, forces at rest.
 
-mod common;
-use common::*;
+use crate::common::*;
 use sinew::scene::{Axis, Distance, MeasureKind, Motion, Scene, Side};
 
 fn pressed(fraction: f64) -> Scene {

@@ -1,5 +1,4 @@
 //! Scenes put together for tests: scene in, report out.
-#![allow(dead_code, reason = "each test file uses its own part")]
 
 use sinew::bake::{Baked, bake};
 use sinew::scene::{
@@ -58,10 +57,6 @@ pub fn in_space(body: Body) -> Scene {
 
 pub fn layers(id: &str, axis: Axis, side: Side, count: u32) -> Region {
     Region { id: id.into(), select: Selector::Layers { axis, side, count, extra: Extra::new() }, extra: Extra::new() }
-}
-
-pub fn everything(id: &str) -> Region {
-    Region { id: id.into(), select: Selector::Everything, extra: Extra::new() }
 }
 
 pub fn pin(region: &str, axes: &[Axis], motion: Motion) -> Pin {

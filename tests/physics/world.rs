@@ -1,7 +1,6 @@
 //! Room, panels, pins, starts, and what happens when a body cannot be computed.
 
-mod common;
-use common::*;
+use crate::common::*;
 use glam::DVec3;
 use sinew::scene::{
     Axis, Distance, Extra, HeightKey, Impulse, IntegratorKind, Keyframe, Manual, Motion, Panel, PanelMotion, Rotation,

@@ -1,0 +1,12 @@
+//! The solver through its public doors: scenes in, forces, energies, momenta and measures out.
+#![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
+
+mod behaviours;
+mod common;
+mod conservation;
+mod fibres;
+mod forces;
+mod press;
+mod rods;
+mod stable_step;
+mod world;

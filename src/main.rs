@@ -1,7 +1,7 @@
 //! The `sinew` binary: arguments in, a headless command or the window out.
 
 use clap::Parser;
-use sinew::cli::{Cli, Console, nothing_asked, run};
+use sinew::cli::{Cli, Console, built_in, run};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -9,7 +9,6 @@ fn main() -> ExitCode {
     let mut console = Console::of_process();
     match &cli.command {
         Some(command) => run(command, &mut console),
-        // The window's place.
-        None => nothing_asked(&mut console),
+        None => built_in(&mut console),
     }
 }

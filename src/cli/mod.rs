@@ -77,8 +77,11 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
     }
 }
 
-/// What the program says, and how it ends, when it is asked for nothing and has no window to open.
-pub fn nothing_asked(console: &mut Console) -> ExitCode {
-    console.error(&"nothing to do; run a scene with `sinew simulate [SCENE]`, or see `sinew --help`");
-    ExitCode::from(BAD_INPUT)
+/// What the program does when it is asked for nothing: it runs the built-in scene.
+pub fn built_in(console: &mut Console) -> ExitCode {
+    console.say(
+        "note",
+        &"running the built-in scene; `sinew simulate SCENE` runs another, `sinew --help` lists the commands",
+    );
+    run(&Command::Simulate(simulate::Simulate::default()), console)
 }

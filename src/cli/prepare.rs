@@ -19,7 +19,7 @@ const LONGEST: f64 = 1e6;
 const NAMED_FIELDS: usize = 10;
 
 /// Values to replace in the scene.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct Sets {
     /// Replace a value of the scene: an RFC 6901 pointer and JSON, as in /bodies/0/material/young_modulus=2e5
     #[arg(long = "set", value_name = "POINTER=JSON")]
@@ -27,7 +27,7 @@ pub struct Sets {
 }
 
 /// How long to run, and in which frames.
-#[derive(Clone, Copy, Debug, Args)]
+#[derive(Clone, Copy, Debug, Default, Args)]
 pub struct Span {
     /// Simulated time to run [s]; the scene's duration unless given
     #[arg(long, value_name = "S", value_parser = seconds)]

@@ -13,7 +13,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 /// Arguments of `sinew simulate`.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct Simulate {
     /// Scene file; the built-in scene unless given
     scene: Option<PathBuf>,

@@ -1,7 +1,8 @@
 //! The `sinew` binary: arguments in, a headless command or the window out.
 
 use clap::Parser;
-use sinew::cli::{Cli, Console, built_in, run};
+use sinew::cli::{Cli, Console, run};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -9,6 +10,23 @@ fn main() -> ExitCode {
     let mut console = Console::of_process();
     match &cli.command {
         Some(command) => run(command, &mut console),
-        None => built_in(&mut console),
+        None => show(cli.scene, &mut console),
     }
+}
+
+#[cfg(feature = "gui")]
+fn show(path: Option<PathBuf>, console: &mut Console) -> ExitCode {
+    let scene = match sinew::cli::scene_to_show(path.as_ref(), console) {
+        Ok(scene) => scene,
+        Err(code) => return code,
+    };
+    match sinew::ui::run(scene, path) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => sinew::cli::no_window(&problem, console),
+    }
+}
+
+#[cfg(not(feature = "gui"))]
+fn show(path: Option<PathBuf>, console: &mut Console) -> ExitCode {
+    sinew::cli::without_window(path, console)
 }

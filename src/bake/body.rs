@@ -115,6 +115,7 @@ pub(super) fn draft(
             BodyKind::FibreSolid => "fibre_solid",
         },
         state,
+        model: sample.points.as_slice().into(),
         rest,
         forces,
         integrator,

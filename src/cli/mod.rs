@@ -24,13 +24,18 @@ mod vary;
 pub use console::Console;
 pub use error::CliError;
 
+use crate::scene::Scene;
 use clap::{Parser, Subcommand};
+use std::fmt::Display;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Sketch fibres into soft solids and watch them bend, shear, twist or stiffen.
 #[derive(Debug, Parser)]
-#[command(name = "sinew", version)]
+#[command(name = "sinew", version, args_conflicts_with_subcommands = true)]
 pub struct Cli {
+    /// Scene to open in the window; the built-in scene unless given
+    pub scene: Option<PathBuf>,
     /// What to do.
     #[command(subcommand)]
     pub command: Option<Command>,
@@ -83,11 +88,28 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
     }
 }
 
-/// What the program does when it is asked for nothing: it runs the built-in scene.
-pub fn built_in(console: &mut Console) -> ExitCode {
+/// The scene that a window is to show, or the exit code where it cannot be read.
+///
+/// # Errors
+/// The exit code for bad input, once it has been said what is wrong.
+pub fn scene_to_show(path: Option<&PathBuf>, console: &mut Console) -> Result<Scene, ExitCode> {
+    prepare::load(path, &prepare::Sets::default(), None).map_err(|error| {
+        console.error(&error);
+        ExitCode::from(BAD_INPUT)
+    })
+}
+
+/// What is said where no window can be opened.
+pub fn no_window(problem: &dyn Display, console: &mut Console) -> ExitCode {
+    console.error(problem);
+    ExitCode::from(NO_DRIVER)
+}
+
+/// What a program without a window does when it is given no command: it runs the scene.
+pub fn without_window(scene: Option<PathBuf>, console: &mut Console) -> ExitCode {
     console.say(
         "note",
-        &"running the built-in scene; `sinew simulate SCENE` runs another, `sinew --help` lists the commands",
+        &"this program was built without its window and runs the scene; `sinew --help` lists the commands",
     );
-    run(&Command::Simulate(simulate::Simulate::default()), console)
+    run(&Command::Simulate(simulate::Simulate::of(scene)), console)
 }

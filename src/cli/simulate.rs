@@ -35,6 +35,13 @@ pub struct Simulate {
     out: Option<PathBuf>,
 }
 
+impl Simulate {
+    /// Runs a scene, the built-in one unless given, with nothing else asked for.
+    pub(super) fn of(scene: Option<PathBuf>) -> Self {
+        Self { scene, ..Self::default() }
+    }
+}
+
 /// Runs the scene, writes the files that were asked for and prints a summary.
 ///
 /// # Errors

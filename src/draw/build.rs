@@ -60,10 +60,13 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
 
 /// Particle spacing D [m]; for a body that the document does not have (any more), what its particles fill.
 fn spacing(scene: &Scene, index: usize, body: &BodySnapshot) -> f64 {
-    scene.bodies.get(index).map(|body| body.material.spacing()).unwrap_or_else(|| {
-        let radius = Bounds::of(body.particles.iter().copied()).map_or(1.0, |bounds| bounds.radius());
-        radius / (body.particles.len().max(1) as f64).cbrt()
-    })
+    scene.bodies.get(index).map_or_else(
+        || {
+            let radius = Bounds::of(body.particles.iter().copied()).map_or(1.0, |bounds| bounds.radius());
+            radius / (body.particles.len().max(1) as f64).cbrt()
+        },
+        |body| body.material.spacing(),
+    )
 }
 
 /// The skin of a body as a mesh that nothing picks; none where it has none or is no longer made of numbers.

@@ -58,6 +58,8 @@ pub struct Status {
 pub struct Published {
     /// Positions.
     pub snapshot: Snapshot,
+    /// Every body at rest in its model frame; the same one until the scene is put together again.
+    pub at_rest: Arc<Snapshot>,
     /// The rest.
     pub status: Status,
 }
@@ -126,6 +128,9 @@ struct Loop {
     scene: Arc<Scene>,
     start: Option<Runner>,
     runner: Option<Runner>,
+    at_rest: Arc<Snapshot>,
+    /// An edit that waits until everything that was asked for has been heard: only the last of several is baked.
+    edited: bool,
     speed: f64,
     /// Body of the grab that follows the pointer; it is the last of the body's grabs.
     grabbed: Option<usize>,
@@ -146,6 +151,8 @@ impl Loop {
             scene,
             start: None,
             runner: None,
+            at_rest: Arc::default(),
+            edited: false,
             speed: 1.0,
             grabbed: None,
             status: Status { playing, ..Status::default() },
@@ -172,6 +179,9 @@ impl Loop {
                     Err(RecvTimeoutError::Timeout) => break,
                     Err(RecvTimeoutError::Disconnected) => return,
                 }
+            }
+            if std::mem::take(&mut self.edited) {
+                self.put_together(true);
             }
             if self.runs() && Instant::now() >= due {
                 self.advance();
@@ -220,7 +230,7 @@ impl Loop {
             SimCommand::Edit(scene) => {
                 self.scene = scene;
                 self.status.edits += 1;
-                self.put_together(true);
+                self.edited = true;
             }
             SimCommand::Open(scene) => {
                 self.scene = scene;
@@ -277,6 +287,7 @@ impl Loop {
                 self.status.notes = baked.notes.iter().map(ToString::to_string).collect();
                 self.status.failure = None;
                 let fresh = Runner::new(&scene, baked);
+                self.at_rest = Arc::new(Snapshot::in_model_frames(fresh.world()));
                 self.start = Some(fresh.clone());
                 let mut runner = fresh;
                 if let Some(before) = self.runner.as_ref().filter(|_| keep_motion) {
@@ -333,7 +344,8 @@ impl Loop {
             self.status.divergence = world.divergence().map(ToString::to_string);
             self.status.measures = world.measures();
         }
-        self.out.publish(Published { snapshot, status: self.status.clone() });
+        let at_rest = Arc::clone(&self.at_rest);
+        self.out.publish(Published { snapshot, at_rest, status: self.status.clone() });
     }
 }
 

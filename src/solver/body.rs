@@ -23,6 +23,8 @@ pub struct BodyParts {
     pub kind: &'static str,
     /// Particles at the start.
     pub state: ParticleState,
+    /// Rest positions in the model frame [m].
+    pub model: Arc<[DVec3]>,
     /// Rest positions in the world [m]: where the particles would start without any initial deformation.
     pub rest: Arc<[DVec3]>,
     /// Everything that pushes and pulls.

@@ -1,5 +1,6 @@
 //! What the solver shows of itself: plain positions at one time.
 
+use super::body::Body;
 use super::world::World;
 use glam::DVec3;
 
@@ -41,15 +42,24 @@ pub struct FibreSnapshot {
 impl Snapshot {
     /// The world as it stands.
     pub fn of(world: &World) -> Self {
+        Self::with(world, |body| &body.state().positions)
+    }
+
+    /// Every body at rest in its own model frame, as it is drawn into.
+    pub fn in_model_frames(world: &World) -> Self {
+        Self::with(world, |body| &body.parts().model)
+    }
+
+    fn with<'a>(world: &'a World, positions: impl Fn(&'a Body) -> &'a [DVec3]) -> Self {
         let bodies = world
             .bodies()
             .iter()
             .map(|body| {
-                let positions = &body.state().positions;
+                let positions = positions(body);
                 let parts = body.parts();
                 BodySnapshot {
                     name: parts.name.clone(),
-                    particles: positions.clone(),
+                    particles: positions.to_vec(),
                     fibres: parts
                         .fibres
                         .iter()

@@ -8,6 +8,7 @@ mod check;
 mod console;
 mod drive;
 mod error;
+mod make_models;
 mod output;
 mod parallel;
 mod prepare;
@@ -45,6 +46,9 @@ pub enum Command {
     Check(check::Check),
     /// Print the JSON Schema of scene files
     Schema,
+    /// Make the models in assets/ anew
+    #[command(hide = true)]
+    MakeModels(make_models::MakeModels),
 }
 
 /// How a command ended.
@@ -66,6 +70,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Command::Sweep(args) => sweep::run(args, console),
         Command::Check(args) => check::run(args, console),
         Command::Schema => schema::run(console),
+        Command::MakeModels(args) => make_models::run(args, console),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

@@ -6,6 +6,7 @@ use super::embedding::Stencil;
 use super::energy::Energies;
 use super::forces::{ContactLaw, Force};
 use super::integrators::Integrator;
+use super::skin::Skin;
 use super::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -66,15 +67,6 @@ pub struct FibreLine {
     pub id: String,
     /// Embedded vertices, ends without force included.
     pub vertices: Vec<Stencil>,
-}
-
-/// Render surface that rides on the particles.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Skin {
-    /// Embedding of every vertex.
-    pub vertices: Vec<Stencil>,
-    /// Vertex indices of the faces.
-    pub triangles: Vec<[u32; 3]>,
 }
 
 /// A body that was stopped because its motion could no longer be computed.

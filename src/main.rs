@@ -16,11 +16,11 @@ fn main() -> ExitCode {
 
 #[cfg(feature = "gui")]
 fn show(path: Option<PathBuf>, console: &mut Console) -> ExitCode {
-    let scene = match sinew::cli::scene_to_show(path.as_ref(), console) {
-        Ok(scene) => scene,
-        Err(code) => return code,
+    let document = match sinew::ui::Document::load(path) {
+        Ok(document) => document,
+        Err(problem) => return sinew::cli::bad_input(&problem, console),
     };
-    match sinew::ui::run(scene, path) {
+    match sinew::ui::run(document) {
         Ok(()) => ExitCode::SUCCESS,
         Err(problem) => sinew::cli::no_window(&problem, console),
     }

@@ -39,7 +39,7 @@ fn center(published: &Published) -> DVec3 {
 
 #[test]
 fn plays_pauses_steps_and_resets() {
-    let worker = Worker::start(scene(""), false, || {});
+    let worker = Worker::start(scene(""), Arc::default(), false, || {});
     let first = until(&worker, |_| true);
     assert_eq!(first.status.time, 0.0);
     assert!(worker.send(SimCommand::Step));
@@ -57,7 +57,7 @@ fn plays_pauses_steps_and_resets() {
 
 #[test]
 fn an_edit_goes_on_from_the_present_motion_and_a_bad_one_keeps_the_old_world() {
-    let worker = Worker::start(scene(""), true, || {});
+    let worker = Worker::start(scene(""), Arc::default(), true, || {});
     until(&worker, |p| p.status.time > 0.05);
     let mut edited = (*scene("")).clone();
     edited.bodies[0].material.young_modulus = 2e5;
@@ -74,7 +74,7 @@ fn an_edit_goes_on_from_the_present_motion_and_a_bad_one_keeps_the_old_world() {
 
 #[test]
 fn a_grab_pulls_the_body_to_the_pointer_and_a_pin_keeps_it() {
-    let worker = Worker::start(scene(r#""description": "","#), true, || {});
+    let worker = Worker::start(scene(r#""description": "","#), Arc::default(), true, || {});
     until(&worker, |p| p.status.time > 0.0);
     let target = DVec3::new(0.0, 0.1, 0.0);
     assert!(worker.send(SimCommand::Grab { body: 0, vertex: 0, target }));
@@ -89,7 +89,7 @@ fn a_grab_pulls_the_body_to_the_pointer_and_a_pin_keeps_it() {
 
 #[test]
 fn runs_in_real_time_when_it_can() {
-    let worker = Worker::start(scene(""), true, || {});
+    let worker = Worker::start(scene(""), Arc::default(), true, || {});
     let published = until(&worker, |p| p.status.real_time_factor > 0.0 && p.status.time > 0.8);
     assert!(published.status.real_time_factor < 1.3, "{}", published.status.real_time_factor);
 }

@@ -8,6 +8,7 @@ mod check;
 mod console;
 mod drive;
 mod error;
+mod make_models;
 mod output;
 mod parallel;
 mod picture;
@@ -24,7 +25,6 @@ mod vary;
 pub use console::Console;
 pub use error::CliError;
 
-use crate::scene::Scene;
 use clap::{Parser, Subcommand};
 use std::fmt::Display;
 use std::path::PathBuf;
@@ -54,6 +54,9 @@ pub enum Command {
     Check(check::Check),
     /// Print the JSON Schema of scene files
     Schema,
+    /// Make the models in assets/ anew
+    #[command(hide = true)]
+    MakeModels(make_models::MakeModels),
 }
 
 /// How a command ended.
@@ -77,6 +80,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Command::Sweep(args) => sweep::run(args, console),
         Command::Check(args) => check::run(args, console),
         Command::Schema => schema::run(console),
+        Command::MakeModels(args) => make_models::run(args, console),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
@@ -88,18 +92,13 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
     }
 }
 
-/// The scene that a window is to show, or the exit code where it cannot be read.
-///
-/// # Errors
-/// The exit code for bad input, once it has been said what is wrong.
-pub fn scene_to_show(path: Option<&PathBuf>, console: &mut Console) -> Result<Scene, ExitCode> {
-    prepare::load(path, &prepare::Sets::default(), None).map_err(|error| {
-        console.error(&error);
-        ExitCode::from(BAD_INPUT)
-    })
+/// What is said, and how the program ends, where a scene for the window cannot be read.
+pub fn bad_input(problem: &dyn Display, console: &mut Console) -> ExitCode {
+    console.error(problem);
+    ExitCode::from(BAD_INPUT)
 }
 
-/// What is said where no window can be opened.
+/// What is said, and how the program ends, where no window can be opened.
 pub fn no_window(problem: &dyn Display, console: &mut Console) -> ExitCode {
     console.error(problem);
     ExitCode::from(NO_DRIVER)

@@ -53,7 +53,7 @@ pub fn run(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> 
 fn simulate(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
     let source = source_name(args.scene.as_deref());
     let scene = load(args.scene.as_ref(), &args.sets, args.span.fps)?;
-    let baked = put_together(&scene, &source, console)?;
+    let baked = put_together(&scene, args.scene.as_deref(), console)?;
     let notes = notes(&scene, &baked);
     tell(&notes, console);
     output::check(args.scene.as_ref(), &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;

@@ -1,6 +1,6 @@
 //! What can be asked of a running world. None of it is saved, none of it is undone.
 
-use crate::scene::Scene;
+use crate::scene::{Assets, Scene};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -19,8 +19,8 @@ pub enum SimCommand {
     Speed(f64),
     /// The document has changed: put it together again and go on from the present motion.
     Edit(Arc<Scene>),
-    /// Another document: put it together and start anew.
-    Open(Arc<Scene>),
+    /// Another document and its models: put it together and start anew.
+    Open(Arc<Scene>, Arc<Assets>),
     /// Pull on a point of a body.
     Grab {
         /// Index of the body.

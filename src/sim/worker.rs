@@ -5,7 +5,7 @@
 
 use super::{Runner, SimCommand};
 use crate::bake::{Baked, bake};
-use crate::scene::Scene;
+use crate::scene::{Assets, Scene};
 use crate::solver::grab::Grab;
 use crate::solver::measure::MeasureValue;
 use crate::solver::snapshot::Snapshot;
@@ -75,13 +75,13 @@ pub struct Worker {
 
 impl Worker {
     /// Starts a thread that runs `scene`; `notify` is called whenever there is a new picture.
-    pub fn start(scene: Arc<Scene>, playing: bool, notify: impl Fn() + Send + 'static) -> Self {
+    pub fn start(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, notify: impl Fn() + Send + 'static) -> Self {
         let (sender, receiver) = sync_channel(WAITING);
         let slot: Slot = Arc::default();
         let out = Out { slot: Arc::clone(&slot), notify: Box::new(notify) };
         let thread = std::thread::Builder::new()
             .name("solver".into())
-            .spawn(move || Loop::new(scene, playing, out).run(&receiver))
+            .spawn(move || Loop::new(scene, assets, playing, out).run(&receiver))
             .ok();
         Self { sender: Some(sender), slot, thread }
     }
@@ -126,6 +126,7 @@ impl Out {
 /// The thread's own state.
 struct Loop {
     scene: Arc<Scene>,
+    assets: Arc<Assets>,
     start: Option<Runner>,
     runner: Option<Runner>,
     at_rest: Arc<Snapshot>,
@@ -146,9 +147,10 @@ struct Rate {
 }
 
 impl Loop {
-    fn new(scene: Arc<Scene>, playing: bool, out: Out) -> Self {
+    fn new(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, out: Out) -> Self {
         Self {
             scene,
+            assets,
             start: None,
             runner: None,
             at_rest: Arc::default(),
@@ -232,8 +234,9 @@ impl Loop {
                 self.status.edits += 1;
                 self.edited = true;
             }
-            SimCommand::Open(scene) => {
+            SimCommand::Open(scene, assets) => {
                 self.scene = scene;
+                self.assets = assets;
                 self.status.edits += 1;
                 self.grabbed = None;
                 self.put_together(false);
@@ -303,7 +306,8 @@ impl Loop {
     fn bake(&mut self, scene: &Scene) -> Result<Baked, String> {
         scene.validate().map_err(|error| error.to_string())?;
         let mut shown = Instant::now();
-        bake(scene, &mut |name, stage| {
+        let assets = Arc::clone(&self.assets);
+        bake(scene, &assets, &mut |name, stage| {
             self.status.baking = Some(format!("{name}: {stage}"));
             // Only what takes long enough to be read is shown.
             if shown.elapsed() > Duration::from_millis(200) {

@@ -7,6 +7,7 @@ use super::energy::Energies;
 use super::forces::{ContactLaw, Force};
 use super::grab::Grab;
 use super::integrators::Integrator;
+use super::skin::Skin;
 use super::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -69,15 +70,6 @@ pub struct FibreLine {
     pub id: String,
     /// Embedded vertices, ends without force included.
     pub vertices: Vec<Stencil>,
-}
-
-/// Render surface that rides on the particles.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Skin {
-    /// Embedding of every vertex.
-    pub vertices: Vec<Stencil>,
-    /// Vertex indices of the faces.
-    pub triangles: Vec<[u32; 3]>,
 }
 
 /// A body that was stopped because its motion could no longer be computed.
@@ -162,7 +154,7 @@ impl Body {
     /// The point of the skin's vertex, or of the particle where there is no skin; none if there is no such vertex.
     pub fn point(&self, vertex: usize) -> Option<Stencil> {
         match &self.parts.skin {
-            Some(skin) => skin.vertices.get(vertex).cloned(),
+            Some(skin) => skin.stencil(vertex),
             None => (vertex < self.parts.state.len()).then(|| Stencil { weights: vec![(vertex as u32, 1.0)] }),
         }
     }

@@ -16,6 +16,7 @@ pub mod measure;
 pub mod neighbourhood;
 pub mod panel;
 pub mod rotation;
+pub mod skin;
 pub mod snapshot;
 pub mod stable_step;
 pub mod state;

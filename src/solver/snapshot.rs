@@ -2,7 +2,8 @@
 
 use super::body::Body;
 use super::world::World;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
+use std::sync::Arc;
 
 /// A world at one time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,8 +27,12 @@ pub struct BodySnapshot {
     pub fibres: Vec<FibreSnapshot>,
     /// Vertices of the skin [m].
     pub skin: Vec<DVec3>,
+    /// Unit normals of the skin's vertices.
+    pub normals: Vec<Vec3>,
     /// Vertex indices of the skin's faces.
-    pub triangles: Vec<[u32; 3]>,
+    pub triangles: Arc<[[u32; 3]]>,
+    /// Linear red, green, blue and opacity of the skin's vertices; empty where the model had none.
+    pub colours: Arc<[[f32; 4]]>,
 }
 
 /// A fibre at one time.
@@ -57,6 +62,8 @@ impl Snapshot {
             .map(|body| {
                 let positions = positions(body);
                 let parts = body.parts();
+                let skin = parts.skin.as_deref();
+                let vertices = skin.map_or_else(Vec::new, |skin| skin.positions(positions));
                 BodySnapshot {
                     name: parts.name.clone(),
                     particles: positions.to_vec(),
@@ -68,13 +75,10 @@ impl Snapshot {
                             vertices: fibre.vertices.iter().map(|vertex| vertex.gather(positions)).collect(),
                         })
                         .collect(),
-                    skin: parts
-                        .skin
-                        .iter()
-                        .flat_map(|skin| &skin.vertices)
-                        .map(|vertex| vertex.gather(positions))
-                        .collect(),
-                    triangles: parts.skin.iter().flat_map(|skin| skin.triangles.iter().copied()).collect(),
+                    normals: skin.map_or_else(Vec::new, |skin| skin.normals(&vertices)),
+                    skin: vertices,
+                    triangles: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.triangles())),
+                    colours: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.colours())),
                 }
             })
             .collect();

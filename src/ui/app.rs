@@ -8,9 +8,9 @@ use super::sketch_tool::{Outcome, SketchTool};
 use super::theme::Tone;
 use crate::draw::Display;
 use crate::edit::{Command, Editor};
-use crate::io::{load_scene, save_scene, scene_from_json};
+use crate::io::{IoError, load_assets, load_scene, save_scene, scene_from_json};
 use crate::render::Camera;
-use crate::scene::{Body, Extra, Fibre, FibreSource, RestShape, Rigidity, Scene, Stiffness, StrokePair};
+use crate::scene::{Assets, Body, Extra, Fibre, FibreSource, RestShape, Rigidity, Scene, Stiffness, StrokePair};
 use crate::sim::{Published, SimCommand, Worker};
 use crate::sketch::View;
 use glam::DVec3;
@@ -20,6 +20,30 @@ use std::sync::Arc;
 
 /// The built-in scene.
 const BUILT_IN: &str = include_str!("../../scenes/short_bar_soft.json");
+
+/// A scene as it was read.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// The scene.
+    pub scene: Scene,
+    /// The models that it names.
+    pub assets: Arc<Assets>,
+    /// Where it was read from.
+    pub path: Option<PathBuf>,
+}
+
+impl Document {
+    /// Reads a scene and its models; the built-in one unless a path is given.
+    ///
+    /// # Errors
+    /// A file that cannot be used.
+    pub fn load(path: Option<PathBuf>) -> Result<Self, IoError> {
+        let scene = path.as_deref().map_or_else(|| scene_from_json(BUILT_IN), load_scene)?;
+        let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
+        let assets = Arc::new(load_assets(&scene, folder, &mut |_| {})?);
+        Ok(Self { scene, assets, path })
+    }
+}
 
 /// How serious a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,19 +98,15 @@ pub struct App {
 }
 
 impl App {
-    /// A window on `scene`, which was read from `path`. Without a render state nothing is painted into the views, but
+    /// A window on a document. Without a render state nothing is painted into the views, but
     /// everything else works.
-    pub fn new(
-        ctx: &egui::Context,
-        render: Option<egui_wgpu::RenderState>,
-        scene: Scene,
-        path: Option<PathBuf>,
-    ) -> Self {
+    pub fn new(ctx: &egui::Context, render: Option<egui_wgpu::RenderState>, document: Document) -> Self {
+        let Document { scene, assets, path } = document;
         let tone = Tone::Dark;
         tone.apply(ctx);
         let editor = Editor::new(scene);
         let repaint = ctx.clone();
-        let worker = Worker::start(Arc::clone(editor.scene()), true, move || repaint.request_repaint());
+        let worker = Worker::start(Arc::clone(editor.scene()), assets, true, move || repaint.request_repaint());
         Self {
             editor,
             path,
@@ -109,14 +129,6 @@ impl App {
             coach: true,
             title: String::new(),
         }
-    }
-
-    /// The built-in scene.
-    ///
-    /// # Errors
-    /// None in practice: a test reads it.
-    pub fn built_in() -> Result<Scene, crate::io::IoError> {
-        scene_from_json(BUILT_IN)
     }
 
     /// The document.
@@ -168,16 +180,25 @@ impl App {
         }
     }
 
-    fn open_scene(&mut self, scene: Scene, path: Option<PathBuf>) {
-        self.editor = Editor::new(scene);
-        self.path = path;
-        self.selected = None;
-        self.tool = SketchTool::default();
-        self.pull = None;
-        if self.worker.send(SimCommand::Open(Arc::clone(self.editor.scene()))) {
-            self.sent_edits += 1;
+    /// Opens a file, or the built-in scene.
+    fn open_document(&mut self, path: Option<PathBuf>) {
+        match Document::load(path) {
+            Ok(Document { scene, assets, path }) => {
+                self.editor = Editor::new(scene);
+                self.path = path;
+                self.selected = None;
+                self.tool = SketchTool::default();
+                self.pull = None;
+                if self.worker.send(SimCommand::Open(Arc::clone(self.editor.scene()), assets)) {
+                    self.sent_edits += 1;
+                }
+                self.reframe();
+                let name =
+                    self.path.as_ref().map_or_else(|| "the soft bar".to_owned(), |path| path.display().to_string());
+                self.say(Gravity::Note, format!("Opened {name}"));
+            }
+            Err(error) => self.say(Gravity::Error, error.to_string()),
         }
-        self.reframe();
     }
 
     /// Fits every view again as soon as there is something to fit.
@@ -191,13 +212,7 @@ impl App {
 
     /// Opens a file.
     pub fn open(&mut self, path: &Path) {
-        match load_scene(path) {
-            Ok(scene) => {
-                self.open_scene(scene, Some(path.to_owned()));
-                self.say(Gravity::Note, format!("Opened {}", path.display()));
-            }
-            Err(error) => self.say(Gravity::Error, error.to_string()),
-        }
+        self.open_document(Some(path.to_owned()));
     }
 
     /// Saves to a file.
@@ -225,10 +240,7 @@ impl App {
     /// Does what was asked for.
     pub fn perform(&mut self, ctx: &egui::Context, action: Action) {
         match action {
-            Action::New => match Self::built_in() {
-                Ok(scene) => self.open_scene(scene, None),
-                Err(error) => self.say(Gravity::Error, error.to_string()),
-            },
+            Action::New => self.open_document(None),
             Action::Open => self.dialog = Some(Dialog::path(PathPurpose::Open, self.path.as_deref())),
             Action::Save => match self.path.clone() {
                 Some(path) => self.save(&path),

@@ -13,11 +13,9 @@ mod sketch_tool;
 pub mod theme;
 
 pub use action::{Action, Menu};
-pub use app::App;
+pub use app::{App, Document};
 
-use crate::scene::Scene;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
 use thiserror::Error;
 
 /// Why there is no window.
@@ -31,11 +29,11 @@ pub struct NoWindow {
     problem: String,
 }
 
-/// Opens the window on `scene`, which was read from `path`, and returns when it is closed.
+/// Opens the window on a document and returns when it is closed.
 ///
 /// # Errors
 /// [`NoWindow`] where there is no screen, no driver or a library is missing.
-pub fn run(scene: Scene, path: Option<PathBuf>) -> Result<(), NoWindow> {
+pub fn run(document: Document) -> Result<(), NoWindow> {
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title("sinew")
@@ -53,7 +51,7 @@ pub fn run(scene: Scene, path: Option<PathBuf>) -> Result<(), NoWindow> {
             options,
             Box::new(move |creation| {
                 std::panic::set_hook(hook);
-                Ok(Box::new(App::new(&creation.egui_ctx, creation.wgpu_render_state.clone(), scene, path)))
+                Ok(Box::new(App::new(&creation.egui_ctx, creation.wgpu_render_state.clone(), document)))
             }),
         )
     }));

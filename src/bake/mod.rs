@@ -5,6 +5,7 @@ mod body;
 mod fibres;
 mod measures;
 mod supports;
+mod two_layer;
 
 pub use fibres::PlacedFibre;
 
@@ -48,6 +49,14 @@ pub enum BakeError {
         path: String,
         /// Particles of the body.
         particles: usize,
+    },
+    /// A two-layer body whose gas has no room.
+    #[error("{path}: the gas would have a volume of {volume:.3e} at the start; deform the body less")]
+    InsideOut {
+        /// Pointer to the deformation.
+        path: String,
+        /// Signed volume [m³], or area [m²].
+        volume: f64,
     },
     /// A reference to something that is not there.
     #[error("{path}: {what} \"{id}\" does not exist; there are: {known}")]
@@ -133,6 +142,9 @@ pub fn bake(scene: &Scene, progress: &mut dyn FnMut(&str, BakeStage)) -> Result<
     let mut drafts = Vec::new();
     for (index, body) in scene.bodies.iter().enumerate() {
         drafts.push(body::draft(scene, body, &format!("/bodies/{index}"), &mut notes, progress)?);
+    }
+    for (index, body) in scene.two_layer.iter().enumerate() {
+        drafts.push(two_layer::draft(scene, body, &format!("/two_layer/{index}"), progress)?);
     }
     let stable: Vec<f64> = drafts.iter().map(|draft| draft.parts.stable_dt).collect();
     let plan = plan(scene, &stable);

@@ -6,3 +6,4 @@ pub mod kernel;
 pub mod lattice;
 pub mod mesh;
 pub mod neighbours;
+pub mod octahedron;

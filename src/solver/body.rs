@@ -6,6 +6,7 @@ use super::embedding::Stencil;
 use super::energy::Energies;
 use super::forces::{ContactLaw, Force};
 use super::integrators::Integrator;
+use super::layers::Layers;
 use super::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -34,6 +35,8 @@ pub struct BodyParts {
     pub contact: ContactLaw,
     /// Centre lines of the fibres, for drawing and counting.
     pub fibres: Vec<FibreLine>,
+    /// Build of a two-layer body; none for others.
+    pub layers: Option<Arc<Layers>>,
     /// Render surface.
     pub skin: Option<Arc<Skin>>,
     /// Distance [m] that no particle may cross in one step against the body's mean motion.
@@ -207,6 +210,9 @@ impl Body {
                 evaluations: &mut self.evaluations,
             };
             self.parts.integrator.step(&mut dynamics, &mut self.parts.state, start, dt);
+            if self.parts.layers.as_ref().is_some_and(|layers| layers.put_back(&mut self.parts.state)) {
+                self.current = false;
+            }
             self.steps += 1;
             self.guard(start + dt);
         }
@@ -233,13 +239,12 @@ impl Body {
         let mean = velocities.iter().sum::<DVec3>() / velocities.len() as f64;
         let fastest = velocities.iter().map(|v| (*v - mean).length_squared()).fold(0.0, f64::max).sqrt();
         let finite = mean.is_finite() && fastest.is_finite();
-        if finite && fastest * self.parts.dt <= self.parts.reach {
-            return;
-        }
-        let cause = if finite {
-            format!("a particle reached {fastest:.3e} m/s")
-        } else {
-            "a velocity is no longer a number".to_owned()
+        let fault = self.parts.forces.iter().find_map(|force| force.fault(&self.parts.state));
+        let cause = match fault {
+            _ if !finite => "a velocity is no longer a number".to_owned(),
+            Some(fault) => fault.to_owned(),
+            None if fastest * self.parts.dt > self.parts.reach => format!("a particle reached {fastest:.3e} m/s"),
+            None => return,
         };
         let BodyParts { dt, stable_dt, step_parameter, .. } = &self.parts;
         let remedy = if dt > stable_dt {

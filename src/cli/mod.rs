@@ -5,9 +5,11 @@
 //! diverged (what was good until then is written all the same).
 
 mod check;
+mod compare;
 mod console;
 mod drive;
 mod error;
+mod order_plot;
 mod output;
 mod parallel;
 mod prepare;
@@ -41,6 +43,8 @@ pub enum Command {
     Simulate(simulate::Simulate),
     /// Run a scene once for every combination of some values
     Sweep(sweep::Sweep),
+    /// Run a scene under several integrators, each with several steps
+    Compare(compare::Compare),
     /// Look a scene over without running it
     Check(check::Check),
     /// Print the JSON Schema of scene files
@@ -64,6 +68,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
     let outcome = match command {
         Command::Simulate(args) => simulate::run(args, console),
         Command::Sweep(args) => sweep::run(args, console),
+        Command::Compare(args) => compare::run(args, console),
         Command::Check(args) => check::run(args, console),
         Command::Schema => schema::run(console),
     };

@@ -101,6 +101,7 @@ pub struct Body {
     held: Vec<DVec3>,
     net: Vec<DVec3>,
     current: bool,
+    guarded: bool,
     steps: u64,
     evaluations: u64,
     last_good: ParticleState,
@@ -115,6 +116,7 @@ impl Body {
             held: vec![DVec3::ZERO; n],
             net: Vec::new(),
             current: false,
+            guarded: true,
             steps: 0,
             evaluations: 0,
             last_good: parts.state.clone(),
@@ -144,6 +146,12 @@ impl Body {
     pub fn add_force(&mut self, force: Box<dyn Force>) {
         self.parts.forces.push(force);
         self.current = false;
+    }
+
+    /// Whether a body is stopped as soon as a particle moves by more than its reach in a step, as it is unless told
+    /// otherwise. Without that it is stopped only where the motion is no number or a force has no meaning.
+    pub fn set_guarded(&mut self, guarded: bool) {
+        self.guarded = guarded;
     }
 
     /// Time steps taken.
@@ -243,7 +251,9 @@ impl Body {
         let cause = match fault {
             _ if !finite => "a velocity is no longer a number".to_owned(),
             Some(fault) => fault.to_owned(),
-            None if fastest * self.parts.dt > self.parts.reach => format!("a particle reached {fastest:.3e} m/s"),
+            None if self.guarded && fastest * self.parts.dt > self.parts.reach => {
+                format!("a particle reached {fastest:.3e} m/s")
+            }
             None => return,
         };
         let BodyParts { dt, stable_dt, step_parameter, .. } = &self.parts;

@@ -242,7 +242,7 @@ pub struct TwoLayerContact {
 
 impl Default for TwoLayerContact {
     fn default() -> Self {
-        Self { law: ContactKind::Penalty, kc: 5000.0, cc: 20.0, ct: 20.0, extra: Extra::new() }
+        Self { law: ContactKind::Penalty, kc: 5000.0, cc: 50.0, ct: 50.0, extra: Extra::new() }
     }
 }
 

@@ -13,6 +13,7 @@ pub mod forces;
 pub mod integrators;
 pub mod layers;
 pub mod measure;
+pub mod meeting;
 pub mod modes;
 pub mod neighbourhood;
 pub mod panel;

@@ -110,7 +110,7 @@ impl<'a> Linearised<'a> {
         let mut modes: Vec<Mode> = found
             .iter()
             .filter(|(value, _)| !is_real(value))
-            .map(|(value, _)| Mode { frequency: value.abs(), damping: -2.0 * value.re })
+            .map(|(value, _)| Mode { frequency: value.abs(), damping: at_least_zero(-2.0 * value.re) })
             .collect();
         let mut real: Vec<_> = found.iter().filter(|(value, _)| is_real(value)).collect();
         real.sort_by(|(a, _), (b, _)| a.re.total_cmp(&b.re));
@@ -138,7 +138,7 @@ impl<'a> Linearised<'a> {
         }
         let pull = self.apply(&y);
         let stiffness = -self.rate * dot(&y[..n], &pull[n..]) / square;
-        let damping = -(value * value + stiffness) / value;
+        let damping = at_least_zero(-(value * value + stiffness) / value);
         Some(Mode { frequency: stiffness.max(0.0).sqrt(), damping })
     }
 
@@ -183,6 +183,11 @@ impl<'a> Linearised<'a> {
         let matrix = (0..size).map(|row| (0..size).map(|column| entry(row, column)).collect()).collect();
         (basis, matrix, beside)
     }
+}
+
+/// No force of a body at rest drives its motion: growth this close to none is the rounding of the differences.
+fn at_least_zero(damping: f64) -> f64 {
+    damping.max(0.0)
 }
 
 /// A fixed unit vector without any symmetry.

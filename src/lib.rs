@@ -125,8 +125,11 @@
 
 pub mod bake;
 pub mod cli;
+pub mod draw;
 pub mod geometry;
 pub mod io;
+#[cfg(feature = "render")]
+pub mod render;
 pub mod scene;
 pub mod sim;
 pub mod sketch;

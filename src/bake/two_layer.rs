@@ -76,8 +76,7 @@ pub(super) fn draft(
         sticking: body.contact.ct,
     };
     let contact = Contact { planes: room_planes(scene), law };
-    let touches =
-        !contact.planes.is_empty() || !scene.panels.is_empty() || scene.bodies.len() + scene.two_layer.len() > 1;
+    let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
     let mut probed = forces.clone();
@@ -230,6 +229,7 @@ fn layers(scene: &Scene, body: &TwoLayer, model: &Model, rest: &[DVec3]) -> Laye
         springs: model.springs(body),
         outer_surface: model.surface(0, normal),
         inner_surface: model.has_inner_layer().then(|| model.surface(model.outer, normal)).flatten(),
+        drag: [body.mks, body.mkd],
         reset: match body.contact.law {
             ContactKind::Penalty => Vec::new(),
             ContactKind::PaperReset => room_planes(scene),

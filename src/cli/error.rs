@@ -72,9 +72,28 @@ pub enum CliError {
     /// Rows of a series that cannot be formatted.
     #[error("--series: a row cannot be written ({0})")]
     Series(#[from] csv::Error),
+    /// A picture cannot be made.
+    #[cfg(feature = "render")]
+    #[error(transparent)]
+    Render(#[from] crate::render::RenderError),
+    /// A picture was asked of a program that was built without them.
+    #[cfg(not(feature = "render"))]
+    #[error("this program was built without pictures; build it with `cargo build --release --features render`")]
+    NoPictures,
     /// Standard output takes nothing.
     #[error("standard output cannot be written to ({0}); check where it goes")]
     Output(#[source] io::Error),
+}
+
+impl CliError {
+    /// Whether a graphics driver is what is missing.
+    pub(super) fn is_no_driver(&self) -> bool {
+        #[cfg(feature = "render")]
+        if let Self::Render(error) = self {
+            return matches!(error, crate::render::RenderError::NoDriver(_));
+        }
+        false
+    }
 }
 
 /// A path on one line.

@@ -1,8 +1,8 @@
 //! The command line: one file a command, and what they share. Knows nothing of the window.
 //!
 //! Results go to standard output; errors, warnings and progress to standard error, one line each. The exit code is 0
-//! when a command has done its work, 2 when its input cannot be used (nothing is written then) and 3 when a body
-//! diverged (what was good until then is written all the same).
+//! when a command has done its work, 2 when its input cannot be used (nothing is written then) 3 when a body diverged
+//! (what was good until then is written all the same) and 4 when there is no graphics driver to make a picture with.
 
 mod check;
 mod compare;
@@ -12,7 +12,9 @@ mod error;
 mod order_plot;
 mod output;
 mod parallel;
+mod picture;
 mod prepare;
+mod render;
 mod schema;
 mod series;
 mod simulate;
@@ -41,6 +43,8 @@ pub struct Cli {
 pub enum Command {
     /// Run a scene and report what it shows
     Simulate(simulate::Simulate),
+    /// Take a picture of a scene at some time
+    Render(render::Render),
     /// Run a scene once for every combination of some values
     Sweep(sweep::Sweep),
     /// Run a scene under several integrators, each with several steps
@@ -62,11 +66,13 @@ pub enum Outcome {
 
 const BAD_INPUT: u8 = 2;
 const DIVERGED: u8 = 3;
+const NO_DRIVER: u8 = 4;
 
 /// Runs a command, says what is to be said and gives the exit code.
 pub fn run(command: &Command, console: &mut Console) -> ExitCode {
     let outcome = match command {
         Command::Simulate(args) => simulate::run(args, console),
+        Command::Render(args) => render::run(args, console),
         Command::Sweep(args) => sweep::run(args, console),
         Command::Compare(args) => compare::run(args, console),
         Command::Check(args) => check::run(args, console),
@@ -77,7 +83,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Ok(Outcome::Diverged) => ExitCode::from(DIVERGED),
         Err(error) => {
             console.error(&error);
-            ExitCode::from(BAD_INPUT)
+            ExitCode::from(if error.is_no_driver() { NO_DRIVER } else { BAD_INPUT })
         }
     }
 }

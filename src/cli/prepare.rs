@@ -68,7 +68,11 @@ impl FromStr for Assignment {
     }
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
+/// A length of time [s] that can be simulated.
+///
+/// # Errors
+/// What to give instead.
+pub fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(seconds) if (0.0..=LONGEST).contains(&seconds) => Ok(seconds),
         _ => Err(format!("give a number of seconds from 0 to {LONGEST}")),

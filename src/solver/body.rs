@@ -5,6 +5,7 @@ use super::dynamics::Dynamics;
 use super::embedding::Stencil;
 use super::energy::Energies;
 use super::forces::{ContactLaw, Force};
+use super::grab::Grab;
 use super::integrators::Integrator;
 use super::layers::Layers;
 use super::state::ParticleState;
@@ -98,6 +99,7 @@ pub struct Divergence {
 #[derive(Clone)]
 pub struct Body {
     parts: BodyParts,
+    grabs: Vec<Grab>,
     held: Vec<DVec3>,
     net: Vec<DVec3>,
     current: bool,
@@ -113,6 +115,7 @@ impl Body {
     pub fn new(parts: BodyParts) -> Self {
         let n = parts.state.len();
         let mut body = Self {
+            grabs: Vec::new(),
             held: vec![DVec3::ZERO; n],
             net: Vec::new(),
             current: false,
@@ -152,6 +155,39 @@ impl Body {
     /// otherwise. Without that it is stopped only where the motion is no number or a force has no meaning.
     pub fn set_guarded(&mut self, guarded: bool) {
         self.guarded = guarded;
+    }
+
+    /// Pulls on the body, to be added, moved and taken away.
+    pub fn grabs_mut(&mut self) -> &mut Vec<Grab> {
+        self.current = false;
+        &mut self.grabs
+    }
+
+    /// Pulls on the body.
+    pub fn grabs(&self) -> &[Grab] {
+        &self.grabs
+    }
+
+    /// The point of the skin's vertex, or of the particle where there is no skin; none if there is no such vertex.
+    pub fn point(&self, vertex: usize) -> Option<Stencil> {
+        match &self.parts.skin {
+            Some(skin) => skin.vertices.get(vertex).cloned(),
+            None => (vertex < self.parts.state.len()).then(|| Stencil { weights: vec![(vertex as u32, 1.0)] }),
+        }
+    }
+
+    /// Takes over the motion of `other`, the same body before an edit; false if the two do not have the same particles.
+    pub(super) fn adopt(&mut self, other: &Self) -> bool {
+        if self.parts.rest != other.parts.rest || other.divergence.is_some() {
+            return false;
+        }
+        self.parts.state.positions.clone_from(&other.parts.state.positions);
+        self.parts.state.velocities.clone_from(&other.parts.state.velocities);
+        self.grabs.clone_from(&other.grabs);
+        self.steps = other.steps;
+        self.evaluations = other.evaluations;
+        self.current = false;
+        true
     }
 
     /// Time steps taken.
@@ -213,6 +249,7 @@ impl Body {
             let mut dynamics = Dynamics {
                 forces: &mut self.parts.forces,
                 constraints: &self.parts.constraints,
+                grabs: &self.grabs,
                 net: &mut self.net,
                 current: &mut self.current,
                 evaluations: &mut self.evaluations,
@@ -234,6 +271,7 @@ impl Body {
         let mut dynamics = Dynamics {
             forces: &mut self.parts.forces,
             constraints: &self.parts.constraints,
+            grabs: &self.grabs,
             net: &mut self.net,
             current: &mut self.current,
             evaluations: &mut self.evaluations,

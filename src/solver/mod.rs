@@ -10,6 +10,7 @@ pub mod dynamics;
 pub mod embedding;
 pub mod energy;
 pub mod forces;
+pub mod grab;
 pub mod integrators;
 pub mod layers;
 pub mod measure;

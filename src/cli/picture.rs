@@ -1,0 +1,184 @@
+//! Pictures from the command line: what they show, and the making of them.
+
+use super::CliError;
+use crate::scene::Scene;
+use crate::solver::snapshot::Snapshot;
+use clap::{Args, ValueEnum};
+use std::str::FromStr;
+
+/// What pictures show, and how.
+#[derive(Clone, Copy, Debug, Args)]
+#[command(next_help_heading = "Pictures")]
+pub struct Look {
+    /// From where
+    #[arg(long, value_name = "VIEW", default_value = "persp")]
+    view: View,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x800")]
+    size: PixelSize,
+    /// Show the inside: skins see-through, fibres as tubes
+    #[arg(long)]
+    x_ray: bool,
+    /// Show material and structure particles in place of skins
+    #[arg(long, conflicts_with = "x_ray")]
+    particles: bool,
+    /// Colours
+    #[arg(long, value_name = "THEME", default_value = "light")]
+    theme: ThemeName,
+}
+
+/// Points of view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum View {
+    /// From the front, parallel: X right, Y up
+    Front,
+    /// From the side, parallel: Z right, Y up
+    Side,
+    /// From above, parallel: X right, Z down
+    Top,
+    /// In perspective, from the front, right and above
+    Persp,
+}
+
+/// Themes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum ThemeName {
+    /// For bright surroundings
+    Light,
+    /// For dark surroundings
+    Dark,
+}
+
+/// Greatest extent that can be asked for [pixels]; a driver may draw less.
+const LARGEST: u32 = 16384;
+
+/// Width and height [pixels].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct PixelSize([u32; 2]);
+
+impl FromStr for PixelSize {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let extent = |text: &str| text.parse().ok().filter(|extent| (1..=LARGEST).contains(extent));
+        text.split_once(['x', 'X'])
+            .and_then(|(width, height)| Some(Self([extent(width)?, extent(height)?])))
+            .ok_or_else(|| format!("give width and height in pixels, up to {LARGEST} each, as in 1280x800"))
+    }
+}
+
+#[cfg(feature = "render")]
+pub use drawn::Studio;
+#[cfg(not(feature = "render"))]
+pub use undrawn::Studio;
+
+#[cfg(feature = "render")]
+mod drawn {
+    use super::{CliError, Look, Scene, Snapshot, ThemeName, View};
+    use crate::draw::{Bounds, Display, Subject, Theme, draw};
+    use crate::render::{Camera, Facing, Offscreen};
+
+    /// Makes pictures of a scene, all from the same point of view.
+    pub struct Studio {
+        offscreen: Offscreen,
+        camera: Camera,
+        display: Display,
+        theme: Theme,
+        aspect: f64,
+        bounds: Option<Bounds>,
+    }
+
+    impl Studio {
+        /// Opens a driver, and looks at the scene as it starts.
+        ///
+        /// # Errors
+        /// [`CliError::Render`] where there is no driver, or none for pictures of this size.
+        pub fn open(look: &Look, scene: &Scene, start: &Snapshot) -> Result<Self, CliError> {
+            let camera = match look.view {
+                View::Front => Camera::facing(Facing::Front),
+                View::Side => Camera::facing(Facing::Side),
+                View::Top => Camera::facing(Facing::Top),
+                View::Persp => Camera::perspective(),
+            };
+            let display = match (look.x_ray, look.particles) {
+                (true, _) => Display::x_ray(),
+                (_, true) => Display::particles(),
+                _ => Display::default(),
+            };
+            let theme = match look.theme {
+                ThemeName::Light => Theme::light(),
+                ThemeName::Dark => Theme::dark(),
+            };
+            let [width, height] = look.size.0.map(f64::from);
+            let offscreen = Offscreen::new(look.size.0)?;
+            let mut studio = Self { offscreen, camera, display, theme, aspect: width / height, bounds: None };
+            studio.take_in(scene, start);
+            Ok(studio)
+        }
+
+        /// Steps back far enough to see this state too, beside all that was to be seen before.
+        pub fn take_in(&mut self, scene: &Scene, snapshot: &Snapshot) {
+            let list = draw(&Subject { scene, snapshot, ghost: None }, &self.display, &self.theme);
+            self.bounds = match (self.bounds, list.bounds) {
+                (Some(a), Some(b)) => Some(a.union(b)),
+                (a, b) => a.or(b),
+            };
+            if let Some(bounds) = &self.bounds {
+                self.camera.frame(bounds, self.aspect);
+            }
+        }
+
+        /// A picture as a PNG file.
+        ///
+        /// # Errors
+        /// [`CliError::Render`].
+        pub fn picture(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
+            let list = draw(&Subject { scene, snapshot, ghost: None }, &self.display, &self.theme);
+            Ok(self.offscreen.draw(list, &self.camera)?.to_png()?)
+        }
+    }
+}
+
+#[cfg(not(feature = "render"))]
+mod undrawn {
+    use super::{CliError, Look, Scene, Snapshot};
+
+    /// Makes no pictures: the program was built without them.
+    pub enum Studio {}
+
+    impl Studio {
+        /// Says so.
+        ///
+        /// # Errors
+        /// [`CliError::NoPictures`].
+        pub fn open(_look: &Look, _scene: &Scene, _start: &Snapshot) -> Result<Self, CliError> {
+            Err(CliError::NoPictures)
+        }
+
+        /// Never called.
+        pub fn take_in(&mut self, _scene: &Scene, _snapshot: &Snapshot) {
+            match *self {}
+        }
+
+        /// Never called.
+        ///
+        /// # Errors
+        /// None.
+        pub fn picture(&mut self, _scene: &Scene, _snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
+            match *self {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_two_numbers_with_an_x() {
+        assert_eq!("640x480".parse(), Ok(PixelSize([640, 480])));
+        for bad in ["", "640", "0x480", "640x-1", "640x480x2", "99999x1"] {
+            assert!(bad.parse::<PixelSize>().is_err(), "{bad}");
+        }
+    }
+}

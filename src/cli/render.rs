@@ -1,0 +1,66 @@
+//! `sinew render`: a picture of a scene at some time.
+
+use super::drive::drive;
+use super::picture::{Look, Studio};
+use super::prepare::{Sets, load, notes, on_threads, put_together, seconds, source_name, tell};
+use super::{CliError, Console, Outcome, output};
+use crate::sim::Runner;
+use clap::Args;
+use std::path::PathBuf;
+
+/// Arguments of `sinew render`.
+#[derive(Debug, Args)]
+pub struct Render {
+    /// Scene file; the built-in scene unless given
+    scene: Option<PathBuf>,
+    /// Simulated time at which the picture is taken [s]
+    #[arg(long, value_name = "S", default_value = "0", value_parser = seconds)]
+    at: f64,
+    /// Where the picture goes
+    #[arg(long, value_name = "FILE.png")]
+    out: PathBuf,
+    #[command(flatten)]
+    sets: Sets,
+    /// Threads to run on; the result is the same on any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    #[command(flatten)]
+    look: Look,
+}
+
+/// Runs the scene up to the time that was asked for and writes the picture.
+///
+/// # Errors
+/// A scene or an option that cannot be used, or no driver, before any file is made; a file that cannot be written.
+pub fn run(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
+    on_threads(args.threads, || render(args, console))
+}
+
+fn render(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
+    let source = source_name(args.scene.as_deref());
+    let scene = load(args.scene.as_ref(), &args.sets, None)?;
+    let baked = put_together(&scene, &source, console)?;
+    tell(&notes(&scene, &baked), console);
+    output::check(args.scene.as_ref(), &[("--out", Some(&args.out))])?;
+
+    let mut runner = Runner::new(&scene, baked);
+    let mut studio = Studio::open(&args.look, &scene, &runner.snapshot())?;
+    let frames = runner.frames_for(args.at);
+    console.begin();
+    let ran = drive(&mut runner, frames, false, &mut |runner| {
+        console.progress(runner.world().frame(), frames, "frames");
+        Ok(())
+    });
+    console.end();
+    ran?;
+    let divergence = runner.world().divergence();
+    if let Some(divergence) = divergence {
+        console.error(divergence);
+    }
+    // What moved on from where it started is in the picture as well.
+    let snapshot = runner.snapshot();
+    studio.take_in(&scene, &snapshot);
+    output::write_bytes(&args.out, &studio.picture(&scene, &snapshot)?)?;
+    console.print(&output::wrote("picture", &args.out))?;
+    Ok(if divergence.is_some() { Outcome::Diverged } else { Outcome::Done })
+}

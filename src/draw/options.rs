@@ -1,0 +1,62 @@
+//! What a person wants to see.
+
+/// What is shown.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::struct_excessive_bools, reason = "independent switches, as a person flips them")]
+pub struct Display {
+    /// How skins are shown.
+    pub skin: SkinStyle,
+    /// Material particles as cool balls, as in figure 3 of the fibre paper.
+    pub particles: bool,
+    /// Fibres as round tubes.
+    pub fibres: bool,
+    /// Structure particles as warm balls.
+    pub structure: bool,
+    /// Raw strokes, at rest, in the planes in which they were drawn.
+    pub strokes: bool,
+    /// Grid, with the axes on it.
+    pub grid: bool,
+    /// Walls and ceiling of the room, faintly.
+    pub room: bool,
+    /// Fibres that are selected: (body, fibre), in the order of the snapshot.
+    pub selected: Vec<[u32; 2]>,
+}
+
+/// How skins are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SkinStyle {
+    /// Lit and opaque.
+    #[default]
+    Shaded,
+    /// See-through.
+    XRay,
+    /// Not at all.
+    Hidden,
+}
+
+impl Default for Display {
+    fn default() -> Self {
+        Self {
+            skin: SkinStyle::Shaded,
+            particles: false,
+            fibres: true,
+            structure: false,
+            strokes: false,
+            grid: true,
+            room: true,
+            selected: Vec::new(),
+        }
+    }
+}
+
+impl Display {
+    /// The solid see-through, with its fibres.
+    pub fn x_ray() -> Self {
+        Self { skin: SkinStyle::XRay, ..Self::default() }
+    }
+
+    /// Material and structure particles and fibres, without the skin: figure 3 of the fibre paper.
+    pub fn particles() -> Self {
+        Self { skin: SkinStyle::Hidden, particles: true, structure: true, ..Self::default() }
+    }
+}

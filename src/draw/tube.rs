@@ -1,0 +1,127 @@
+//! Fibres as round tubes.
+
+use super::Vertex;
+use glam::{Quat, Vec3};
+use std::f32::consts::{FRAC_PI_2, TAU};
+
+/// Vertices round a tube: enough for its outline to be round at the widths at which fibres are drawn.
+const SIDES: u32 = 14;
+/// Rings of each rounded end.
+const CAP_RINGS: u32 = 4;
+/// Points of the smooth curve between two vertices of the fibre.
+const PIECES: u32 = 4;
+
+/// A tube of `radius` [m] with rounded ends along a smooth curve through the points. Nothing for fewer than two points
+/// that differ.
+pub fn tube(points: &[Vec3], radius: f32) -> (Vec<Vertex>, Vec<u32>) {
+    let centres = smooth(points);
+    if centres.len() < 2 {
+        return (Vec::new(), Vec::new());
+    }
+    let mut rings: Vec<(Vec3, Vec3, Vec3, f32, f32)> = Vec::new();
+    let last = centres.len() - 1;
+    let tangent_at = |k: usize| (centres[(k + 1).min(last)] - centres[k.saturating_sub(1)]).normalize_or(Vec3::Y);
+    // A frame carried along by the least turn does not twist.
+    let mut side = tangent_at(0).any_orthonormal_vector();
+    let mut before = tangent_at(0);
+    for k in 0..=last {
+        let tangent = tangent_at(k);
+        side = Quat::from_rotation_arc(before, tangent) * side;
+        side = side.reject_from(tangent).normalize_or(tangent.any_orthonormal_vector());
+        before = tangent;
+        let cap = |end: f32| {
+            (0..CAP_RINGS).map(move |ring| end * FRAC_PI_2 * (1.0 - ring as f32 / CAP_RINGS as f32)).collect::<Vec<_>>()
+        };
+        let mut latitudes = vec![0.0];
+        if k == 0 {
+            latitudes = cap(-1.0).into_iter().chain(latitudes).collect();
+        }
+        if k == last {
+            latitudes.extend(cap(1.0).into_iter().rev());
+        }
+        for latitude in latitudes {
+            rings.push((centres[k], tangent, side, latitude.sin(), latitude.cos()));
+        }
+    }
+    let mut vertices = Vec::with_capacity(rings.len() * SIDES as usize);
+    for &(centre, tangent, side, along, out) in &rings {
+        let other = tangent.cross(side);
+        for k in 0..SIDES {
+            let (sin, cos) = (TAU * k as f32 / SIDES as f32).sin_cos();
+            let normal = (side * cos + other * sin) * out + tangent * along;
+            vertices.push(Vertex { position: centre + normal * radius, normal });
+        }
+    }
+    (vertices, indices(rings.len() as u32))
+}
+
+fn indices(rings: u32) -> Vec<u32> {
+    let mut indices = Vec::with_capacity(6 * ((rings - 1) * SIDES) as usize);
+    for ring in 0..rings - 1 {
+        for k in 0..SIDES {
+            let (a, b) = (ring * SIDES + k, ring * SIDES + (k + 1) % SIDES);
+            let (c, d) = (a + SIDES, b + SIDES);
+            indices.extend([a, b, d, a, d, c]);
+        }
+    }
+    indices
+}
+
+/// A Catmull-Rom curve through the points that differ from the one before.
+fn smooth(points: &[Vec3]) -> Vec<Vec3> {
+    let mut points: Vec<Vec3> = points.iter().copied().filter(|point| point.is_finite()).collect();
+    points.dedup_by(|a, b| a.distance_squared(*b) == 0.0);
+    if points.len() < 2 {
+        return points;
+    }
+    let last = points.len() - 1;
+    let mut curve = vec![points[0]];
+    for k in 0..last {
+        let [p, q] = [points[k], points[k + 1]];
+        let before = if k > 0 { points[k - 1] } else { 2.0 * p - q };
+        let after = if k + 2 <= last { points[k + 2] } else { 2.0 * q - p };
+        let (m, n) = (0.5 * (q - before), 0.5 * (after - p));
+        for piece in 1..=PIECES {
+            let t = piece as f32 / PIECES as f32;
+            let (t2, t3) = (t * t, t * t * t);
+            curve.push(
+                p * (2.0 * t3 - 3.0 * t2 + 1.0) + m * (t3 - 2.0 * t2 + t) + q * (3.0 * t2 - 2.0 * t3) + n * (t3 - t2),
+            );
+        }
+    }
+    curve
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tube_is_closed_turned_outwards_and_has_the_volume_of_a_capsule() {
+        let points = [0.0, 0.3, 0.7, 1.0].map(|y| Vec3::new(0.0, y, 0.0));
+        let (vertices, indices) = tube(&points, 0.05);
+        let volume: f32 = indices
+            .chunks(3)
+            .map(|t| {
+                let [a, b, c] = [t[0], t[1], t[2]].map(|k| vertices[k as usize].position);
+                a.dot(b.cross(c)) / 6.0
+            })
+            .sum();
+        let capsule = std::f32::consts::PI * 0.05_f32.powi(2) * (1.0 + 4.0 / 3.0 * 0.05);
+        assert!((volume / capsule - 1.0).abs() < 0.06, "{volume} {capsule}");
+        assert!(vertices.iter().all(|v| (v.normal.length() - 1.0).abs() < 1e-4));
+    }
+
+    #[test]
+    fn a_bent_tube_keeps_its_thickness_and_a_point_has_none() {
+        let points: Vec<Vec3> =
+            (0..12).map(|k| Vec3::new((k as f32 * 0.5).sin(), k as f32 * 0.2, (k as f32 * 0.5).cos())).collect();
+        let centres = smooth(&points);
+        let (vertices, _) = tube(&points, 0.03);
+        for vertex in &vertices {
+            let distance = centres.iter().map(|c| c.distance(vertex.position)).fold(f32::INFINITY, f32::min);
+            assert!(distance < 0.0301, "{distance}");
+        }
+        assert!(tube(&[Vec3::ONE; 5], 0.1).1.is_empty());
+    }
+}

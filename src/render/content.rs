@@ -1,0 +1,178 @@
+//! A draw list on the device.
+
+use super::renderer::Renderer;
+use super::shadow::Caster;
+use crate::draw::{Colour, DrawList, Ground, Line, Points, Size, Surface, Theme};
+use glam::{DVec3, Vec3};
+use std::ops::Range;
+
+/// 32-bit words of a mesh vertex (position, normal), of what is told of a whole mesh (colour, pick), of a point
+/// (centre, radius, colour, share through, pick) and of a segment (four points, colour, style, flags, pick).
+pub(super) const VERTEX_WORDS: usize = 6;
+pub(super) const ITEM_WORDS: usize = 5;
+pub(super) const POINT_WORDS: usize = 10;
+pub(super) const SEGMENT_WORDS: usize = 20;
+
+/// A segment's flags, as in line.wgsl.
+const HAS_PREVIOUS: u32 = 1;
+const HAS_NEXT: u32 = 2;
+pub(super) const ON_SCREEN: u32 = 4;
+
+/// A draw list on the device, with the shadow that it casts.
+pub struct Content {
+    pub(super) list: DrawList,
+    pub(super) vertices: Store,
+    pub(super) indices: Store,
+    pub(super) items: Store,
+    pub(super) points: Store,
+    pub(super) segments: Store,
+    pub(super) meshes: Vec<MeshDraw>,
+    pub(super) casters: Option<[Caster; 2]>,
+    /// Light that is hidden on the floor.
+    pub(super) shade: wgpu::TextureView,
+}
+
+/// A mesh in the buffers.
+pub(super) struct MeshDraw {
+    pub(super) indices: Range<u32>,
+    pub(super) surface: Surface,
+    pub(super) casts_shadow: bool,
+    pub(super) picked: bool,
+}
+
+impl Content {
+    /// Nothing yet, for a renderer.
+    pub fn new(renderer: &Renderer) -> Self {
+        let device = renderer.device();
+        let ground = Ground { height: 0.0, solid: false, grid: true };
+        let shade = renderer.shade_target();
+        Self {
+            list: DrawList::new(DVec3::ZERO, ground, Theme::light()),
+            vertices: Store::new(device, "mesh vertices", wgpu::BufferUsages::VERTEX),
+            indices: Store::new(device, "mesh indices", wgpu::BufferUsages::INDEX),
+            items: Store::new(device, "meshes", wgpu::BufferUsages::VERTEX),
+            points: Store::new(device, "points", wgpu::BufferUsages::VERTEX),
+            segments: Store::new(device, "segments", wgpu::BufferUsages::VERTEX),
+            meshes: Vec::new(),
+            casters: None,
+            shade,
+        }
+    }
+
+    /// Sends a list, which is kept for the sake of picks, and draws its shadow.
+    pub fn send(&mut self, renderer: &Renderer, list: DrawList) {
+        let (device, queue) = (renderer.device(), renderer.queue());
+        self.casters = Caster::of(&list);
+        let (mut vertices, mut indices, mut items) = (Vec::new(), Vec::new(), Vec::new());
+        self.meshes.clear();
+        for mesh in &list.meshes {
+            let first_vertex = (vertices.len() / VERTEX_WORDS) as u32;
+            let first_index = indices.len() as u32;
+            for vertex in &mesh.vertices {
+                push(&mut vertices, vertex.position.to_array());
+                push(&mut vertices, vertex.normal.to_array());
+            }
+            indices.extend(mesh.indices.iter().map(|index| first_vertex + index));
+            push(&mut items, mesh.colour.linear());
+            items.push(mesh.pick);
+            self.meshes.push(MeshDraw {
+                indices: first_index..indices.len() as u32,
+                surface: mesh.surface,
+                casts_shadow: mesh.casts_shadow,
+                picked: mesh.pick != 0,
+            });
+        }
+        let mut points = Vec::new();
+        for set in &list.points {
+            push_points(&mut points, set);
+        }
+        let mut segments = Vec::new();
+        for line in &list.lines {
+            push_line(&mut segments, line, 0);
+        }
+        self.vertices.write(device, queue, &vertices, VERTEX_WORDS);
+        self.indices.write(device, queue, &indices, 1);
+        self.items.write(device, queue, &items, ITEM_WORDS);
+        self.points.write(device, queue, &points, POINT_WORDS);
+        self.segments.write(device, queue, &segments, SEGMENT_WORDS);
+        self.list = list;
+        renderer.draw_shadow(self);
+    }
+
+    /// The list as it was sent.
+    pub fn list(&self) -> &DrawList {
+        &self.list
+    }
+}
+
+fn push<const N: usize>(words: &mut Vec<u32>, values: [f32; N]) {
+    words.extend(values.map(f32::to_bits));
+}
+
+fn push_points(words: &mut Vec<u32>, set: &Points) {
+    // A radius in pixels goes as a negative one, as in point.wgsl.
+    let radius = match set.size {
+        Size::Metres(radius) => radius.max(1e-12),
+        Size::Pixels(radius) => -radius.max(1e-3),
+    };
+    for (number, centre) in (0..).zip(&set.centres) {
+        // Numbers go by place, so what is left out still counts.
+        if !centre.is_finite() {
+            continue;
+        }
+        push(words, centre.to_array());
+        push(words, [radius]);
+        push(words, set.colour.linear());
+        push(words, [set.through]);
+        words.push(if set.pick == 0 { 0 } else { set.pick + number });
+    }
+}
+
+/// Segments of a line, with the flags that all of them have.
+pub(super) fn push_line(words: &mut Vec<u32>, line: &Line, flags: u32) {
+    let points: Vec<Vec3> = line.points.iter().copied().filter(|point| point.is_finite()).collect();
+    let last = points.len().saturating_sub(2);
+    for k in 0..points.len().saturating_sub(1) {
+        let before = if k > 0 { HAS_PREVIOUS } else { 0 };
+        let behind = if k < last { HAS_NEXT } else { 0 };
+        for point in [points[k], points[k + 1], points[k.saturating_sub(1)], points[(k + 2).min(last + 1)]] {
+            push(words, point.to_array());
+        }
+        push(words, Colour::linear(line.colour));
+        push(words, [line.width, line.through]);
+        words.extend([flags | before | behind, line.pick]);
+    }
+}
+
+/// A buffer that grows with what is written to it.
+pub(super) struct Store {
+    pub(super) buffer: wgpu::Buffer,
+    pub(super) count: u32,
+    label: &'static str,
+    usage: wgpu::BufferUsages,
+}
+
+impl Store {
+    pub(super) fn new(device: &wgpu::Device, label: &'static str, usage: wgpu::BufferUsages) -> Self {
+        Self { buffer: make(device, label, usage, 256), count: 0, label, usage }
+    }
+
+    /// Writes rows of so many words each.
+    pub(super) fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, words: &[u32], row: usize) {
+        let bytes = size_of_val(words) as u64;
+        if bytes > self.buffer.size() {
+            self.buffer = make(device, self.label, self.usage, bytes.next_power_of_two());
+        }
+        queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(words));
+        self.count = (words.len() / row) as u32;
+    }
+}
+
+fn make(device: &wgpu::Device, label: &'static str, usage: wgpu::BufferUsages, size: u64) -> wgpu::Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size,
+        usage: usage | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}

@@ -1,0 +1,38 @@
+//! A [`DrawList`](crate::draw::DrawList) becomes pixels, and a pixel becomes what was drawn there.
+//!
+//! # How it works
+//!
+//! A [`Renderer`] holds what does not change: shaders and pipelines, for one device. A [`Content`] is a list on that
+//! device with the shadow it casts, whatever the point of view; a [`Viewport`] holds the targets of one view. So a
+//! list is sent once and drawn in as many views as there are. The renderer draws into its own colour, depth and
+//! multi-sample targets and hands out the colour as a texture, for a window to show or a file to keep.
+//!
+//! Colours are encoded as sRGB by the shaders, into a target that knows nothing of it: that is what a window's
+//! toolkit blends with. Depth is reversed. Lines and marks keep their width in pixels: they are unfolded in screen
+//! space and their edges are faded by distance, so they are smooth without multi-sampling too.
+//!
+//! Picking draws pick numbers and depths into a target of their own around one pixel only, with the same geometry as
+//! the picture and so with the same things in front of others, and reads that back.
+
+mod camera;
+mod content;
+mod device;
+mod glyphs;
+mod marks;
+mod offscreen;
+mod pick;
+mod pipelines;
+mod renderer;
+mod scale;
+mod shaders;
+mod shadow;
+mod uniforms;
+mod viewport;
+
+pub use camera::{Camera, Facing, Projection, Ray, Seen};
+pub use content::Content;
+pub use device::{NoDriver, open_device};
+pub use offscreen::{Offscreen, Picture, RenderError};
+pub use pick::{Pick, Picking};
+pub use renderer::{COLOUR_FORMAT, Options, Renderer};
+pub use viewport::Viewport;

@@ -1,0 +1,45 @@
+// Triangle meshes: lit, see-through, faint, or as numbers to pick.
+
+struct MeshOut {
+    @builtin(position) clip: vec4f,
+    @location(0) local: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) @interpolate(flat) colour: vec4f,
+    @location(3) @interpolate(flat) pick: u32,
+}
+
+@vertex
+fn vs_mesh(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) colour: vec4f,
+    @location(3) pick: u32,
+) -> MeshOut {
+    return MeshOut(windowed(frame.clip_from_local * vec4f(position, 1.0)), position, normal, colour, pick);
+}
+
+@fragment
+fn fs_solid(in: MeshOut) -> @location(0) vec4f {
+    return out_colour(lit(in.colour.rgb, normalize(in.normal), in.local), 1.0, in.clip.xy);
+}
+
+// Clear in the middle, dense towards the outline, as a thin wall of jelly is.
+@fragment
+fn fs_x_ray(in: MeshOut, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+    let normal = normalize(in.normal);
+    let eye = toward_eye(in.local);
+    let slant = 1.0 - abs(dot(normal, eye));
+    let density = mix(0.17, 0.72, pow(slant, 2.2)) * select(0.55, 1.0, front);
+    let colour = lit(in.colour.rgb, select(-normal, normal, dot(normal, eye) > 0.0), in.local);
+    return out_colour(colour, density, in.clip.xy);
+}
+
+@fragment
+fn fs_faint(in: MeshOut) -> @location(0) vec4f {
+    return out_colour(in.colour.rgb, in.colour.a, in.clip.xy);
+}
+
+@fragment
+fn fs_mesh_pick(in: MeshOut) -> @location(0) vec2u {
+    return vec2u(in.pick, bitcast<u32>(view_depth(in.local)));
+}

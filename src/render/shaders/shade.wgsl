@@ -1,0 +1,69 @@
+// From heights above the floor to the light that is hidden there: see shadow.wgsl.
+
+struct Caster {
+    slope: vec4f,
+    window: vec4f,
+    soft: vec4f,
+}
+
+@group(0) @binding(0) var<uniform> caster: Caster;
+@group(0) @binding(1) var along_key: texture_depth_2d;
+@group(0) @binding(2) var from_above: texture_depth_2d;
+
+const SEARCH = 24u;
+const TAPS = 48u;
+const GOLDEN = 2.39996323;
+
+@vertex
+fn vs_shade(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    let corner = vec2f(f32(index & 1u), f32(index >> 1u)) * 4.0 - 1.0;
+    return vec4f(corner, 0.0, 1.0);
+}
+
+// Points spread evenly over a disc of radius 1.
+fn spread(k: u32, count: u32) -> vec2f {
+    let angle = f32(k) * GOLDEN;
+    return sqrt((f32(k) + 0.5) / f32(count)) * vec2f(cos(angle), sin(angle));
+}
+
+fn clamped(at: vec2f) -> vec2i {
+    let most = vec2f(textureDimensions(along_key)) - 1.0;
+    return vec2i(clamp(at, vec2f(0.0), most));
+}
+
+@fragment
+fn fs_shade(@builtin(position) at: vec4f) -> @location(0) vec2f {
+    let texels = f32(textureDimensions(along_key).x);
+    let texel = 2.0 * caster.window.z / texels;
+    // How high is what stands in the way, as far away as the highest could be seen?
+    let search = max(caster.soft.x * caster.slope.w / texel, 1.0);
+    var height = 0.0;
+    var found = 0.0;
+    for (var k = 0u; k < SEARCH; k++) {
+        let depth = textureLoad(along_key, clamped(at.xy + spread(k, SEARCH) * search), 0);
+        // What is too low to be seen from here so far away does not count.
+        let near = depth < 1.0 && length(spread(k, SEARCH)) <= depth + 1.5 / search;
+        height += select(0.0, depth, near);
+        found += select(0.0, 1.0, near);
+    }
+    height = height / max(found, 1.0);
+    let penumbra = max(search * height, 1.0);
+    var hidden = 0.0;
+    for (var k = 0u; k < TAPS; k++) {
+        let depth = textureLoad(along_key, clamped(at.xy + spread(k, TAPS) * penumbra), 0);
+        hidden += select(0.0, 1.0, depth < 1.0);
+    }
+    hidden = hidden / f32(TAPS);
+    // The sky is hidden most by what is low and near.
+    let reach = caster.soft.y / texel;
+    var closed = 0.0;
+    var whole = 0.0;
+    for (var k = 0u; k < TAPS; k++) {
+        let offset = spread(k, TAPS);
+        let weight = 1.0 - length(offset);
+        let depth = textureLoad(from_above, clamped(at.xy + offset * reach), 0);
+        closed += select(0.0, weight * exp(-depth * caster.slope.w / caster.soft.z), depth < 1.0);
+        whole += weight;
+    }
+    return vec2f(hidden, closed / whole);
+}

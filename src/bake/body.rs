@@ -3,13 +3,15 @@
 use super::matter::Matter;
 use super::{BakeError, BakeStage, Note, fibres, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, IntegratorKind, Mass, Placement, Rotation, Scene, TimeStep};
+use crate::scene::{Body, BodyKind, Initial, IntegratorKind, Mass, Placement, Rotation, Scene, TimeStep};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
     AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, MatrixForce, PairDamping, Plane, StepLimit,
 };
-use crate::solver::integrators::{ExplicitEuler, Integrator, LeapFrog, Midpoint, Rk4};
+use crate::solver::integrators::{
+    BackwardEuler, ExplicitEuler, Integrator, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet,
+};
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::stable_step::highest_frequency_squared;
 use crate::solver::state::ParticleState;
@@ -99,7 +101,7 @@ pub(super) fn draft(
         forces.push(Box::new(contact));
     }
 
-    let constraints = supports::constraints(body, &regions, &rest, &state, path)?;
+    let constraints = supports::constraints(&body.pins, &regions, &rest, &state, path)?;
     let parts = BodyParts {
         id: body.id.clone(),
         name: name.clone(),
@@ -114,6 +116,7 @@ pub(super) fn draft(
         constraints,
         contact: law,
         fibres: placed.iter().map(fibres::PlacedFibre::line).collect(),
+        layers: None,
         skin,
         reach: material.support_radius,
         rest_scale: RestScale {
@@ -170,7 +173,7 @@ pub(super) fn turn(rotation: &Rotation) -> DQuat {
     DQuat::from_axis_angle(axis, rotation.degrees.to_radians())
 }
 
-fn to_world(placement: &Placement, x: DVec3) -> DVec3 {
+pub(super) fn to_world(placement: &Placement, x: DVec3) -> DVec3 {
     turn(&placement.rotation) * x + DVec3::from_array(placement.translation)
 }
 
@@ -182,46 +185,60 @@ fn initial_state(
     path: &str,
 ) -> Result<ParticleState, BakeError> {
     let n = points.len();
-    let center = points.iter().sum::<DVec3>() / n as f64;
-    let [row0, row1, row2] = body.initial.deformation.map(DVec3::from_array);
-    let undeformed = body.initial.deformation == crate::scene::Initial::default().deformation;
-    let deformed = |x: DVec3| {
-        if undeformed {
-            return x;
-        }
-        let y = x - center;
-        center + DVec3::new(row0.dot(y), row1.dot(y), row2.dot(y))
-    };
-    let positions: Vec<DVec3> = points.iter().map(|&x| to_world(&body.placement, deformed(x))).collect();
+    let positions: Vec<DVec3> = deformed(&body.initial, points).map(|x| to_world(&body.placement, x)).collect();
     let velocity = DVec3::from_array(body.initial.velocity);
-    let spin = DVec3::from_array(body.initial.angular_velocity.map(f64::to_radians));
     let mut state = ParticleState { velocities: vec![velocity; n], masses: vec![mass; n], positions };
+    spin(&mut state, &body.initial);
+    for (k, impulse) in body.impulses.iter().enumerate() {
+        let group = supports::find(regions, &impulse.region, &format!("{path}/impulses/{k}/region"))?;
+        kick(&mut state, group, DVec3::from_array(impulse.impulse));
+    }
+    Ok(state)
+}
+
+/// The points under the deformation of the start, about their centre.
+pub(super) fn deformed(initial: &Initial, points: &[DVec3]) -> impl Iterator<Item = DVec3> {
+    let center = points.iter().sum::<DVec3>() / points.len() as f64;
+    let [row0, row1, row2] = initial.deformation.map(DVec3::from_array);
+    let undeformed = initial.deformation == Initial::default().deformation;
+    points.iter().map(move |&x| {
+        let y = x - center;
+        if undeformed { x } else { center + DVec3::new(row0.dot(y), row1.dot(y), row2.dot(y)) }
+    })
+}
+
+/// Adds the angular velocity of the start about the centre of mass.
+pub(super) fn spin(state: &mut ParticleState, initial: &Initial) {
+    let spin = DVec3::from_array(initial.angular_velocity.map(f64::to_radians));
     if spin != DVec3::ZERO {
         let center = state.center();
         for (v, &x) in state.velocities.iter_mut().zip(&state.positions) {
             *v += spin.cross(x - center);
         }
     }
-    for (k, impulse) in body.impulses.iter().enumerate() {
-        let group = supports::find(regions, &impulse.region, &format!("{path}/impulses/{k}/region"))?;
-        let kick = DVec3::from_array(impulse.impulse) / (mass * group.len() as f64);
-        for &i in group {
-            state.velocities[i as usize] += kick;
-        }
-    }
-    Ok(state)
 }
 
-fn integrator(kind: IntegratorKind) -> Box<dyn Integrator> {
+/// Gives a group an impulse [N s], shared by mass.
+pub(super) fn kick(state: &mut ParticleState, group: &[u32], impulse: DVec3) {
+    let mass: f64 = group.iter().map(|&i| state.masses[i as usize]).sum();
+    for &i in group {
+        state.velocities[i as usize] += impulse / mass;
+    }
+}
+
+pub(super) fn integrator(kind: IntegratorKind) -> Box<dyn Integrator> {
     match kind {
         IntegratorKind::LeapFrog => Box::new(LeapFrog::default()),
         IntegratorKind::ExplicitEuler => Box::new(ExplicitEuler::default()),
         IntegratorKind::Midpoint => Box::new(Midpoint::default()),
         IntegratorKind::Rk4 => Box::new(Rk4::default()),
+        IntegratorKind::SymplecticEuler => Box::new(SymplecticEuler::default()),
+        IntegratorKind::Verlet => Box::new(Verlet::default()),
+        IntegratorKind::BackwardEuler => Box::new(BackwardEuler::default()),
     }
 }
 
-fn room_planes(scene: &Scene) -> Vec<Plane> {
+pub(super) fn room_planes(scene: &Scene) -> Vec<Plane> {
     let room = &scene.room;
     let sides = [
         (room.floor, DVec3::Y),

@@ -15,11 +15,11 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
         .map(|(k, measure)| {
             let path = format!("/measures/{k}");
             let body =
-                scene.bodies.iter().position(|body| body.id == measure.body).ok_or_else(|| BakeError::Unknown {
+                drafts.iter().position(|draft| draft.parts.id == measure.body).ok_or_else(|| BakeError::Unknown {
                     path: format!("{path}/body"),
                     what: "body",
                     id: measure.body.clone(),
-                    known: known(scene.bodies.iter().map(|body| body.id.as_str())),
+                    known: known(drafts.iter().map(|draft| draft.parts.id.as_str())),
                 })?;
             let draft = &drafts[body];
             let kind = format!("{path}/kind");
@@ -43,6 +43,13 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
                     let held = held(draft, &group, &kind, &of.region)?;
                     Quantity::ReactionTorque(group, held, unit(of.along))
                 }
+                MeasureKind::Size(of) => Quantity::Size(of.axis.index()),
+                MeasureKind::LayerOffset => Quantity::LayerOffset,
+                MeasureKind::Volume => {
+                    let planar = draft.parts.layers.as_ref().is_some_and(|layers| layers.dimension == 2);
+                    Quantity::Volume(if planar { "m²" } else { "m³" })
+                }
+                MeasureKind::InertiaRatio => Quantity::InertiaRatio,
             };
             Ok(Probe { name: measure.name.clone(), body, quantity })
         })

@@ -6,14 +6,17 @@ mod fibres;
 mod matter;
 mod measures;
 mod supports;
+mod two_layer;
 
 pub use fibres::PlacedFibre;
 
 use crate::scene::{Assets, PanelMotion, Scene, TimeStep};
 use crate::solver::body::Body;
+use crate::solver::meeting::stiffness_between;
 use crate::solver::neighbourhood::TooThin;
 use crate::solver::panel::Panel;
 use crate::solver::world::{StepPlan, World};
+use body::Draft;
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 use std::fmt;
@@ -71,6 +74,14 @@ pub enum BakeError {
         path: String,
         /// Particles of the body.
         particles: usize,
+    },
+    /// A two-layer body whose gas has no room.
+    #[error("{path}: the gas would have a volume of {volume:.3e} at the start; deform the body less")]
+    InsideOut {
+        /// Pointer to the deformation.
+        path: String,
+        /// Signed volume [m³], or area [m²].
+        volume: f64,
     },
     /// A reference to something that is not there.
     #[error("{path}: {what} \"{id}\" does not exist; there are: {known}")]
@@ -163,8 +174,10 @@ pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeS
         let body = matter.effective(body);
         drafts.push(body::draft(scene, &body, matter, &path, &mut notes, progress)?);
     }
-    let stable: Vec<f64> = drafts.iter().map(|draft| draft.parts.stable_dt).collect();
-    let plan = plan(scene, &stable);
+    for (index, body) in scene.two_layer.iter().enumerate() {
+        drafts.push(two_layer::draft(scene, body, &format!("/two_layer/{index}"), progress)?);
+    }
+    let plan = plan(scene, &drafts);
     for (index, (draft, &substeps)) in drafts.iter_mut().zip(&plan.substeps).enumerate() {
         let dt = plan.frame_seconds / f64::from(plan.outer_steps) / f64::from(substeps);
         draft.parts.dt = dt;
@@ -204,21 +217,43 @@ fn panel(panel: &crate::scene::Panel) -> Panel {
     }
 }
 
-/// Divides a frame so that no body steps beyond its share of the stable step. Bodies that share a panel step together.
-fn plan(scene: &Scene, stable: &[f64]) -> StepPlan {
-    let (frame_seconds, wanted): (f64, Vec<u32>) = match &scene.time.step {
+/// Divides a frame so that no body steps beyond its share of the stable step. Bodies that share a panel step together;
+/// bodies that may meet share outer steps short enough for the contact between them.
+fn plan(scene: &Scene, drafts: &[Draft]) -> StepPlan {
+    let (frame_seconds, wanted, meetings): (f64, Vec<u32>, u32) = match &scene.time.step {
         TimeStep::Automatic(automatic) => {
             let frame = 1.0 / scene.time.frames_per_second;
-            let count = |&stable: &f64| (frame / (automatic.safety * stable)).ceil().max(1.0) as u32;
-            (frame, stable.iter().map(count).collect())
+            let count = |stable: f64| (frame / (automatic.safety * stable)).ceil().max(1.0) as u32;
+            let wanted = drafts.iter().map(|draft| count(draft.parts.stable_dt)).collect();
+            (frame, wanted, count(stable_meeting(drafts)))
         }
         TimeStep::Manual(manual) => {
-            (manual.dt * f64::from(manual.substeps_per_frame), vec![manual.substeps_per_frame; stable.len()])
+            let count = manual.substeps_per_frame;
+            (manual.dt * f64::from(count), vec![count; drafts.len()], count)
         }
     };
-    let outer_steps = if scene.panels.is_empty() { 1 } else { wanted.iter().copied().max().unwrap_or(1) };
+    let outer_steps = match (scene.panels.is_empty(), drafts.len()) {
+        (false, _) => wanted.iter().copied().max().unwrap_or(1).max(meetings),
+        (true, 0 | 1) => 1,
+        (true, _) => meetings,
+    };
     let substeps = wanted.iter().map(|count| count.div_ceil(outer_steps)).collect();
     StepPlan { frame_seconds, outer_steps, substeps }
+}
+
+/// Greatest outer step [s] that resolves the contact between any two bodies; infinite without any.
+fn stable_meeting(drafts: &[Draft]) -> f64 {
+    // A particle of a surface may carry several others.
+    const CARRIED: f64 = 4.0;
+    let lightest = |draft: &Draft| draft.parts.state.masses.iter().copied().fold(f64::INFINITY, f64::min);
+    let mut fastest: f64 = 0.0;
+    for (index, a) in drafts.iter().enumerate() {
+        for b in &drafts[index + 1..] {
+            let stiffness = CARRIED * stiffness_between(&a.parts.contact, &b.parts.contact);
+            fastest = fastest.max(stiffness * (1.0 / lightest(a) + 1.0 / lightest(b)));
+        }
+    }
+    if fastest > 0.0 { 2.0 / fastest.sqrt() } else { f64::INFINITY }
 }
 
 /// Where a reference fails: the identifiers that exist, for the message.

@@ -2,16 +2,31 @@
 
 use super::{BakeError, known};
 use crate::geometry::lattice::LatticeSample;
-use crate::scene::{Axis, Body, Distance, Easing, Motion, Selector, Side};
+use crate::scene::{Axis, Body, Distance, Easing, Motion, Pin, Region, Selector, Side};
 use crate::solver::constraint::{Constraint, Course, PrescribedMotion};
 use crate::solver::state::ParticleState;
-use glam::{BVec3, DVec3};
+use glam::{BVec3, DMat3, DVec3, IVec3};
 use std::collections::HashMap;
 
+/// Particles of regions by their ids.
+pub(super) type Regions = HashMap<String, Vec<u32>>;
+
 /// Particles of every region of a body.
-pub(super) fn regions(body: &Body, sample: &LatticeSample, path: &str) -> Result<HashMap<String, Vec<u32>>, BakeError> {
+pub(super) fn regions(body: &Body, sample: &LatticeSample, path: &str) -> Result<Regions, BakeError> {
+    select(&body.regions, sample, path)
+}
+
+/// Particles of every region among points that lie on no lattice; regions that count its layers hold none.
+pub(super) fn chosen(regions: &[Region], points: &[DVec3], path: &str) -> Result<Regions, BakeError> {
+    let extent = points.iter().map(|x| x.abs().max_element()).fold(0.0, f64::max);
+    let cells = vec![IVec3::ZERO; points.len()];
+    let sample = LatticeSample { spacing: extent, axes: DMat3::IDENTITY, points: points.to_vec(), cells };
+    select(regions, &sample, path)
+}
+
+fn select(regions: &[Region], sample: &LatticeSample, path: &str) -> Result<Regions, BakeError> {
     let mut found = HashMap::new();
-    for (k, region) in body.regions.iter().enumerate() {
+    for (k, region) in regions.iter().enumerate() {
         let inside = selector(&region.select, sample);
         let group: Vec<u32> = (0..sample.points.len()).filter(|&i| inside(i)).map(|i| i as u32).collect();
         if group.is_empty() {
@@ -34,7 +49,7 @@ fn selector<'a>(select: &'a Selector, sample: &'a LatticeSample) -> Box<dyn Fn(u
         Selector::Everything => Box::new(|_| true),
         Selector::Layers { axis, side, count, .. } => {
             let axis = axis.index();
-            let along = move |cell: &glam::IVec3| cell[axis];
+            let along = move |cell: &IVec3| cell[axis];
             let count = count.cast_signed();
             let first = sample.cells.iter().map(along).min().unwrap_or(0);
             let last = sample.cells.iter().map(along).max().unwrap_or(0);
@@ -69,14 +84,14 @@ pub(super) fn find<'a>(
 
 /// Prescribed motions of a body's pins, relative to where the particles start.
 pub(super) fn constraints(
-    body: &Body,
-    regions: &HashMap<String, Vec<u32>>,
+    pins: &[Pin],
+    regions: &Regions,
     rest: &[DVec3],
     state: &ParticleState,
     path: &str,
 ) -> Result<Vec<Constraint>, BakeError> {
     let mut found = Vec::new();
-    for (k, pin) in body.pins.iter().enumerate() {
+    for (k, pin) in pins.iter().enumerate() {
         let particles = find(regions, &pin.region, &format!("{path}/pins/{k}/region"))?.clone();
         let start: Vec<DVec3> = particles.iter().map(|&i| state.positions[i as usize]).collect();
         let locked = BVec3::new(pin.axes.contains(&Axis::X), pin.axes.contains(&Axis::Y), pin.axes.contains(&Axis::Z));

@@ -5,10 +5,12 @@
 //! (what was good until then is written all the same) and 4 when there is no graphics driver to make a picture with.
 
 mod check;
+mod compare;
 mod console;
 mod drive;
 mod error;
 mod make_models;
+mod order_plot;
 mod output;
 mod parallel;
 mod picture;
@@ -50,6 +52,8 @@ pub enum Command {
     Render(render::Render),
     /// Run a scene once for every combination of some values
     Sweep(sweep::Sweep),
+    /// Run a scene under several integrators, each with several steps
+    Compare(compare::Compare),
     /// Look a scene over without running it
     Check(check::Check),
     /// Print the JSON Schema of scene files
@@ -78,6 +82,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Command::Simulate(args) => simulate::run(args, console),
         Command::Render(args) => render::run(args, console),
         Command::Sweep(args) => sweep::run(args, console),
+        Command::Compare(args) => compare::run(args, console),
         Command::Check(args) => check::run(args, console),
         Command::Schema => schema::run(console),
         Command::MakeModels(args) => make_models::run(args, console),

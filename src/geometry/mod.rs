@@ -2,6 +2,7 @@
 //! (weld, check, orient, fill). Knows nothing of scenes or physics.
 
 pub mod bvh;
+pub mod closest;
 pub mod crossing;
 pub mod curve;
 pub mod edges;
@@ -12,6 +13,7 @@ pub mod lattice;
 pub mod mesh;
 pub mod model;
 pub mod neighbours;
+pub mod octahedron;
 pub mod orient;
 pub mod report;
 pub mod rows;

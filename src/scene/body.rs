@@ -215,6 +215,12 @@ pub enum IntegratorKind {
     Midpoint,
     /// Classical Runge-Kutta: order 4, four evaluations a step.
     Rk4,
+    /// Symplectic Euler: order 1, one evaluation a step.
+    SymplecticEuler,
+    /// Velocity Verlet with a predicted velocity: order 2 with damping too, two evaluations a step.
+    Verlet,
+    /// Backward Euler: order 1, stable at any step, takes energy.
+    BackwardEuler,
 }
 
 /// Motion and deformation at the start.

@@ -39,6 +39,25 @@ pub enum MeasureKind {
     ReactionForce(Reaction),
     /// Torque with which the body turns the pins of a region, about a direction through the region's centre [N m].
     ReactionTorque(Reaction),
+    /// Extent of the whole body along an axis [m].
+    Size(Along),
+    /// Distance between the centres of mass of the two layers of a two-layer body [m].
+    LayerOffset,
+    /// Volume enclosed by the outer layer of a two-layer body [m³], its area [m²] in 2D.
+    Volume,
+    /// Moment of inertia of a two-layer body about its centre [fraction of M Ro²], Ro the mean distance of the outer
+    /// particles from it: about the normal of the plane in 2D, the mean over all axes in 3D. It tells where the mass is.
+    InertiaRatio,
+}
+
+/// An axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Along {
+    /// World axis.
+    pub axis: Axis,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
 }
 
 /// A region.

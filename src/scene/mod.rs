@@ -12,6 +12,7 @@ mod body;
 mod fibre;
 mod measure;
 mod support;
+mod two_layer;
 mod validate;
 mod world;
 
@@ -21,8 +22,11 @@ pub use body::{
     Region, Rotation, Selector, Shape,
 };
 pub use fibre::{Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke};
-pub use measure::{Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
+pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 pub use support::{Axis, Distance, Easing, Keyframe, Motion, Pin, Ramp, Side, Turn};
+pub use two_layer::{
+    Ball, ContactKind, Drag, PressureIn, RegionMass, Ring, Segment, TwoLayer, TwoLayerContact, TwoLayerShape,
+};
 pub use validate::SceneError;
 pub(crate) use validate::{brief, one_line};
 pub use world::{Automatic, HeightKey, Manual, Panel, PanelMotion, Room, Time, TimeStep};
@@ -79,6 +83,9 @@ pub struct Scene {
     /// The soft bodies.
     #[serde(default)]
     pub bodies: Vec<Body>,
+    /// The two-layer bodies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub two_layer: Vec<TwoLayer>,
     /// Quantities to read off the motion.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub measures: Vec<Measure>,
@@ -99,6 +106,7 @@ impl Default for Scene {
             panels: Vec::new(),
             time: Time::default(),
             bodies: Vec::new(),
+            two_layer: Vec::new(),
             measures: Vec::new(),
             extra: Extra::new(),
         }
@@ -109,6 +117,11 @@ impl Scene {
     /// The body with this id.
     pub fn body(&self, id: &str) -> Option<&Body> {
         self.bodies.iter().find(|body| body.id == id)
+    }
+
+    /// The two-layer body with this id.
+    pub fn two_layer_body(&self, id: &str) -> Option<&TwoLayer> {
+        self.two_layer.iter().find(|body| body.id == id)
     }
 }
 

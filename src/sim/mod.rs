@@ -2,11 +2,13 @@
 //! [`Worker`] thread that paces it for a window.
 
 mod command;
+mod compare;
 mod report;
 mod runner;
 mod worker;
 
 pub use command::SimCommand;
+pub use compare::{Trial, order, reference};
 pub use report::{BodyReport, EnergyReport, MeasureReport, Report};
 pub use runner::Runner;
 pub use worker::{Published, Status, Worker};

@@ -7,6 +7,7 @@ use super::energy::Energies;
 use super::forces::{ContactLaw, Force};
 use super::grab::Grab;
 use super::integrators::Integrator;
+use super::layers::Layers;
 use super::skin::Skin;
 use super::state::ParticleState;
 use glam::DVec3;
@@ -38,6 +39,8 @@ pub struct BodyParts {
     pub contact: ContactLaw,
     /// Centre lines of the fibres, for drawing and counting.
     pub fibres: Vec<FibreLine>,
+    /// Build of a two-layer body; none for others.
+    pub layers: Option<Arc<Layers>>,
     /// Render surface.
     pub skin: Option<Arc<Skin>>,
     /// Distance [m] that no particle may cross in one step against the body's mean motion.
@@ -94,6 +97,7 @@ pub struct Body {
     held: Vec<DVec3>,
     net: Vec<DVec3>,
     current: bool,
+    guarded: bool,
     steps: u64,
     evaluations: u64,
     last_good: ParticleState,
@@ -109,6 +113,7 @@ impl Body {
             held: vec![DVec3::ZERO; n],
             net: Vec::new(),
             current: false,
+            guarded: true,
             steps: 0,
             evaluations: 0,
             last_good: parts.state.clone(),
@@ -138,6 +143,12 @@ impl Body {
     pub fn add_force(&mut self, force: Box<dyn Force>) {
         self.parts.forces.push(force);
         self.current = false;
+    }
+
+    /// Whether a body is stopped as soon as a particle moves by more than its reach in a step, as it is unless told
+    /// otherwise. Without that it is stopped only where the motion is no number or a force has no meaning.
+    pub fn set_guarded(&mut self, guarded: bool) {
+        self.guarded = guarded;
     }
 
     /// Pulls on the body, to be added, moved and taken away.
@@ -238,6 +249,9 @@ impl Body {
                 evaluations: &mut self.evaluations,
             };
             self.parts.integrator.step(&mut dynamics, &mut self.parts.state, start, dt);
+            if self.parts.layers.as_ref().is_some_and(|layers| layers.put_back(&mut self.parts.state)) {
+                self.current = false;
+            }
             self.steps += 1;
             self.guard(start + dt);
         }
@@ -265,13 +279,14 @@ impl Body {
         let mean = velocities.iter().sum::<DVec3>() / velocities.len() as f64;
         let fastest = velocities.iter().map(|v| (*v - mean).length_squared()).fold(0.0, f64::max).sqrt();
         let finite = mean.is_finite() && fastest.is_finite();
-        if finite && fastest * self.parts.dt <= self.parts.reach {
-            return;
-        }
-        let cause = if finite {
-            format!("a particle reached {fastest:.3e} m/s")
-        } else {
-            "a velocity is no longer a number".to_owned()
+        let fault = self.parts.forces.iter().find_map(|force| force.fault(&self.parts.state));
+        let cause = match fault {
+            _ if !finite => "a velocity is no longer a number".to_owned(),
+            Some(fault) => fault.to_owned(),
+            None if self.guarded && fastest * self.parts.dt > self.parts.reach => {
+                format!("a particle reached {fastest:.3e} m/s")
+            }
+            None => return,
         };
         let BodyParts { dt, stable_dt, step_parameter, .. } = &self.parts;
         let remedy = if dt > stable_dt {

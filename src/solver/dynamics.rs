@@ -60,6 +60,23 @@ impl Dynamics<'_> {
         }
     }
 
+    /// Adds the first-order change of all forces [N] under a change of positions and one of velocities.
+    pub fn derivative(&mut self, time: f64, state: &ParticleState, change: [&[DVec3]; 2], out: &mut [DVec3]) {
+        for force in self.forces.iter_mut() {
+            force.add_derivative(time, state, change, out);
+        }
+        for grab in self.grabs {
+            grab.add_derivative(change, out);
+        }
+    }
+
+    /// Zeroes what a field has along held axes.
+    pub fn mask(&self, field: &mut [DVec3]) {
+        for constraint in self.constraints {
+            constraint.mask(field);
+        }
+    }
+
     /// Brings `state` onto the constraints at `time` [s].
     pub fn constrain(&self, time: f64, state: &mut ParticleState) {
         for constraint in self.constraints {

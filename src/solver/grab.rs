@@ -41,4 +41,9 @@ impl Grab {
         let (x, v) = (self.point.gather(&state.positions), self.point.gather(&state.velocities));
         self.point.scatter(self.stiffness * (self.target - x) - self.damping * v, forces);
     }
+
+    /// Adds the first-order change of the pull [N] under a change of positions and one of velocities.
+    pub(super) fn add_derivative(&self, [dx, dv]: [&[DVec3]; 2], out: &mut [DVec3]) {
+        self.point.scatter(-self.stiffness * self.point.gather(dx) - self.damping * self.point.gather(dv), out);
+    }
 }

@@ -1,6 +1,7 @@
 //! Signed numbers read off a body.
 
 use super::body::Body;
+use super::layers::Layers;
 use glam::DVec3;
 
 /// A value, a number or a vector.
@@ -43,6 +44,14 @@ pub enum Quantity {
     ReactionForce(Group, Vec<DVec3>, DVec3),
     /// Torque on the pins of a group about a unit direction through the group's centre [N m].
     ReactionTorque(Group, Vec<DVec3>, DVec3),
+    /// Extent of all particles along an axis [m].
+    Size(usize),
+    /// Distance between the centres of a two-layer body's layers [m].
+    LayerOffset,
+    /// Volume [m³], or area [m²], enclosed by a two-layer body's outer layer, and its unit.
+    Volume(&'static str),
+    /// Moment of inertia of a two-layer body over M Ro².
+    InertiaRatio,
 }
 
 const MILLI: f64 = 1e3;
@@ -58,6 +67,10 @@ impl Quantity {
             Self::Shear(..) => "shear",
             Self::ReactionForce(..) => "reaction_force",
             Self::ReactionTorque(..) => "reaction_torque",
+            Self::Size(_) => "size",
+            Self::LayerOffset => "layer_offset",
+            Self::Volume(_) => "volume",
+            Self::InertiaRatio => "inertia_ratio",
         }
     }
 
@@ -65,7 +78,9 @@ impl Quantity {
     pub fn unit(&self) -> &'static str {
         match self {
             Self::MeanDisplacement(..) | Self::TipDisplacement(..) | Self::Shear(..) => "mm",
-            Self::HeightLoss(..) => "fraction",
+            Self::HeightLoss(..) | Self::InertiaRatio => "fraction",
+            Self::Size(_) | Self::LayerOffset => "m",
+            Self::Volume(unit) => unit,
             Self::Twist(..) => "degrees",
             Self::ReactionForce(..) => "N",
             Self::ReactionTorque(..) => "N m",
@@ -114,8 +129,23 @@ impl Quantity {
                     .sum();
                 MeasureValue::Scalar(torque.dot(*along))
             }
+            Self::Size(axis) => {
+                let (least, most) =
+                    now.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), x| (x[*axis].min(l), x[*axis].max(m)));
+                MeasureValue::Scalar(most - least)
+            }
+            Self::LayerOffset => of_layers(body, |layers| layers.offset(body.state())),
+            Self::Volume(_) => {
+                of_layers(body, |layers| layers.outer_surface.as_ref().map_or(0.0, |surface| surface.volume(now)))
+            }
+            Self::InertiaRatio => of_layers(body, |layers| layers.inertia_ratio(body.state())),
         }
     }
+}
+
+/// A number of a two-layer body; zero for others.
+fn of_layers(body: &Body, read: impl Fn(&Layers) -> f64) -> MeasureValue {
+    MeasureValue::Scalar(body.parts().layers.as_deref().map_or(0.0, read))
 }
 
 fn mean(group: &[u32], positions: &[DVec3]) -> DVec3 {

@@ -105,6 +105,21 @@ impl Skin {
         Some(skin)
     }
 
+    /// A surface whose vertices are the first `count` particles themselves.
+    pub fn of_particles(count: u32, triangles: &[[u32; 3]]) -> Self {
+        let point_of: Vec<u32> = (0..count).collect();
+        let shape = SkinShape { points: &[], point_of: &point_of, normals: &[], colours: &[], triangles };
+        Self {
+            starts: (0..=count).collect(),
+            particles: point_of.clone(),
+            weights: vec![1.0; count as usize],
+            shading: Shading::new(&shape),
+            triangles: triangles.into(),
+            colours: Arc::default(),
+            point_of,
+        }
+    }
+
     /// Number of vertices.
     pub fn len(&self) -> usize {
         self.point_of.len()

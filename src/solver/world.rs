@@ -2,6 +2,7 @@
 
 use super::body::{Body, Divergence};
 use super::measure::{MeasureValue, Quantity};
+use super::meeting::meet;
 use super::panel::Panel;
 use glam::DVec3;
 
@@ -120,6 +121,12 @@ impl World {
                 body.held_mut().fill(DVec3::ZERO);
             }
             // Contact between two things is evaluated once an outer step, equal and opposite.
+            for first in 0..self.bodies.len() {
+                let (before, after) = self.bodies.split_at_mut(first + 1);
+                for second in after {
+                    meet(&mut before[first], second);
+                }
+            }
             for panel in &mut self.panels {
                 let lift = self.bodies.iter_mut().map(|body| panel.press(body)).sum();
                 panel.advance(time, outer_dt, lift, self.gravity.y);

@@ -5,8 +5,8 @@ use super::check::{
     At, Checked, Ids, direction, finite, fraction, increasing, not_negative, number, positive, require, vector, within,
 };
 use crate::scene::{
-    Body, Distance, Fibre, FibreSource, Initial, MAX_PARTICLES, Mass, Material, Motion, Pin, Rotation, Selector, Shape,
-    Stiffness, ViewStroke,
+    Body, Distance, Fibre, FibreSource, Impulse, Initial, MAX_PARTICLES, Mass, Material, Motion, Pin, Region, Rotation,
+    Selector, Shape, Stiffness, ViewStroke,
 };
 
 /// Range of D / h. Below it a particle has over 150 neighbours and costs more than it tells; above it fewer than
@@ -70,7 +70,7 @@ fn shape(at: &At<'_>, shape: &Shape) -> Checked {
     }
 }
 
-fn rotation(at: &At<'_>, rotation: &Rotation) -> Checked {
+pub(super) fn rotation(at: &At<'_>, rotation: &Rotation) -> Checked {
     direction(&at.field("axis"), &rotation.axis)?;
     finite(&at.field("degrees"), rotation.degrees, "degrees")
 }
@@ -118,7 +118,7 @@ fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, crate::scene::Sce
     Ok(particles)
 }
 
-fn initial(at: &At<'_>, initial: &Initial) -> Checked {
+pub(super) fn initial(at: &At<'_>, initial: &Initial) -> Checked {
     vector(&at.field("velocity"), &initial.velocity, "m/s")?;
     vector(&at.field("angular_velocity"), &initial.angular_velocity, "degrees/s")?;
     let at = at.field("deformation");
@@ -138,19 +138,9 @@ fn initial(at: &At<'_>, initial: &Initial) -> Checked {
 /// What a body's regions are made of and what refers to them.
 fn parts(at: &At<'_>, body: &Body) -> Checked {
     // In the order of the file impulses come first, but they refer to regions, which must be sound for that.
-    let mut regions = Ids::of("region");
-    for (index, region) in body.regions.iter().enumerate() {
-        let at = at.field("regions");
-        let at = at.item(index);
-        regions.add(&at.field("id"), &region.id)?;
-        selector(&at.field("select"), &region.select)?;
-    }
-    for (index, impulse) in body.impulses.iter().enumerate() {
-        let at = at.field("impulses");
-        let at = at.item(index);
-        regions.resolve(&at.field("region"), &impulse.region)?;
-        vector(&at.field("impulse"), &impulse.impulse, "N s")?;
-    }
+    let mut known = Ids::of("region");
+    regions(at, &body.regions, &mut known)?;
+    impulses(at, &body.impulses, &known)?;
     let mut fibres = Ids::of("fibre");
     for (index, one) in body.fibres.iter().enumerate() {
         let at = at.field("fibres");
@@ -158,11 +148,38 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
         fibres.add(&at.field("id"), &one.id)?;
         fibre(&at, one)?;
     }
-    let mut pins = Ids::of("pin");
-    for (index, one) in body.pins.iter().enumerate() {
+    pins(at, &body.pins, &known)
+}
+
+/// The regions of the body here, added to those that are known.
+pub(super) fn regions<'a>(at: &At<'_>, regions: &'a [Region], known: &mut Ids<'a>) -> Checked {
+    for (index, region) in regions.iter().enumerate() {
+        let at = at.field("regions");
+        let at = at.item(index);
+        known.add(&at.field("id"), &region.id)?;
+        selector(&at.field("select"), &region.select)?;
+    }
+    Ok(())
+}
+
+/// The impulses of the body here.
+pub(super) fn impulses(at: &At<'_>, impulses: &[Impulse], regions: &Ids<'_>) -> Checked {
+    for (index, impulse) in impulses.iter().enumerate() {
+        let at = at.field("impulses");
+        let at = at.item(index);
+        regions.resolve(&at.field("region"), &impulse.region)?;
+        vector(&at.field("impulse"), &impulse.impulse, "N s")?;
+    }
+    Ok(())
+}
+
+/// The pins of the body here.
+pub(super) fn pins(at: &At<'_>, all: &[Pin], regions: &Ids<'_>) -> Checked {
+    let mut ids = Ids::of("pin");
+    for (index, one) in all.iter().enumerate() {
         let at = at.field("pins");
         let at = at.item(index);
-        pins.add(&at.field("id"), &one.id)?;
+        ids.add(&at.field("id"), &one.id)?;
         regions.resolve(&at.field("region"), &one.region)?;
         pin(&at, one)?;
     }

@@ -1,26 +1,63 @@
 //! Checks of the measures.
 
 use super::check::{At, Checked, Ids, direction, require};
-use crate::scene::{Body, Measure, MeasureKind, Scene};
+use super::two_layer::known_regions;
+use crate::scene::{Measure, MeasureKind, Region, Scene, SceneError, TwoLayer};
 
 pub(super) fn measures(at: &At<'_>, scene: &Scene) -> Checked {
     let mut bodies = Ids::of("body");
     for (index, body) in scene.bodies.iter().enumerate() {
         bodies.add(&At::ROOT.field("bodies").item(index).field("id"), &body.id)?;
     }
+    for (index, body) in scene.two_layer.iter().enumerate() {
+        bodies.add(&At::ROOT.field("two_layer").item(index).field("id"), &body.id)?;
+    }
     let mut names = Ids::of("measure");
     for (index, measure) in scene.measures.iter().enumerate() {
         let at = at.item(index);
         names.add(&at.field("name"), &measure.name)?;
         bodies.resolve(&at.field("body"), &measure.body)?;
+        let at = at.field("kind");
         if let Some(body) = scene.body(&measure.body) {
-            kind(&at.field("kind"), measure, body)?;
+            one_layer(&at, measure)?;
+            kind(&at, measure, &own_regions(&at, &body.regions)?)?;
+        }
+        if let Some(body) = scene.two_layer_body(&measure.body) {
+            layers(&at, measure, body)?;
+            kind(&at, measure, &known_regions(&at, body)?)?;
         }
     }
     Ok(())
 }
 
-fn kind(at: &At<'_>, measure: &Measure, body: &Body) -> Checked {
+fn own_regions<'a>(at: &At<'_>, regions: &'a [Region]) -> Result<Ids<'a>, SceneError> {
+    let mut ids = Ids::of("region");
+    regions.iter().try_for_each(|region| ids.add(at, &region.id))?;
+    Ok(ids)
+}
+
+/// A fibre solid has no layers to measure.
+fn one_layer(at: &At<'_>, measure: &Measure) -> Checked {
+    let of_layers = matches!(measure.kind, MeasureKind::LayerOffset | MeasureKind::Volume | MeasureKind::InertiaRatio);
+    require(at, &measure.kind, !of_layers, "is of two-layer bodies only", || "measure one of `two_layer`")
+}
+
+/// What a two-layer body has to measure depends on its shape.
+fn layers(at: &At<'_>, measure: &Measure, body: &TwoLayer) -> Checked {
+    match measure.kind {
+        MeasureKind::LayerOffset => {
+            let two = body.shape.has_inner_layer();
+            require(at, &measure.kind, two, "has no second layer to measure", || "give the body both layers")
+        }
+        MeasureKind::Volume => {
+            let closed = body.shape.dimension() > 1;
+            require(at, &measure.kind, closed, "has nothing enclosed to measure", || "measure a ring or a ball")
+        }
+        _ => Ok(()),
+    }
+}
+
+fn kind(at: &At<'_>, measure: &Measure, regions: &Ids<'_>) -> Checked {
     let (name, region, against, axis) = match &measure.kind {
         MeasureKind::MeanDisplacement(of) => ("mean_displacement", &of.region, None, None),
         MeasureKind::TipDisplacement(of) => ("tip_displacement", &of.region, None, None),
@@ -29,12 +66,11 @@ fn kind(at: &At<'_>, measure: &Measure, body: &Body) -> Checked {
         MeasureKind::Shear(of) => ("shear", &of.region, Some(&of.against), None),
         MeasureKind::ReactionForce(of) => ("reaction_force", &of.region, None, Some(("along", &of.along))),
         MeasureKind::ReactionTorque(of) => ("reaction_torque", &of.region, None, Some(("along", &of.along))),
+        MeasureKind::Size(_) | MeasureKind::LayerOffset | MeasureKind::Volume | MeasureKind::InertiaRatio => {
+            return Ok(());
+        }
     };
     let at = at.field(name);
-    let mut regions = Ids::of("region");
-    for other in &body.regions {
-        regions.add(&at, &other.id)?;
-    }
     regions.resolve(&at.field("region"), region)?;
     if let Some(against) = against {
         let at = at.field("against");

@@ -7,6 +7,7 @@ mod body;
 mod check;
 mod error;
 mod measure;
+mod two_layer;
 
 pub use error::SceneError;
 pub(crate) use error::{brief, one_line};
@@ -41,6 +42,7 @@ impl Scene {
         panels(&root.field("panels"), &self.panels)?;
         time(&root.field("time"), &self.time)?;
         body::bodies(&root.field("bodies"), &self.bodies)?;
+        two_layer::two_layer(&root.field("two_layer"), &self.two_layer, &self.bodies)?;
         measure::measures(&root.field("measures"), self)
     }
 }

@@ -24,6 +24,8 @@ impl Force for Gravity {
         energies.gravity -= moment.dot(self.acceleration);
     }
 
+    fn add_derivative(&mut self, _: f64, _: &ParticleState, _: [&[DVec3]; 2], _: &mut [DVec3]) {}
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(*self)
     }

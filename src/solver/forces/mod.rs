@@ -2,17 +2,23 @@
 
 mod air_drag;
 mod contact;
+mod drag_spring;
 pub mod fibre;
 mod gravity;
 pub mod matrix;
 mod pair_damping;
+pub mod pressure;
+pub mod springs;
 
 pub use air_drag::AirDrag;
 pub use contact::{Contact, ContactLaw, Plane};
+pub use drag_spring::DragSpring;
 pub use fibre::FibreForce;
 pub use gravity::Gravity;
 pub use matrix::{Elasticity, MatrixForce};
 pub use pair_damping::PairDamping;
+pub use pressure::Pressure;
+pub use springs::Springs;
 
 use super::energy::Energies;
 use super::state::ParticleState;
@@ -43,6 +49,17 @@ pub trait Force: Send + Sync {
         StepLimit::default()
     }
 
+    /// Adds how the force [N] changes, to first order, when positions change by the first and velocities by the second
+    /// field: the Hessian-vector product of implicit integrators. By central differences unless a force knows better.
+    fn add_derivative(&mut self, time: f64, state: &ParticleState, change: [&[DVec3]; 2], out: &mut [DVec3]) {
+        derivative_by_differences(self, time, state, change, out);
+    }
+
+    /// What is wrong with a state, where the force has no meaning in it; the body is stopped then.
+    fn fault(&self, _state: &ParticleState) -> Option<&'static str> {
+        None
+    }
+
     /// A copy in a box; bodies are cloned to be replayed or probed.
     fn clone_box(&self) -> Box<dyn Force>;
 }
@@ -50,5 +67,36 @@ pub trait Force: Send + Sync {
 impl Clone for Box<dyn Force> {
     fn clone(&self) -> Self {
         self.clone_box()
+    }
+}
+
+/// [`Force::add_derivative`] by central differences.
+fn derivative_by_differences<F: Force + ?Sized>(
+    force: &mut F,
+    time: f64,
+    state: &ParticleState,
+    [dx, dv]: [&[DVec3]; 2],
+    out: &mut [DVec3],
+) {
+    /// A change of this size in the largest component [m or m/s] is small against any body.
+    const STEP: f64 = 1e-6;
+    let largest = dx.iter().chain(dv).map(|v| v.abs().max_element()).fold(0.0, f64::max);
+    if largest == 0.0 {
+        return;
+    }
+    let step = STEP / largest;
+    let mut moved = state.clone();
+    let mut at = |sign: f64| {
+        for i in 0..state.len() {
+            moved.positions[i] = state.positions[i] + sign * step * dx[i];
+            moved.velocities[i] = state.velocities[i] + sign * step * dv[i];
+        }
+        let mut forces = vec![DVec3::ZERO; state.len()];
+        force.add_forces(time, &moved, &mut forces);
+        forces
+    };
+    let (ahead, behind) = (at(1.0), at(-1.0));
+    for ((out, ahead), behind) in out.iter_mut().zip(ahead).zip(behind) {
+        *out += (ahead - behind) / (2.0 * step);
     }
 }

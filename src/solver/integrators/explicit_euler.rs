@@ -1,6 +1,6 @@
 //! Explicit Euler.
 
-use super::{Integrator, advance};
+use super::{Integrator, advance, greatest_step_of};
 use crate::solver::dynamics::Dynamics;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
@@ -23,10 +23,7 @@ impl Integrator for ExplicitEuler {
     }
 
     fn stable_step(&self, omega: f64, damping: f64) -> f64 {
-        // Under-damped, |1 + dt lambda| <= 1 needs dt <= c / w²; an undamped oscillation grows by (w dt)² / 2 a step.
-        let damped = if omega > 0.0 { damping / (omega * omega) } else { 2.0 / damping };
-        let slow_growth = 0.02 / omega;
-        if damping > 0.0 { damped.max(slow_growth).min(1.0 / omega) } else { slow_growth }
+        greatest_step_of(&[1.0], omega, damping)
     }
 
     fn clone_box(&self) -> Box<dyn Integrator> {

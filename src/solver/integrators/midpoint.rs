@@ -1,6 +1,6 @@
 //! Explicit midpoint.
 
-use super::{Integrator, advance};
+use super::{Integrator, advance, greatest_step_of};
 use crate::solver::dynamics::Dynamics;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
@@ -27,9 +27,7 @@ impl Integrator for Midpoint {
     }
 
     fn stable_step(&self, omega: f64, damping: f64) -> f64 {
-        // An undamped oscillation grows by (w dt)^4 / 8 a step: 1e-4 at a third of 1 / w.
-        let real = if damping > 0.0 { 2.0 / damping } else { f64::INFINITY };
-        (0.17 / omega).min(real)
+        greatest_step_of(&[1.0, 0.5], omega, damping)
     }
 
     fn clone_box(&self) -> Box<dyn Integrator> {

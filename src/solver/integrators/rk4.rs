@@ -1,6 +1,6 @@
 //! Classical Runge-Kutta.
 
-use super::{Integrator, advance};
+use super::{Integrator, advance, greatest_step_of};
 use crate::solver::dynamics::Dynamics;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
@@ -39,9 +39,7 @@ impl Integrator for Rk4 {
     }
 
     fn stable_step(&self, omega: f64, damping: f64) -> f64 {
-        // 2 sqrt 2 on the imaginary axis, 2.785 on the real one.
-        let imaginary = 8.0_f64.sqrt() / omega;
-        if damping > 0.0 { imaginary.min(2.785 / damping) } else { imaginary }
+        greatest_step_of(&[1.0, 0.5, 1.0 / 6.0, 1.0 / 24.0], omega, damping)
     }
 
     fn clone_box(&self) -> Box<dyn Integrator> {

@@ -1,0 +1,301 @@
+//! `sinew compare`: a scene under several integrators, each with several steps.
+
+use super::error::printable;
+use super::order_plot::{Line, order_plot};
+use super::prepare::{Sets, folder_of, load, on_threads, put_together};
+use super::table::{Align, Table, figures};
+use super::{CliError, Console, Outcome, output};
+use crate::io::load_assets;
+use crate::scene::{Assets, IntegratorKind, Scene};
+use crate::sim::{Trial, order, reference};
+use clap::Args;
+use serde::Serialize;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Arguments of `sinew compare`.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// Scene file
+    scene: PathBuf,
+    /// Integrators to compare: euler, midpoint, rk4, symplectic_euler, leap_frog, verlet, backward_euler
+    #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "euler,midpoint,rk4", value_parser = integrator)]
+    integrators: Vec<IntegratorKind>,
+    /// Steps [s]; each run takes exactly this step
+    #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "0.003,0.03,0.3", value_parser = step)]
+    dt: Vec<f64>,
+    /// Simulated time of each run [s]; the scene's duration unless given
+    #[arg(long, value_name = "S", value_parser = step)]
+    seconds: Option<f64>,
+    /// Fit the order of convergence of each integrator
+    #[arg(long)]
+    order: bool,
+    /// Draw the errors over the steps, log-log, as SVG; fits the orders too
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+    #[command(flatten)]
+    sets: Sets,
+    /// Threads to run on; the result is the same on any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Write all runs as JSON
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+}
+
+/// What a comparison has shown.
+#[derive(Debug, Serialize)]
+struct CompareReport {
+    scene: String,
+    /// Simulated time that was asked for [s].
+    seconds: f64,
+    runs: Vec<Run>,
+    /// One for each integrator, if asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    orders: Option<Vec<Order>>,
+}
+
+/// One integrator with one step.
+#[derive(Debug, Serialize)]
+struct Run {
+    integrator: IntegratorKind,
+    /// Step [s].
+    dt: f64,
+    /// Greatest step that this integrator is estimated to take [s]; null where it takes any.
+    stable_dt: Option<f64>,
+    /// Whether it did not blow up.
+    stable: bool,
+    /// When it blew up [s]; null where it did not.
+    blew_up_at: Option<f64>,
+    /// Difference from the reference's energy at the end over the energy of the start; null once blown up.
+    energy_error: Option<f64>,
+    /// Root mean square distance from the reference's particles at the end [m]; null once blown up.
+    position_error: Option<f64>,
+    /// Force evaluations.
+    evaluations: u64,
+    /// Time spent stepping [s].
+    wall_seconds: f64,
+}
+
+/// Order of convergence of an integrator.
+#[derive(Debug, Serialize)]
+struct Order {
+    integrator: IntegratorKind,
+    /// Slope of log(position error) over log(step); null with fewer than two stable runs.
+    order: Option<f64>,
+}
+
+/// Errors below this share of the size of the bodies are round-off and say nothing of the order.
+const ROUND_OFF: f64 = 1e-11;
+
+/// Runs every pair, writes what was asked for and prints a table.
+///
+/// # Errors
+/// A scene or an option that cannot be used, before anything runs; a file that cannot be written.
+pub fn run(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
+    on_threads(args.threads, || compare(args, console))
+}
+
+fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
+    let source = printable(&args.scene);
+    let path = Some(args.scene.as_path());
+    let scene = load(Some(&args.scene), &args.sets, None)?;
+    put_together(&scene, path, console)?;
+    let assets = load_assets(&scene, folder_of(path), &mut |_| {})?;
+    output::check(Some(&args.scene), &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
+
+    let seconds = args.seconds.unwrap_or(scene.time.duration);
+    let pairs: Vec<(IntegratorKind, f64)> =
+        args.integrators.iter().flat_map(|&integrator| args.dt.iter().map(move |&dt| (integrator, dt))).collect();
+    console.begin();
+    let references = References::new(&scene, &assets, seconds, &args.dt).map_err(|error| bad(&source, error))?;
+    let mut runs = Vec::new();
+    for (index, &(integrator, dt)) in pairs.iter().enumerate() {
+        console.progress(index as u64, pairs.len() as u64, "runs");
+        runs.push(
+            one(&scene, &assets, integrator, dt, steps(seconds, dt), &references)
+                .map_err(|error| bad(&source, error))?,
+        );
+    }
+    console.end();
+
+    let size = references.size();
+    let lines: Vec<Line> = args.integrators.iter().map(|&integrator| line(integrator, &runs, size)).collect();
+    let orders = (args.order || args.plot.is_some()).then(|| {
+        let of = |(&integrator, line): (&IntegratorKind, &Line)| Order { integrator, order: line.order };
+        args.integrators.iter().zip(&lines).map(of).collect()
+    });
+    let name = if scene.name.is_empty() { source } else { scene.name.clone() };
+    let report = CompareReport { scene: name, seconds, runs, orders };
+    let mut text = table(&report);
+    if let Some(path) = &args.report {
+        output::write_json(path, &report)?;
+        text += &format!("\n{}", output::wrote("report", path));
+    }
+    if let Some(path) = &args.plot {
+        output::write_bytes(path, order_plot(&report.scene, &lines).as_bytes())?;
+        text += &format!("\n{}", output::wrote("plot", path));
+    }
+    console.print(&text)?;
+    Ok(Outcome::Done)
+}
+
+fn bad(scene: &str, source: crate::bake::BakeError) -> CliError {
+    CliError::Bake { scene: scene.to_owned(), source }
+}
+
+/// Whole steps of `dt` that come nearest to `seconds`, at least one.
+fn steps(seconds: f64, dt: f64) -> u64 {
+    (seconds / dt).round().max(1.0) as u64
+}
+
+/// One reference for every time at which a run ends: a time that is no multiple of a step is missed by a little.
+struct References(Vec<(f64, Trial)>);
+
+impl References {
+    fn new(scene: &Scene, assets: &Assets, seconds: f64, dts: &[f64]) -> Result<Self, crate::bake::BakeError> {
+        let finest = dts.iter().copied().fold(f64::INFINITY, f64::min);
+        let mut found: Vec<(f64, Trial)> = Vec::new();
+        for &dt in dts {
+            let end = steps(seconds, dt) as f64 * dt;
+            if !found.iter().any(|(other, _)| is_same(*other, end)) {
+                found.push((end, reference(scene, assets, end, finest)?));
+            }
+        }
+        Ok(Self(found))
+    }
+
+    fn at(&self, end: f64) -> Option<&Trial> {
+        self.0.iter().find(|(other, _)| is_same(*other, end)).map(|(_, trial)| trial)
+    }
+
+    /// Extent of the particles [m].
+    fn size(&self) -> f64 {
+        let bodies = self.0.iter().flat_map(|(_, trial)| trial.world().bodies());
+        bodies.flat_map(|body| &body.state().positions).map(|x| x.length()).fold(0.0, f64::max)
+    }
+}
+
+fn is_same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a
+}
+
+fn one(
+    scene: &Scene,
+    assets: &Assets,
+    integrator: IntegratorKind,
+    dt: f64,
+    steps: u64,
+    references: &References,
+) -> Result<Run, crate::bake::BakeError> {
+    let mut trial = Trial::new(scene, assets, integrator, dt)?;
+    let begun = Instant::now();
+    for _ in 0..steps {
+        trial.step();
+    }
+    let wall_seconds = begun.elapsed().as_secs_f64();
+    let stable = trial.blew_up_at().is_none();
+    let reference = references.at(steps as f64 * dt).filter(|reference| stable && reference.blew_up_at().is_none());
+    Ok(Run {
+        integrator,
+        dt,
+        stable_dt: Some(trial.stable_dt()).filter(|limit| limit.is_finite()),
+        stable,
+        blew_up_at: trial.blew_up_at(),
+        energy_error: reference.map(|reference| trial.energy_error(reference)),
+        position_error: reference.map(|reference| trial.position_error(reference)),
+        evaluations: trial.evaluations(),
+        wall_seconds,
+    })
+}
+
+/// The errors of an integrator over its steps, and the order that they show.
+fn line(integrator: IntegratorKind, runs: &[Run], size: f64) -> Line {
+    let mut points: Vec<(f64, f64)> = runs
+        .iter()
+        .filter(|run| run.integrator == integrator)
+        .filter_map(|run| run.position_error.map(|error| (run.dt, error)))
+        .filter(|(_, error)| *error > ROUND_OFF * size)
+        .collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Line { name: word(integrator), order: order(&points), points }
+}
+
+fn table(report: &CompareReport) -> String {
+    let mut table = Table::new([
+        ("integrator", Align::Left),
+        ("time step [s]", Align::Right),
+        ("estimated limit [s]", Align::Right),
+        ("result", Align::Left),
+        ("energy error", Align::Right),
+        ("position error [m]", Align::Right),
+        ("evaluations", Align::Right),
+        ("stepped in [s]", Align::Right),
+    ]);
+    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), figures);
+    for run in &report.runs {
+        let result = run.blew_up_at.map_or("stable".to_owned(), |at| format!("blew up at {} s", figures(at)));
+        table.push([
+            word(run.integrator),
+            figures(run.dt),
+            or_dash(run.stable_dt),
+            result,
+            or_dash(run.energy_error),
+            or_dash(run.position_error),
+            run.evaluations.to_string(),
+            figures(run.wall_seconds),
+        ]);
+    }
+    let mut text = table.render();
+    if let Some(orders) = &report.orders {
+        let mut table = Table::new([("integrator", Align::Left), ("order", Align::Right)]);
+        for order in orders {
+            table.push([word(order.integrator), or_dash(order.order)]);
+        }
+        text += &format!("\n{}", table.render());
+    }
+    text
+}
+
+/// Names of integrators on the command line: those of scene files, and the paper's.
+const NAMES: [(&str, IntegratorKind); 8] = [
+    ("explicit_euler", IntegratorKind::ExplicitEuler),
+    ("midpoint", IntegratorKind::Midpoint),
+    ("rk4", IntegratorKind::Rk4),
+    ("symplectic_euler", IntegratorKind::SymplecticEuler),
+    ("leap_frog", IntegratorKind::LeapFrog),
+    ("verlet", IntegratorKind::Verlet),
+    ("backward_euler", IntegratorKind::BackwardEuler),
+    ("euler", IntegratorKind::ExplicitEuler),
+];
+
+fn word(integrator: IntegratorKind) -> String {
+    NAMES.iter().find(|(_, kind)| *kind == integrator).map_or("", |(name, _)| name).to_owned()
+}
+
+fn integrator(text: &str) -> Result<IntegratorKind, String> {
+    let found = NAMES.iter().find(|(name, _)| *name == text).map(|(_, kind)| *kind);
+    found.ok_or_else(|| format!("use one of {}", NAMES.map(|(name, _)| name).join(", ")))
+}
+
+fn step(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if (1e-9..=1e6).contains(&seconds) => Ok(seconds),
+        _ => Err("give a number of seconds from 1e-9 to 1e6".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_integrator_has_its_name_in_scene_files() {
+        for (name, kind) in &NAMES[..7] {
+            assert_eq!(serde_json::to_value(kind).unwrap(), *name);
+            assert_eq!(integrator(name), Ok(*kind));
+        }
+        assert_eq!(integrator("euler"), Ok(IntegratorKind::ExplicitEuler));
+        assert!(integrator("rk5").is_err());
+    }
+}

@@ -1,0 +1,304 @@
+//! Two-layer bodies: elastic objects of an outer and an inner layer of particles joined by springs, with gas inside
+//! (Song and Grogono: *A framework for dynamic deformation of uniform elastic two-layer 2D and 3D objects*, C3S2E 2008).
+
+use super::{Extra, Impulse, Initial, IntegratorKind, Pin, Placement, Region};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// One two-layer body. Every parameter has the paper's default (sec. 4.2.1).
+///
+/// The regions "outer", "inner" and "everything" are there without being given; a single particle of a layer is reached
+/// by a region of its own.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TwoLayer {
+    /// Stable identifier, unique among the bodies of both kinds.
+    pub id: String,
+    /// Name a person reads.
+    #[serde(default)]
+    pub name: String,
+    /// Rest shape, in the model frame; its dimension is the body's.
+    pub shape: TwoLayerShape,
+    /// Where the model frame stands in the world.
+    #[serde(default)]
+    pub placement: Placement,
+    /// KS: stiffness of structural springs, along the edges of a layer [N/m].
+    #[serde(default = "default_ks")]
+    pub ks: f64,
+    /// KD: damping of structural springs [N s/m].
+    #[serde(default = "default_kd")]
+    pub kd: f64,
+    /// RKS: stiffness of radius and shear springs, between the layers [N/m].
+    #[serde(default = "default_rks")]
+    pub rks: f64,
+    /// RKD: damping of radius and shear springs [N s/m].
+    #[serde(default = "default_rkd")]
+    pub rkd: f64,
+    /// MKS: stiffness of the spring by which the body is dragged [N/m].
+    #[serde(default = "default_mks")]
+    pub mks: f64,
+    /// MKD: damping of the spring by which the body is dragged [N s/m].
+    #[serde(default = "default_mkd")]
+    pub mkd: f64,
+    /// PRESSURE: nRT of the enclosed gas [J], in 2D for each metre of depth; P = nRT / V.
+    #[serde(default = "default_pressure")]
+    pub pressure: f64,
+    /// Which space the gas fills.
+    #[serde(default)]
+    pub pressure_in: PressureIn,
+    /// MASS: mass of a particle [kg].
+    #[serde(default = "default_mass")]
+    pub mass: f64,
+    /// Mass of a particle of the inner layer [kg]; as `mass` unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inner_mass: Option<f64>,
+    /// Masses of the particles of some regions, such as the lower half of a balloon half filled with water.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub masses: Vec<RegionMass>,
+    /// Drag of the surrounding air, acceleration per velocity [1/s]; springs leave swing and rotation undamped.
+    #[serde(default)]
+    pub air_drag: f64,
+    /// How it pushes on what it touches.
+    #[serde(default)]
+    pub contact: TwoLayerContact,
+    /// How it is stepped through time.
+    #[serde(default)]
+    pub integrator: IntegratorKind,
+    /// Motion and deformation at the start.
+    #[serde(default)]
+    pub initial: Initial,
+    /// Impulses given to regions at the start.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub impulses: Vec<Impulse>,
+    /// Named sets of particles.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub regions: Vec<Region>,
+    /// Regions whose motion is prescribed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pins: Vec<Pin>,
+    /// A point to which its nearest outer particle is dragged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drag: Option<Drag>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// Rest shape of a two-layer body about the model's origin.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum TwoLayerShape {
+    /// 1D: two particles and a structural spring along X.
+    Segment(Segment),
+    /// 2D: two regular polygons in the plane of X and Y, in which the body stays.
+    Ring(Ring),
+    /// 3D: two spheres, an octahedron subdivided.
+    Ball(Ball),
+}
+
+impl TwoLayerShape {
+    /// 1, 2 or 3.
+    pub fn dimension(&self) -> u32 {
+        match self {
+            Self::Segment(_) => 1,
+            Self::Ring(_) => 2,
+            Self::Ball(_) => 3,
+        }
+    }
+
+    /// Half the extent of the body [m].
+    pub fn radius(&self) -> f64 {
+        match self {
+            Self::Segment(segment) => 0.5 * segment.length,
+            Self::Ring(ring) => ring.outer_radius,
+            Self::Ball(ball) => ball.outer_radius,
+        }
+    }
+
+    /// Particles of each layer.
+    pub fn particles_of_a_layer(&self) -> usize {
+        match self {
+            Self::Segment(_) => 2,
+            Self::Ring(ring) => ring.sides as usize,
+            Self::Ball(ball) => crate::geometry::octahedron::vertex_count(ball.subdivisions),
+        }
+    }
+
+    /// Whether there is an inner layer.
+    pub fn has_inner_layer(&self) -> bool {
+        match self {
+            Self::Segment(_) => false,
+            Self::Ring(ring) => !ring.single_layer,
+            Self::Ball(ball) => !ball.single_layer,
+        }
+    }
+}
+
+/// The 1D body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct Segment {
+    /// Length at rest [m].
+    pub length: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl Default for Segment {
+    fn default() -> Self {
+        Self { length: 2.0, extra: Extra::new() }
+    }
+}
+
+/// The 2D body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct Ring {
+    /// Sides of each polygon.
+    pub sides: u32,
+    /// Radius of the outer layer's vertices [m].
+    pub outer_radius: f64,
+    /// Radius of the inner layer's vertices [m].
+    pub inner_radius: f64,
+    /// Whether the outer layer stands alone.
+    pub single_layer: bool,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl Default for Ring {
+    fn default() -> Self {
+        Self { sides: 10, outer_radius: 2.0, inner_radius: 1.0, single_layer: false, extra: Extra::new() }
+    }
+}
+
+/// The 3D body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct Ball {
+    /// How often the octahedron's faces are cut in four, 0 to 5.
+    pub subdivisions: u32,
+    /// Radius of the outer layer's vertices [m].
+    pub outer_radius: f64,
+    /// Radius of the inner layer's vertices [m].
+    pub inner_radius: f64,
+    /// Whether the outer layer stands alone.
+    pub single_layer: bool,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl Default for Ball {
+    fn default() -> Self {
+        Self { subdivisions: 1, outer_radius: 2.0, inner_radius: 1.0, single_layer: false, extra: Extra::new() }
+    }
+}
+
+/// Which space the gas of a two-layer body fills.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PressureIn {
+    /// All that the outer layer encloses.
+    #[default]
+    Outer,
+    /// All that the inner layer encloses.
+    Inner,
+    /// Gas of the same nRT in the outer and in the inner layer, each pushing on its own.
+    Both,
+    /// The space between the layers.
+    Annulus,
+}
+
+/// Mass of the particles of a region.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RegionMass {
+    /// The region.
+    pub region: String,
+    /// Mass of each of its particles [kg].
+    pub mass: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// How a two-layer body pushes on what it touches. Its particles are points. Friction is the room's.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct TwoLayerContact {
+    /// How contact acts.
+    pub law: ContactKind,
+    /// kc: stiffness of each particle's contact [N/m].
+    pub kc: f64,
+    /// cc: damping of each particle's contact in the normal direction [N s/m].
+    pub cc: f64,
+    /// ct: slope of the friction force below its Coulomb limit [N s/m].
+    pub ct: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl Default for TwoLayerContact {
+    fn default() -> Self {
+        Self { law: ContactKind::Penalty, kc: 5000.0, cc: 50.0, ct: 50.0, extra: Extra::new() }
+    }
+}
+
+/// How contact with the room acts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ContactKind {
+    /// N = max(0, kc d - cc vn) and |Ft| = min(friction N, ct |vt|): only pushes, never sticks.
+    #[default]
+    Penalty,
+    /// The paper's: as penalty, and after each step what is behind a plane is put on it without touching its velocity.
+    /// It sticks (sec. 4.3.1); for comparison only.
+    PaperReset,
+}
+
+/// A drag of the nearest outer particle by a spring of stiffness `mks` and damping `mkd`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Drag {
+    /// Where the particle is pulled to [m], world.
+    pub target: [f64; 3],
+    /// When it is let go [s]; never unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<f64>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+fn default_ks() -> f64 {
+    800.0
+}
+
+fn default_kd() -> f64 {
+    15.0
+}
+
+fn default_rks() -> f64 {
+    700.0
+}
+
+fn default_rkd() -> f64 {
+    50.0
+}
+
+fn default_mks() -> f64 {
+    150.0
+}
+
+fn default_mkd() -> f64 {
+    25.0
+}
+
+fn default_pressure() -> f64 {
+    20.0
+}
+
+fn default_mass() -> f64 {
+    1.0
+}

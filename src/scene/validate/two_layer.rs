@@ -1,0 +1,118 @@
+//! Checks of the two-layer bodies.
+
+use super::body::{impulses, initial, pins, regions, rotation};
+use super::check::{At, Checked, Ids, finite, not_negative, number, ordered, positive, require, vector};
+use crate::scene::{Body, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
+
+/// Regions that every two-layer body has.
+pub(super) const BUILT_IN: [&str; 3] = ["outer", "inner", "everything"];
+
+/// More subdivisions of the octahedron than this are refused.
+const MOST_SUBDIVISIONS: u32 = 5;
+
+pub(super) fn two_layer(at: &At<'_>, all: &[TwoLayer], others: &[Body]) -> Checked {
+    let mut ids = Ids::of("body");
+    for (index, body) in others.iter().enumerate() {
+        ids.add(&At::ROOT.field("bodies").item(index).field("id"), &body.id)?;
+    }
+    for (index, body) in all.iter().enumerate() {
+        let at = at.item(index);
+        ids.add(&at.field("id"), &body.id)?;
+        shape(&at.field("shape"), &body.shape)?;
+        let placement = at.field("placement");
+        vector(&placement.field("translation"), &body.placement.translation, "m")?;
+        rotation(&placement.field("rotation"), &body.placement.rotation)?;
+        parameters(&at, body)?;
+        initial(&at.field("initial"), &body.initial)?;
+        let known = known_regions(&at, body)?;
+        for (index, of) in body.masses.iter().enumerate() {
+            let at = at.field("masses");
+            let at = at.item(index);
+            known.resolve(&at.field("region"), &of.region)?;
+            positive(&at.field("mass"), of.mass, "kg")?;
+        }
+        impulses(&at, &body.impulses, &known)?;
+        pins(&at, &body.pins, &known)?;
+        if let Some(drag) = &body.drag {
+            let at = at.field("drag");
+            vector(&at.field("target"), &drag.target, "m")?;
+            drag.until.map_or(Ok(()), |until| finite(&at.field("until"), until, "s"))?;
+        }
+    }
+    Ok(())
+}
+
+fn shape(at: &At<'_>, shape: &TwoLayerShape) -> Checked {
+    match shape {
+        TwoLayerShape::Segment(segment) => positive(&at.field("segment").field("length"), segment.length, "m"),
+        TwoLayerShape::Ring(ring) => {
+            let at = at.field("ring");
+            let possible = (3..=MAX_PARTICLES as u32 / 2).contains(&ring.sides);
+            require(&at.field("sides"), &ring.sides, possible, "sides make no polygon that fits", || {
+                format!("give 3 to {}", MAX_PARTICLES / 2)
+            })?;
+            radii(&at, ring.outer_radius, ring.inner_radius, ring.single_layer)
+        }
+        TwoLayerShape::Ball(ball) => {
+            let at = at.field("ball");
+            let possible = ball.subdivisions <= MOST_SUBDIVISIONS;
+            require(&at.field("subdivisions"), &ball.subdivisions, possible, "subdivisions are too many", || {
+                format!("give 0 to {MOST_SUBDIVISIONS}")
+            })?;
+            radii(&at, ball.outer_radius, ball.inner_radius, ball.single_layer)
+        }
+    }
+}
+
+fn radii(at: &At<'_>, outer: f64, inner: f64, single: bool) -> Checked {
+    positive(&at.field("outer_radius"), outer, "m")?;
+    if single {
+        return Ok(());
+    }
+    positive(&at.field("inner_radius"), inner, "m")?;
+    ordered(&at.field("outer_radius"), inner, outer, &format!("inner_radius ({} m)", number(inner)))
+}
+
+fn parameters(at: &At<'_>, body: &TwoLayer) -> Checked {
+    positive(&at.field("ks"), body.ks, "N/m")?;
+    for (name, value, unit) in [
+        ("kd", body.kd, "N s/m"),
+        ("rks", body.rks, "N/m"),
+        ("rkd", body.rkd, "N s/m"),
+        ("mks", body.mks, "N/m"),
+        ("mkd", body.mkd, "N s/m"),
+        ("pressure", body.pressure, "J"),
+        ("air_drag", body.air_drag, "1/s"),
+    ] {
+        not_negative(&at.field(name), value, unit)?;
+    }
+    positive(&at.field("mass"), body.mass, "kg")?;
+    body.inner_mass.map_or(Ok(()), |mass| positive(&at.field("inner_mass"), mass, "kg"))?;
+    let at = at.field("contact");
+    positive(&at.field("kc"), body.contact.kc, "N/m")?;
+    not_negative(&at.field("cc"), body.contact.cc, "N s/m")?;
+    not_negative(&at.field("ct"), body.contact.ct, "N s/m")
+}
+
+/// The regions of a body, its own and those that each has.
+pub(super) fn known_regions<'a>(at: &At<'_>, body: &'a TwoLayer) -> Result<Ids<'a>, super::SceneError> {
+    let mut known = Ids::of("region");
+    for id in BUILT_IN {
+        known.add(at, id)?;
+    }
+    regions(at, &body.regions, &mut known)?;
+    body.regions.iter().enumerate().try_for_each(|(index, region)| no_layers(at, index, region))?;
+    Ok(known)
+}
+
+fn no_layers(at: &At<'_>, index: usize, region: &Region) -> Checked {
+    let off_lattice = !matches!(region.select, Selector::Layers { .. });
+    let at = at.field("regions");
+    require(
+        &at.item(index).field("select"),
+        &region.select,
+        off_lattice,
+        "counts layers of a lattice",
+        || "choose by a box or a sphere: a two-layer body has no lattice",
+    )
+}

@@ -1,0 +1,33 @@
+//! Symplectic (semi-implicit) Euler.
+
+use super::{Integrator, advance};
+use crate::solver::dynamics::Dynamics;
+use crate::solver::state::ParticleState;
+use glam::DVec3;
+
+/// `v += dt a(x, v); x += dt v` with the new velocity: order 1, symplectic, one force evaluation a step.
+#[derive(Clone, Debug, Default)]
+pub struct SymplecticEuler {
+    accelerations: Vec<DVec3>,
+}
+
+impl Integrator for SymplecticEuler {
+    fn step(&mut self, dynamics: &mut Dynamics<'_>, state: &mut ParticleState, time: f64, dt: f64) {
+        dynamics.start(time, state);
+        dynamics.accelerations(state, &mut self.accelerations);
+        advance(&mut state.velocities, &self.accelerations, dt);
+        for (x, &v) in state.positions.iter_mut().zip(&state.velocities) {
+            *x += dt * v;
+        }
+        dynamics.constrain(time + dt, state);
+    }
+
+    fn stable_step(&self, omega: f64, damping: f64) -> f64 {
+        // The roots of z² - (2 - c dt - w² dt²) z + (1 - c dt) stay within the unit circle up to w² dt² + 2 c dt = 4.
+        4.0 / (damping + damping.hypot(2.0 * omega))
+    }
+
+    fn clone_box(&self) -> Box<dyn Integrator> {
+        Box::new(self.clone())
+    }
+}

@@ -1,0 +1,210 @@
+//! The fastest modes of a body, damping included, and the greatest step at which an integrator keeps all from growing.
+//!
+//! Arnoldi iteration on the linearised motion `(x, v)' = (v, -M^-1 K x - M^-1 C v)` around a state, K and C by
+//! differences of the forces: forty or so evaluations find the modes that set the limit. Unlike the highest frequency
+//! alone (`stable_step`) it sees which mode is damped how, on which the limit of a two-layer body depends.
+
+mod hessenberg;
+
+use super::forces::Force;
+use super::integrators::Integrator;
+use super::stable_step::highest_frequency_squared;
+use super::state::ParticleState;
+use glam::DVec3;
+use hessenberg::{Complex, eigenvalues, eigenvector};
+
+/// One mode: `x'' = -w² x - c x'`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    /// Angular frequency w of the undamped mode [rad/s].
+    pub frequency: f64,
+    /// Damping rate c [1/s].
+    pub damping: f64,
+}
+
+/// Size of the Krylov space at most.
+const MOST_VECTORS: usize = 70;
+
+/// Modes slower than this share of the fastest set no step, and rigid motions among them only look like growth.
+const SLOW: f64 = 0.02;
+
+/// A mode is taken once its residual is below this share of the fastest rate.
+const RESIDUAL: f64 = 5e-3;
+
+/// More than this many real modes are not paired: the fastest ones set the step.
+const REAL_MODES: usize = 3;
+
+/// The fastest modes of `state` under `forces`, around the velocity zero; `scale` [m] is the length against which a
+/// displacement counts as small. None where nothing resists.
+pub fn fastest_modes(forces: &mut [Box<dyn Force>], state: &ParticleState, scale: f64) -> Vec<Mode> {
+    let stiffest = highest_frequency_squared(forces, state, scale).sqrt();
+    let rate = forces.iter().map(|force| force.step_limit(state).damping_rate).fold(stiffest, f64::max);
+    if rate <= 0.0 {
+        return Vec::new();
+    }
+    Linearised::new(forces, state, scale, rate).modes()
+}
+
+/// Greatest step [s] at which `integrator` keeps every mode from growing.
+pub fn greatest_stable_step(integrator: &dyn Integrator, modes: &[Mode]) -> f64 {
+    modes.iter().map(|mode| integrator.stable_step(mode.frequency, mode.damping)).fold(f64::INFINITY, f64::min)
+}
+
+/// The motion around a state, in variables in which both halves weigh the same: `(rate sqrt(m) x, sqrt(m) v)`.
+struct Linearised<'a> {
+    forces: &'a mut [Box<dyn Force>],
+    state: &'a ParticleState,
+    probe: ParticleState,
+    at_rest: Vec<DVec3>,
+    root_masses: Vec<f64>,
+    rate: f64,
+    scale: f64,
+}
+
+impl<'a> Linearised<'a> {
+    fn new(forces: &'a mut [Box<dyn Force>], state: &'a ParticleState, scale: f64, rate: f64) -> Self {
+        let mut probe = state.clone();
+        probe.velocities.fill(DVec3::ZERO);
+        let root_masses = state.masses.iter().map(|mass| mass.sqrt()).collect();
+        let mut linearised = Self { forces, state, probe, at_rest: Vec::new(), root_masses, rate, scale };
+        linearised.at_rest = linearised.total();
+        linearised
+    }
+
+    fn total(&mut self) -> Vec<DVec3> {
+        let mut sum = vec![DVec3::ZERO; self.state.len()];
+        for force in self.forces.iter_mut() {
+            force.add_forces(0.0, &self.probe, &mut sum);
+        }
+        sum
+    }
+
+    /// The rate of change of a small motion, both in the scaled variables.
+    fn apply(&mut self, y: &[DVec3]) -> Vec<DVec3> {
+        let n = self.state.len();
+        let largest = y.iter().map(|v| v.length()).fold(0.0, f64::max);
+        let lightest = self.root_masses.iter().copied().fold(f64::INFINITY, f64::min);
+        // The largest displacement becomes a millionth of the scale, velocities follow.
+        let step = 1e-6 * self.scale * self.rate * lightest / largest;
+        for i in 0..n {
+            self.probe.positions[i] = self.state.positions[i] + y[i] * (step / (self.rate * self.root_masses[i]));
+            self.probe.velocities[i] = y[n + i] * (step / self.root_masses[i]);
+        }
+        let moved = self.total();
+        let mut out: Vec<DVec3> = y[n..].iter().map(|&v| self.rate * v).collect();
+        out.extend((0..n).map(|i| (moved[i] - self.at_rest[i]) / (step * self.root_masses[i])));
+        out
+    }
+
+    fn modes(mut self) -> Vec<Mode> {
+        let (basis, matrix, beside) = self.arnoldi();
+        let values = eigenvalues(&matrix);
+        let fastest = values.iter().map(|value| value.abs()).fold(0.0, f64::max);
+        let found: Vec<(Complex, Vec<Complex>)> = values
+            .into_iter()
+            .filter(|value| value.im >= 0.0 && value.abs() > SLOW * fastest)
+            .map(|value| (value, eigenvector(&matrix, value)))
+            .filter(|(_, vector)| vector.last().map_or(0.0, |last| last.abs()) * beside <= RESIDUAL * fastest)
+            .collect();
+        let is_real = |value: &Complex| value.im <= 1e-6 * fastest;
+        let mut modes: Vec<Mode> = found
+            .iter()
+            .filter(|(value, _)| !is_real(value))
+            .map(|(value, _)| Mode { frequency: value.abs(), damping: at_least_zero(-2.0 * value.re) })
+            .collect();
+        let mut real: Vec<_> = found.iter().filter(|(value, _)| is_real(value)).collect();
+        real.sort_by(|(a, _), (b, _)| a.re.total_cmp(&b.re));
+        for (value, vector) in real.into_iter().take(REAL_MODES) {
+            modes.extend(self.overdamped(value.re, vector, &basis));
+        }
+        modes
+    }
+
+    /// The mode to which a real eigenvalue belongs: its stiffness is its vector's Rayleigh quotient.
+    fn overdamped(&mut self, value: f64, vector: &[Complex], basis: &[Vec<DVec3>]) -> Option<Mode> {
+        let n = self.state.len();
+        // Real up to a common phase, which its largest entry tells.
+        let largest = vector.iter().copied().fold(Complex::default(), |a, b| if b.abs() > a.abs() { b } else { a });
+        let mut y = vec![DVec3::ZERO; 2 * n];
+        for (share, base) in vector.iter().zip(basis) {
+            let share = (share.re * largest.re + share.im * largest.im) / largest.abs();
+            for (y, base) in y[..n].iter_mut().zip(base) {
+                *y += share * *base;
+            }
+        }
+        let square = dot(&y[..n], &y[..n]);
+        if square <= 0.0 {
+            return None;
+        }
+        let pull = self.apply(&y);
+        let stiffness = -self.rate * dot(&y[..n], &pull[n..]) / square;
+        let damping = at_least_zero(-(value * value + stiffness) / value);
+        Some(Mode { frequency: stiffness.max(0.0).sqrt(), damping })
+    }
+
+    /// An orthonormal basis of the Krylov space, the motion in it row by row, and the length of what leads out of it.
+    fn arnoldi(&mut self) -> (Vec<Vec<DVec3>>, Vec<Vec<f64>>, f64) {
+        let most = MOST_VECTORS.min(6 * self.state.len());
+        let mut basis = vec![starting_vector(2 * self.state.len())];
+        let mut columns: Vec<Vec<f64>> = Vec::new();
+        let mut beside = 0.0;
+        for k in 0..most {
+            let mut w = self.apply(&basis[k]);
+            let before = dot(&w, &w).sqrt();
+            let mut column = vec![0.0; k + 1];
+            // Twice is enough to keep the basis orthogonal.
+            for _ in 0..2 {
+                for (entry, base) in column.iter_mut().zip(&basis) {
+                    let share = dot(&w, base);
+                    *entry += share;
+                    for (w, &base) in w.iter_mut().zip(base) {
+                        *w -= share * base;
+                    }
+                }
+            }
+            columns.push(column);
+            beside = dot(&w, &w).sqrt();
+            if beside <= 1e-9 * before.max(self.rate) || !beside.is_finite() {
+                beside = 0.0;
+                break;
+            }
+            if k + 1 < most {
+                if let Some(column) = columns.last_mut() {
+                    column.push(beside);
+                }
+                for w in &mut w {
+                    *w /= beside;
+                }
+                basis.push(w);
+            }
+        }
+        let size = columns.len();
+        let entry = |row: usize, column: usize| columns[column].get(row).copied().unwrap_or(0.0);
+        let matrix = (0..size).map(|row| (0..size).map(|column| entry(row, column)).collect()).collect();
+        (basis, matrix, beside)
+    }
+}
+
+/// No force of a body at rest drives its motion: growth this close to none is the rounding of the differences.
+fn at_least_zero(damping: f64) -> f64 {
+    damping.max(0.0)
+}
+
+/// A fixed unit vector without any symmetry.
+fn starting_vector(n: usize) -> Vec<DVec3> {
+    let mut v: Vec<DVec3> = (0..n)
+        .map(|i| {
+            let at = i as f64 + 1.0;
+            DVec3::new((1.7 * at).sin(), (2.3 * at * at.sqrt()).cos(), (0.9 * at + at.sqrt()).sin())
+        })
+        .collect();
+    let length = dot(&v, &v).sqrt();
+    for v in &mut v {
+        *v /= length;
+    }
+    v
+}
+
+fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
+}

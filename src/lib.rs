@@ -1,6 +1,7 @@
 //! **sinew** is an interactive stroke-based fibre editor for soft solids: a fibre drawn by one stroke in each of two
 //! orthogonal views makes a soft body bend, shear, twist or stiffen, with no constitutive parameters to tune. This
-//! crate is its core and command line: the same scene gives the same motion, bit for bit, wherever it runs.
+//! crate is its core and command line: on one machine
+//! the same scene gives the same motion, bit for bit, on any number of threads.
 //!
 //! # The way through the house
 //!
@@ -50,7 +51,7 @@
 //!     }]
 //! }"#)?;
 //! let baked = bake(&scene, &mut |_, _| {})?;
-//! let mut runner = Runner::new(&scene, baked);
+//! let mut runner = Runner::new(baked);
 //! runner.advance_frame();
 //! assert!(runner.world().bodies()[0].state().center().y < 0.05);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

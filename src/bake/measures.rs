@@ -2,10 +2,13 @@
 
 use super::body::Draft;
 use super::{BakeError, known, supports};
-use crate::scene::{MeasureKind, Scene};
+use crate::scene::{MeasureKind, OverTime, Scene};
 use crate::solver::measure::{Group, Quantity};
 use crate::solver::world::Probe;
 use glam::{BVec3, DVec3};
+
+/// Least distance at rest between the two ends of a height, in reaches of the body.
+const LEAST_HEIGHT: f64 = 0.1;
 
 pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, BakeError> {
     scene
@@ -29,7 +32,12 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
                 MeasureKind::MeanDisplacement(of) => Quantity::MeanDisplacement(group(&of.region)?),
                 MeasureKind::TipDisplacement(of) => Quantity::TipDisplacement(group(&of.region)?),
                 MeasureKind::HeightLoss(of) => {
-                    Quantity::HeightLoss(group(&of.region)?, group(&of.against)?, of.axis.index())
+                    let quantity = Quantity::HeightLoss(group(&of.region)?, group(&of.against)?, of.axis.index());
+                    let apart = quantity.rest_distance(&draft.parts.rest);
+                    if apart < LEAST_HEIGHT * draft.parts.reach {
+                        return Err(BakeError::NoHeight { path: format!("{kind}/height_loss/axis"), apart });
+                    }
+                    quantity
                 }
                 MeasureKind::Twist(of) => Quantity::Twist(group(&of.region)?, group(&of.against)?, unit(of.axis)),
                 MeasureKind::Shear(of) => Quantity::Shear(group(&of.region)?, group(&of.against)?),
@@ -51,7 +59,8 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
                 }
                 MeasureKind::InertiaRatio => Quantity::InertiaRatio,
             };
-            Ok(Probe { name: measure.name.clone(), body, quantity })
+            let peak = measure.over_time == OverTime::Peak;
+            Ok(Probe { name: measure.name.clone(), body, quantity, peak })
         })
         .collect()
 }

@@ -1,4 +1,4 @@
-//! From the document to the solver: the one place where a [`Scene`] meets solver internals. Pure and seeded: the same
+//! From the document to the solver: the one place where a [`Scene`] meets solver internals. Pure: the same
 //! scene gives the same world, bit for bit.
 
 mod body;
@@ -95,6 +95,33 @@ pub enum BakeError {
         /// Identifiers that exist.
         known: String,
     },
+    /// A height between regions that lie at the same height.
+    #[error(
+        "{path}: the two regions lie only {apart:.2e} m apart along this axis, which is no height; choose another axis"
+    )]
+    NoHeight {
+        /// Pointer to the axis.
+        path: String,
+        /// Distance at rest [m].
+        apart: f64,
+    },
+    /// More steps to a frame than anybody can wait for.
+    #[error(
+        "{path}: a frame of {frame_seconds:.3e} s would take {steps:.2e} steps of at most {stable_dt:.2e} s for \"{body}\"; \
+         raise the frame rate, or soften its material or fibres"
+    )]
+    TooManySteps {
+        /// Pointer to the frame rate.
+        path: String,
+        /// Name of the body.
+        body: String,
+        /// Length of a frame [s].
+        frame_seconds: f64,
+        /// Steps that it would take.
+        steps: f64,
+        /// Stable step [s].
+        stable_dt: f64,
+    },
     /// A reaction asked of a region that nothing holds.
     #[error("{path}: nothing holds region \"{region}\", so it has no reaction; add a pin on it")]
     NotHeld {
@@ -164,7 +191,7 @@ pub struct Baked {
 /// [`BakeError`] with the pointer to what cannot be put together.
 pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeStage)) -> Result<Baked, BakeError> {
     let mut notes = Vec::new();
-    let panels: Vec<Panel> = scene.panels.iter().map(panel).collect();
+    let panels: Vec<Panel> = scene.panels.iter().map(|drawn| panel(drawn, scene.room.floor)).collect();
     let mut drafts = Vec::new();
     for (index, body) in scene.bodies.iter().enumerate() {
         let path = format!("/bodies/{index}");
@@ -177,7 +204,7 @@ pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeS
     for (index, body) in scene.two_layer.iter().enumerate() {
         drafts.push(two_layer::draft(scene, body, &format!("/two_layer/{index}"), progress)?);
     }
-    let plan = plan(scene, &drafts);
+    let plan = plan(scene, &drafts)?;
     for (index, (draft, &substeps)) in drafts.iter_mut().zip(&plan.substeps).enumerate() {
         let dt = plan.frame_seconds / f64::from(plan.outer_steps) / f64::from(substeps);
         draft.parts.dt = dt;
@@ -201,7 +228,7 @@ pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeS
     Ok(Baked { world, notes, regions })
 }
 
-fn panel(panel: &crate::scene::Panel) -> Panel {
+fn panel(panel: &crate::scene::Panel, floor: Option<f64>) -> Panel {
     Panel {
         id: panel.id.clone(),
         height: panel.height,
@@ -210,6 +237,7 @@ fn panel(panel: &crate::scene::Panel) -> Panel {
         half_size: 0.5 * DVec2::from_array(panel.size),
         mass: panel.mass,
         friction: panel.friction,
+        floor,
         driven: match &panel.motion {
             PanelMotion::Falls => None,
             PanelMotion::Driven(keys) => Some(keys.iter().map(|key| (key.time, key.height)).collect()),
@@ -217,13 +245,24 @@ fn panel(panel: &crate::scene::Panel) -> Panel {
     }
 }
 
+/// More steps than this to one frame are refused: nothing would be seen to happen.
+const MOST_STEPS: f64 = 1e6;
+
 /// Divides a frame so that no body steps beyond its share of the stable step. Bodies that share a panel step together;
 /// bodies that may meet share outer steps short enough for the contact between them.
-fn plan(scene: &Scene, drafts: &[Draft]) -> StepPlan {
+fn plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, BakeError> {
     let (frame_seconds, wanted, meetings): (f64, Vec<u32>, u32) = match &scene.time.step {
         TimeStep::Automatic(automatic) => {
             let frame = 1.0 / scene.time.frames_per_second;
             let count = |stable: f64| (frame / (automatic.safety * stable)).ceil().max(1.0) as u32;
+            for draft in drafts {
+                let stable_dt = draft.parts.stable_dt;
+                let steps = frame / (automatic.safety * stable_dt);
+                if steps.is_nan() || steps > MOST_STEPS {
+                    let (body, path) = (draft.parts.name.clone(), "/time/frames_per_second".to_owned());
+                    return Err(BakeError::TooManySteps { path, body, frame_seconds: frame, steps, stable_dt });
+                }
+            }
             let wanted = drafts.iter().map(|draft| count(draft.parts.stable_dt)).collect();
             (frame, wanted, count(stable_meeting(drafts)))
         }
@@ -238,7 +277,7 @@ fn plan(scene: &Scene, drafts: &[Draft]) -> StepPlan {
         (true, _) => meetings,
     };
     let substeps = wanted.iter().map(|count| count.div_ceil(outer_steps)).collect();
-    StepPlan { frame_seconds, outer_steps, substeps }
+    Ok(StepPlan { frame_seconds, outer_steps, substeps })
 }
 
 /// Greatest outer step [s] that resolves the contact between any two bodies; infinite without any.

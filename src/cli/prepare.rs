@@ -30,10 +30,10 @@ pub struct Sets {
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub struct Span {
     /// Simulated time to run [s]; the scene's duration unless given
-    #[arg(long, value_name = "S", value_parser = seconds)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub seconds: Option<f64>,
     /// Frames a simulated second, as --set /time/frames_per_second
-    #[arg(long, value_name = "RATE")]
+    #[arg(long, value_name = "RATE", allow_negative_numbers = true)]
     pub fps: Option<f64>,
     /// Stop as soon as everything rests; at the latest after --seconds, or ten times the scene's duration
     #[arg(long)]

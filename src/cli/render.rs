@@ -42,7 +42,7 @@ fn render(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
     tell(&notes(&scene, &baked), console);
     output::check(args.scene.as_ref(), &[("--out", Some(&args.out))])?;
 
-    let mut runner = Runner::new(&scene, baked);
+    let mut runner = Runner::new(baked);
     let mut studio = Studio::open(&args.look, &scene, &runner.snapshot())?;
     let frames = runner.frames_for(args.at);
     console.begin();

@@ -58,7 +58,7 @@ fn simulate(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError>
     tell(&notes, console);
     output::check(args.scene.as_ref(), &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
 
-    let mut runner = Runner::new(&scene, baked);
+    let mut runner = Runner::new(baked);
     let mut records = Records::new(args, &runner)?;
     let ran = watch(args, &scene, &mut runner, &mut records, console)?;
     let lines = notes.iter().map(|note| format!("{}: {note}", word(note))).collect();

@@ -140,7 +140,7 @@ impl Plan<'_> {
     fn run(&self, row: usize) -> Result<Row, CliError> {
         let (scene, baked) = self.prepare(row)?;
         let span = self.args.span;
-        let mut runner = Runner::new(&scene, baked);
+        let mut runner = Runner::new(baked);
         let frames = runner.frames_for(span.limit(&scene));
         let ran = drive(&mut runner, frames, span.until_rest, &mut |_| Ok(()))?;
         let report = Report::new(&scene, &runner, ran.wall_seconds, Vec::new());

@@ -49,6 +49,17 @@ pub fn fill_box(shape: &Cuboid, spacing: f64, axes: DMat3) -> LatticeSample {
     if axes == DMat3::IDENTITY { fill_aligned(shape, spacing) } else { fill_askew(shape, spacing, axes) }
 }
 
+/// Lattice points that filling a box looks at: as many as it gets along the lattice, those of its bounds askew to it.
+/// A float, since it may be more than any integer holds.
+pub fn points_looked_at(size: DVec3, spacing: f64, axes: DMat3) -> f64 {
+    let along = if axes == DMat3::IDENTITY {
+        (size / spacing).round().max(DVec3::ONE)
+    } else {
+        2.0 * (0.5 * (axes.transpose().abs() * size) / spacing).ceil() + 3.0
+    };
+    along.element_product()
+}
+
 fn fill_aligned(shape: &Cuboid, spacing: f64) -> LatticeSample {
     let layers = (shape.size / spacing).round().max(DVec3::ONE).as_ivec3();
     let origin = shape.center - 0.5 * spacing * (layers - IVec3::ONE).as_dvec3();

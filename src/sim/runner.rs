@@ -1,7 +1,6 @@
 //! Fixed frames, no clock: the window and a headless run take identical steps.
 
 use crate::bake::Baked;
-use crate::scene::{OverTime, Scene};
 use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;
 use crate::solver::snapshot::Snapshot;
@@ -14,35 +13,24 @@ const REST_FRAMES: u32 = 2;
 #[derive(Clone)]
 pub struct Runner {
     world: World,
-    over_time: Vec<OverTime>,
-    peaks: Vec<MeasureValue>,
     restful_frames: u32,
 }
 
 impl Runner {
-    /// A runner at the start of `scene`, from which `baked` was made.
-    pub fn new(scene: &Scene, baked: Baked) -> Self {
-        let world = baked.world;
-        let peaks = world.measures();
-        let over_time = scene.measures.iter().map(|measure| measure.over_time).collect();
-        Self { world, over_time, peaks, restful_frames: 0 }
+    /// A runner at the start.
+    pub fn new(baked: Baked) -> Self {
+        Self { world: baked.world, restful_frames: 0 }
     }
 
     /// Advances by one frame.
     pub fn advance_frame(&mut self) {
         self.world.advance_frame();
-        for (peak, value) in self.peaks.iter_mut().zip(self.world.measures()) {
-            if value.magnitude() > peak.magnitude() {
-                *peak = value;
-            }
-        }
         self.restful_frames = if self.world.at_rest() { self.restful_frames + 1 } else { 0 };
     }
 
     /// Goes on with the motion of `before`, a runner of the same scene before an edit.
     pub fn adopt(&mut self, before: &Self) {
         self.world.adopt(&before.world);
-        self.peaks = self.world.measures();
     }
 
     /// One body, to pull on it.
@@ -87,15 +75,6 @@ impl Runner {
 
     /// What a report gives of each measure: its last value or its peak.
     pub fn reported_measures(&self) -> Vec<MeasureValue> {
-        self.world
-            .measures()
-            .into_iter()
-            .zip(&self.peaks)
-            .zip(&self.over_time)
-            .map(|((last, &peak), over_time)| match over_time {
-                OverTime::Final => last,
-                OverTime::Peak => peak,
-            })
-            .collect()
+        self.world.reported_measures()
     }
 }

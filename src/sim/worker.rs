@@ -289,7 +289,7 @@ impl Loop {
             Ok(Ok(baked)) => {
                 self.status.notes = baked.notes.iter().map(ToString::to_string).collect();
                 self.status.failure = None;
-                let fresh = Runner::new(&scene, baked);
+                let fresh = Runner::new(baked);
                 self.at_rest = Arc::new(Snapshot::in_model_frames(fresh.world()));
                 self.start = Some(fresh.clone());
                 let mut runner = fresh;

@@ -209,8 +209,12 @@ impl Body {
         &mut self.held
     }
 
-    /// Passes on the forces from other bodies as one impulse over the outer step `dt` [s]: a whole kick before the
-    /// drift keeps the contact symplectic, where a force held through the step would feed it energy.
+    /// Whether the net forces are those of the present state.
+    pub(super) fn is_current(&self) -> bool {
+        self.current
+    }
+
+    /// Gives the forces from other bodies as an impulse over `dt` [s].
     pub(super) fn kick(&mut self, dt: f64) {
         if self.divergence.is_some() || self.held.iter().all(|force| *force == DVec3::ZERO) {
             return;
@@ -232,8 +236,8 @@ impl Body {
         }
     }
 
-    /// Takes `count` steps from `time` [s].
-    pub(super) fn advance(&mut self, time: f64, count: u32) {
+    /// Takes `count` steps from `time` [s]; `after_step` sees the body after each.
+    pub(super) fn advance(&mut self, time: f64, count: u32, after_step: &mut dyn FnMut(&Self)) {
         for k in 0..count {
             if self.divergence.is_some() {
                 return;
@@ -254,6 +258,7 @@ impl Body {
             }
             self.steps += 1;
             self.guard(start + dt);
+            after_step(self);
         }
     }
 

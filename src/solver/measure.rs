@@ -87,6 +87,19 @@ impl Quantity {
         }
     }
 
+    /// Distance at rest [m] along the axis of a height loss; infinite for everything else.
+    pub fn rest_distance(&self, rest: &[DVec3]) -> f64 {
+        match self {
+            Self::HeightLoss(a, b, axis) => (mean(a, rest) - mean(b, rest))[*axis].abs(),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Whether the value needs the forces of the present state, which not every integrator leaves after a step.
+    pub fn needs_forces(&self) -> bool {
+        matches!(self, Self::ReactionForce(..) | Self::ReactionTorque(..))
+    }
+
     /// Whether the value is a vector.
     pub fn is_vector(&self) -> bool {
         matches!(self, Self::MeanDisplacement(..) | Self::Shear(..))

@@ -43,7 +43,8 @@ pub struct Neighbourhood {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error(
     "{count} of {total} particles lie in a part only one layer thick (the first at {at:.4?} m), which cannot resist \
-     bending: lower the support radius from {support_radius} m to at most {suggested:.3e} m for two layers"
+     bending: give it a smaller support radius than {support_radius} m, for two layers 1.25 times the part's thickness \
+     at the usual spacing of 0.4 h"
 )]
 pub struct TooThin {
     /// Particles whose neighbours lie on a plane or a line.
@@ -54,8 +55,6 @@ pub struct TooThin {
     pub at: [f64; 3],
     /// Support radius in use [m].
     pub support_radius: f64,
-    /// Support radius that would give two layers [m].
-    pub suggested: f64,
 }
 
 /// Condition (least over greatest eigenvalue estimate) of A below which a neighbourhood counts as flat.
@@ -137,7 +136,6 @@ impl Neighbourhood {
                 total: points.len(),
                 at: first.to_array(),
                 support_radius: kernel.support_radius,
-                suggested: 0.5 * kernel.support_radius,
             }),
         }
     }

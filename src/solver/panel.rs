@@ -21,6 +21,8 @@ pub struct Panel {
     pub mass: f64,
     /// Coulomb friction coefficient of the underside.
     pub friction: f64,
+    /// Height of the floor [m], below which it does not go.
+    pub floor: Option<f64>,
     /// Heights [m] at ascending times [s], eased from one to the next; none for a panel that falls.
     pub driven: Option<Vec<(f64, f64)>>,
 }
@@ -47,14 +49,30 @@ impl Panel {
         lift
     }
 
-    /// Moves the panel over one outer step from `time` to `time + dt` [s] under `lift` [N] from below.
-    pub(super) fn advance(&mut self, time: f64, dt: f64, lift: f64, gravity: f64) {
-        if let Some(keys) = &self.driven {
-            (self.height, self.velocity) = eased(keys, time + dt);
-        } else {
+    /// Takes up an impulse of `dt` [s] of `lift` [N] from below and of gravity [m/s²]; a driven panel does not yield.
+    pub(super) fn kick(&mut self, dt: f64, lift: f64, gravity: f64) {
+        if self.driven.is_none() && !(self.rests() && lift + self.mass * gravity < 0.0) {
             self.velocity += dt * (gravity + lift / self.mass);
-            self.height += dt * self.velocity;
         }
+    }
+
+    /// Moves over one outer step from `time` to `time + dt` [s]. Nothing moves it into the floor.
+    pub(super) fn drift(&mut self, time: f64, dt: f64) {
+        match &self.driven {
+            Some(keys) => (self.height, self.velocity) = eased(keys, time + dt),
+            None => self.height += dt * self.velocity,
+        }
+        if let Some(floor) = self.floor
+            && self.height < floor
+        {
+            self.height = floor;
+            self.velocity = 0.0;
+        }
+    }
+
+    /// Whether a falling panel lies on the floor.
+    fn rests(&self) -> bool {
+        self.velocity == 0.0 && self.floor.is_some_and(|floor| self.height <= floor)
     }
 
     /// When a driven panel has come to rest [s]; zero for one that falls.

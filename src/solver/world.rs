@@ -26,6 +26,17 @@ pub struct Probe {
     pub body: usize,
     /// What is read.
     pub quantity: Quantity,
+    /// Whether the greatest value over time is kept, of every step, so that it does not depend on the frame rate.
+    pub peak: bool,
+}
+
+impl Probe {
+    fn raise(&self, peak: &mut MeasureValue, body: &Body) {
+        let value = self.quantity.read(body);
+        if value.magnitude() > peak.magnitude() {
+            *peak = value;
+        }
+    }
 }
 
 /// Bodies and panels at one time.
@@ -34,8 +45,14 @@ pub struct World {
     bodies: Vec<Body>,
     panels: Vec<Panel>,
     probes: Vec<Probe>,
+    /// Greatest value of every probe so far, by magnitude, with its sign.
+    peaks: Vec<MeasureValue>,
     plan: StepPlan,
     gravity: DVec3,
+    /// Whether the forces between bodies and panels are those of the present state.
+    met: bool,
+    /// Force on every panel from below [N].
+    lifts: Vec<f64>,
     /// Time at which frame 0 began [s]; not zero after an edit.
     since: f64,
     frame: u64,
@@ -44,7 +61,20 @@ pub struct World {
 impl World {
     /// A world at time zero.
     pub fn new(bodies: Vec<Body>, panels: Vec<Panel>, probes: Vec<Probe>, plan: StepPlan, gravity: DVec3) -> Self {
-        Self { bodies, panels, probes, plan, gravity, since: 0.0, frame: 0 }
+        let mut world = Self {
+            lifts: vec![0.0; panels.len()],
+            bodies,
+            panels,
+            probes,
+            peaks: Vec::new(),
+            plan,
+            gravity,
+            met: false,
+            since: 0.0,
+            frame: 0,
+        };
+        world.peaks = world.measures();
+        world
     }
 
     /// The bodies in the order of the scene.
@@ -54,6 +84,7 @@ impl World {
 
     /// One body, to give it another integrator or one more force.
     pub fn body_mut(&mut self, index: usize) -> Option<&mut Body> {
+        self.met = false;
         self.bodies.get_mut(index)
     }
 
@@ -92,6 +123,7 @@ impl World {
     pub fn adopt(&mut self, before: &Self) {
         self.since = before.time();
         self.frame = 0;
+        self.met = false;
         for body in &mut self.bodies {
             if let Some(old) = before.bodies.iter().find(|old| old.parts().id == body.parts().id) {
                 body.adopt(old);
@@ -107,6 +139,34 @@ impl World {
         for body in &mut self.bodies {
             body.settle(time);
         }
+        self.peaks = self.measures();
+    }
+
+    /// Forces between two things are evaluated together, equal and opposite.
+    fn meet(&mut self) {
+        for body in &mut self.bodies {
+            body.held_mut().fill(DVec3::ZERO);
+        }
+        for first in 0..self.bodies.len() {
+            let (before, after) = self.bodies.split_at_mut(first + 1);
+            for second in after {
+                meet(&mut before[first], second);
+            }
+        }
+        for (lift, panel) in self.lifts.iter_mut().zip(&self.panels) {
+            *lift = self.bodies.iter_mut().map(|body| panel.press(body)).sum();
+        }
+        self.met = true;
+    }
+
+    /// Half a kick by the forces between bodies and panels over an outer step of `dt` [s].
+    fn half_kick(&mut self, dt: f64) {
+        for body in &mut self.bodies {
+            body.kick(0.5 * dt);
+        }
+        for (panel, &lift) in self.panels.iter_mut().zip(&self.lifts) {
+            panel.kick(0.5 * dt, lift, self.gravity.y);
+        }
     }
 
     /// Advances by one frame. A body that diverges stops in the state of the frame before; the others go on.
@@ -117,30 +177,45 @@ impl World {
         let outer_dt = self.plan.frame_seconds / f64::from(self.plan.outer_steps);
         for outer in 0..self.plan.outer_steps {
             let time = self.time_at(outer);
-            for body in &mut self.bodies {
-                body.held_mut().fill(DVec3::ZERO);
+            if !self.met {
+                self.meet();
             }
-            // Contact between two things is evaluated once an outer step, equal and opposite.
-            for first in 0..self.bodies.len() {
-                let (before, after) = self.bodies.split_at_mut(first + 1);
-                for second in after {
-                    meet(&mut before[first], second);
-                }
-            }
+            // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the contact
+            // takes no energy.
+            self.half_kick(outer_dt);
             for panel in &mut self.panels {
-                let lift = self.bodies.iter_mut().map(|body| panel.press(body)).sum();
-                panel.advance(time, outer_dt, lift, self.gravity.y);
+                panel.drift(time, outer_dt);
             }
-            for (body, &count) in self.bodies.iter_mut().zip(&self.plan.substeps) {
-                body.kick(outer_dt);
-                body.advance(time, count);
+            for (index, (body, &count)) in self.bodies.iter_mut().zip(&self.plan.substeps).enumerate() {
+                let (probes, peaks) = (&self.probes, &mut self.peaks);
+                body.advance(time, count, &mut |body| {
+                    for (probe, peak) in probes.iter().zip(peaks.iter_mut()) {
+                        if probe.peak && probe.body == index && (body.is_current() || !probe.quantity.needs_forces()) {
+                            probe.raise(peak, body);
+                        }
+                    }
+                });
             }
+            self.meet();
+            self.half_kick(outer_dt);
         }
         self.frame += 1;
         let time = self.time();
         for body in &mut self.bodies {
             body.settle(time);
         }
+        for (probe, peak) in self.probes.iter().zip(&mut self.peaks) {
+            if probe.peak {
+                probe.raise(peak, &self.bodies[probe.body]);
+            }
+        }
+    }
+
+    /// What each measure is to report: its present value, or the greatest one over time with its sign.
+    pub fn reported_measures(&self) -> Vec<MeasureValue> {
+        let chosen =
+            |((probe, now), &peak): ((&Probe, MeasureValue), &MeasureValue)| if probe.peak { peak } else { now };
+        self.probes.iter().zip(self.measures()).zip(&self.peaks).map(chosen).collect()
     }
 
     /// Present values of the measures.

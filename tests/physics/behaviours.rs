@@ -92,7 +92,8 @@ fn helices_twist_by_their_handedness() {
     let (_, right, _) = peaks(&dropped(four(5.0, 0.0)));
     let (_, left, _) = peaks(&dropped(four(-5.0, 0.0)));
     println!("{right:.4} {left:.4} degrees");
-    assert!(right.abs() > 0.5, "{right}");
+    // A squeezed helix unwinds: fibres that climb clockwise, seen from above, turn the top counter-clockwise.
+    assert!(right > 0.5, "{right}");
     assert!((right + left).abs() < 0.02 * right.abs(), "{right} {left}");
 }
 
@@ -101,6 +102,7 @@ fn slanted_fibres_shear_along_the_slant() {
     let (_, _, right) = peaks(&dropped(four(0.0, 0.25)));
     let (_, _, left) = peaks(&dropped(four(0.0, -0.25)));
     println!("{right} {left} mm");
-    assert!(right.x.abs() > 0.3 && right.z.abs() < 0.05 * right.x.abs(), "{right}");
+    // The top goes with the slant: towards +x where the fibres lean to +x.
+    assert!(right.x > 0.3 && right.z.abs() < 0.05 * right.x.abs(), "{right}");
     assert!((right.x + left.x).abs() < 0.02 * right.x.abs(), "{right} {left}");
 }

@@ -109,7 +109,7 @@ pub fn baked(scene: &Scene) -> Baked {
 }
 
 pub fn runner(scene: &Scene) -> Runner {
-    Runner::new(scene, baked(scene))
+    Runner::new(baked(scene))
 }
 
 /// Runs until everything rests, at most `frames` frames.

@@ -85,6 +85,8 @@ fn undamped_energy_has_no_trend() {
         for mean in &means {
             assert!((mean - 1.0).abs() < tolerance, "{safety}: {means:?}");
         }
+        let trend = means[means.len() - 1] - means[0];
+        assert!(trend.abs() < 0.001, "{safety}: the energy moves by {trend}: {means:?}");
     }
 }
 

@@ -282,5 +282,106 @@ fn thin_shapes_are_refused_with_the_radius_that_helps() {
         .err()
         .expect("an error")
         .to_string();
-    assert!(error.contains("/bodies/0/material/support_radius") && error.contains("7.500e-3 m"), "{error}");
+    assert!(error.contains("/bodies/0/material/support_radius") && error.contains("1.25 times"), "{error}");
+}
+
+#[test]
+fn a_bar_under_a_panel_comes_to_rest_and_shows_no_velocity() {
+    let mut bar = short_bar(2e5);
+    bar.material.damping.pair = 300.0;
+    bar.material.damping.air = 40.0;
+    bar.regions = vec![layers("bottom", Axis::Y, Side::Min, 1)];
+    bar.pins = vec![pin("bottom", &ALL, Motion::Fixed)];
+    let mut scene = in_space(bar);
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.panels = vec![panel(PanelMotion::Falls, 0.2, 0.0722)];
+    let runner = settle(&scene, 600);
+    assert!(state_of(&runner).kinetic_energy() < 1e-12, "{}", state_of(&runner).kinetic_energy());
+}
+
+#[test]
+fn a_panel_that_falls_beside_the_bar_lies_on_the_floor() {
+    let mut scene = in_space(short_bar(2e5));
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.room.floor = Some(-0.2);
+    scene.bodies[0].placement.translation = [1.0, -0.2, 0.0];
+    scene.panels = vec![panel(PanelMotion::Falls, 1.0, 0.0)];
+    let mut runner = runner(&scene);
+    for _ in 0..30 {
+        runner.advance_frame();
+    }
+    assert_eq!(runner.world().panels()[0].height, -0.2);
+}
+
+#[test]
+fn peaks_do_not_depend_on_the_frame_rate() {
+    let peak = |frames_per_second: f64| {
+        let mut bar = short_bar(2e5);
+        bar.initial.velocity = [0.0, -1.0, 0.0];
+        bar.placement.translation = [0.0, 0.001, 0.0];
+        bar.regions = vec![layers("bottom", Axis::Y, Side::Min, 1), layers("top", Axis::Y, Side::Max, 1)];
+        let mut scene = in_space(bar);
+        scene.room.floor = Some(0.0);
+        scene.time.frames_per_second = frames_per_second;
+        let extent =
+            sinew::scene::Extent { region: "top".into(), against: "bottom".into(), axis: Axis::Y, extra: Extra::new() };
+        scene.measures = vec![measure("loss", sinew::scene::MeasureKind::HeightLoss(extent))];
+        scene.measures[0].over_time = sinew::scene::OverTime::Peak;
+        let mut runner = runner(&scene);
+        for _ in 0..runner.frames_for(0.1) {
+            runner.advance_frame();
+        }
+        runner.reported_measures()[0].magnitude()
+    };
+    let (coarse, fine) = (peak(20.0), peak(1000.0));
+    assert!(fine > 0.03 && (coarse / fine - 1.0).abs() < 1e-2, "{coarse} {fine}");
+}
+
+#[test]
+fn every_integrator_holds_at_its_automatic_step() {
+    for integrator in
+        [IntegratorKind::LeapFrog, IntegratorKind::ExplicitEuler, IntegratorKind::Midpoint, IntegratorKind::Rk4]
+    {
+        let mut bar = block([4, 5, 4], 2e5);
+        bar.integrator = integrator;
+        bar.initial.velocity = [0.0, -1.0, 0.0];
+        bar.placement.translation = [0.0, 0.001, 0.0];
+        bar.material.damping.pair = 20.0;
+        let mut scene = in_space(bar);
+        scene.gravity = [0.0, -9.81, 0.0];
+        scene.room.floor = Some(0.0);
+        scene.room.contact_damping = 0.2;
+        let mut runner = runner(&scene);
+        for _ in 0..15 {
+            runner.advance_frame();
+        }
+        assert!(runner.world().divergence().is_none(), "{integrator:?}: {:?}", runner.world().divergence());
+    }
+}
+
+#[test]
+fn what_cannot_be_waited_for_or_measured_is_refused_by_name() {
+    let refused = |scene: &Scene| {
+        let outcome = sinew::bake::bake(scene, &sinew::scene::Assets::default(), &mut |_, _| {});
+        outcome.err().expect("an error").to_string()
+    };
+    let mut slow = in_space(short_bar(5e7));
+    slow.time.frames_per_second = 1e-3;
+    assert!(refused(&slow).contains("/time/frames_per_second"), "{}", refused(&slow));
+    let mut flat = in_space(short_bar(5e7));
+    flat.bodies[0].regions = vec![layers("bottom", Axis::Y, Side::Min, 1), layers("top", Axis::Y, Side::Max, 1)];
+    let extent =
+        sinew::scene::Extent { region: "top".into(), against: "bottom".into(), axis: Axis::X, extra: Extra::new() };
+    flat.measures = vec![measure("loss", sinew::scene::MeasureKind::HeightLoss(extent))];
+    assert!(refused(&flat).contains("no height"), "{}", refused(&flat));
+}
+
+#[test]
+fn a_body_inside_the_floor_is_warned_of() {
+    let mut bar = short_bar(2e5);
+    bar.placement.translation = [0.0, -0.02, 0.0];
+    let mut scene = in_space(bar);
+    scene.room.floor = Some(0.0);
+    let notes = baked(&scene).notes;
+    assert!(notes.iter().any(|note| note.warning && note.text.contains("inside the floor")), "{notes:?}");
 }

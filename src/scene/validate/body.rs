@@ -4,10 +4,12 @@ use super::brief;
 use super::check::{
     At, Checked, Ids, direction, finite, fraction, increasing, not_negative, number, positive, require, vector, within,
 };
+use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
     Body, Distance, Fibre, FibreSource, Impulse, Initial, MAX_PARTICLES, Mass, Material, Motion, Pin, Region, Rotation,
     Selector, Shape, Stiffness, ViewStroke,
 };
+use glam::{DMat3, DVec3};
 
 /// Range of D / h. Below it a particle has over 150 neighbours and costs more than it tells; above it fewer than
 /// 20 are left, too few for a sound deformation gradient.
@@ -96,7 +98,14 @@ fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, crate::scene::Sce
     // The volume of a mesh is not in the document: baking counts its particles.
     let Shape::Box(shape) = &body.shape else { return Ok(before) };
     let material = &body.material;
-    let particles = before + shape.size.iter().product::<f64>() / material.spacing().powi(3);
+    let turn = &shape.lattice_rotation;
+    let axes = if turn.degrees == 0.0 {
+        DMat3::IDENTITY
+    } else {
+        let axis = DVec3::from_array(turn.axis).normalize_or(DVec3::Y);
+        DMat3::from_axis_angle(axis, turn.degrees.to_radians())
+    };
+    let particles = before + points_looked_at(DVec3::from_array(shape.size), material.spacing(), axes);
     let most = MAX_PARTICLES as f64;
     let rounded = |value: f64| if value < 1e6 { format!("{value:.1}") } else { format!("{value:.1e}") };
     let problem = format!(
@@ -125,7 +134,7 @@ pub(super) fn initial(at: &At<'_>, initial: &Initial) -> Checked {
     for (row, components) in initial.deformation.iter().enumerate() {
         vector(&at.item(row), components, "")?;
     }
-    let [a, b, c] = initial.deformation.map(glam::DVec3::from);
+    let [a, b, c] = initial.deformation.map(DVec3::from);
     require(
         &at,
         &initial.deformation,
@@ -234,8 +243,12 @@ fn source(at: &At<'_>, source: &FibreSource) -> Checked {
         FibreSource::Vertices(vertices) => {
             let at = at.field("vertices");
             require(&at, vertices, vertices.len() >= 3, "has too few vertices to bend", || "give 3 or more")?;
-            let points = vertices.iter().enumerate();
-            points.into_iter().try_for_each(|(index, point)| vector(&at.item(index), point, "m"))
+            for (index, point) in vertices.iter().enumerate() {
+                vector(&at.item(index), point, "m")?;
+                let repeated = index > 0 && *point == vertices[index - 1];
+                require(&at.item(index), point, !repeated, "repeats the vertex before it", || "leave one of them out")?;
+            }
+            Ok(())
         }
         FibreSource::Strokes(pair) => {
             let at = at.field("strokes");

@@ -27,7 +27,7 @@ mod tests {
     #[test]
     fn the_corners_of_a_cube_point_along_its_diagonals_however_it_is_cut() {
         let mesh = box_surface(&Cuboid { center: DVec3::ZERO, size: DVec3::ONE }, 0.5);
-        let positions: Vec<Vec3> = mesh.positions.iter().map(DVec3::as_vec3).collect();
+        let positions: Vec<Vec3> = mesh.positions.iter().map(|point| point.as_vec3()).collect();
         let normals = smooth_normals(&positions, &mesh.triangles);
         for (position, normal) in positions.iter().zip(&normals) {
             assert!((position.normalize() - *normal).length() < 1e-5, "{position} {normal}");

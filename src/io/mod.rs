@@ -3,6 +3,7 @@
 
 mod atomic;
 mod error;
+mod frames;
 mod json;
 mod obj;
 mod pointer;
@@ -11,7 +12,8 @@ mod schema;
 
 pub use atomic::{check_writable, make_folder, write_atomically};
 pub use error::IoError;
-pub use obj::{ObjSequence, write_obj};
+pub use frames::FrameFolder;
+pub use obj::write_obj;
 pub use pointer::{apply_sets, set_pointer};
 pub use scene::{MAX_SCENE_BYTES, load_scene, save_scene, scene_from_json, scene_to_json};
 pub use schema::{scene_schema, unknown_fields};

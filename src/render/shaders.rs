@@ -30,7 +30,7 @@ mod tests {
             let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
                 .validate(&module)
                 .unwrap_or_else(|error| panic!("{}", error.emit_to_string(source)));
-            assert_eq!(module.entry_points.is_empty(), false);
+            assert!(!module.entry_points.is_empty());
             drop(info);
             let size = |name: &str| {
                 module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name)).map(|(_, ty)| match &ty.inner {

@@ -2,6 +2,7 @@
 
 mod check;
 mod errors;
+mod pictures;
 mod simulate;
 mod sweep;
 
@@ -156,7 +157,7 @@ fn asked_for_nothing_it_says_what_it_can_do() {
     assert!(nothing.err.contains("sinew simulate") && nothing.err.contains("--help"), "{}", nothing.err);
     let help = said(program().arg("--help"));
     assert_eq!(help.code, Some(0));
-    for command in ["simulate", "sweep", "check", "schema"] {
+    for command in ["simulate", "render", "sweep", "check", "schema"] {
         assert!(help.out.contains(command), "{}", help.out);
     }
     assert_eq!(said(program().args(["simulate", "--frames"])).code, Some(2));

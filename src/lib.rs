@@ -17,6 +17,7 @@
 //! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not. Pure
 //!   functions.
 //! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, time, measures; data and validation only.
+//! - [`edit`]: the only writer of an open document; each change is one step of undo and redo.
 //! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of [`solver::forces`], and any of
 //!   the [`solver::integrators`] steps any body. Knows no file, clock, thread start or window.
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
@@ -29,9 +30,9 @@
 //!   pictures without a window. Its shaders are beside it as WGSL files.
 //! - [`cli`]: the command line, one file a command.
 //!
-//! What a room may import: geometry nothing; sketch geometry; scene geometry and sketch; solver geometry; bake scene,
-//! sketch, geometry and solver; io scene, geometry and the solver's snapshot; sim scene, bake and solver; draw scene,
-//! geometry and the solver's snapshot; render draw and geometry; cli all. A test holds the code to this.
+//! What a room may import: geometry nothing; sketch geometry; scene geometry and sketch; edit scene; solver geometry;
+//! bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot; sim scene, bake and solver;
+//! draw scene, geometry and the solver's snapshot; render draw and geometry; cli all. A test holds the code to this.
 //!
 //! # Conventions
 //!
@@ -132,6 +133,7 @@
 pub mod bake;
 pub mod cli;
 pub mod draw;
+pub mod edit;
 pub mod geometry;
 pub mod io;
 #[cfg(feature = "render")]
@@ -140,3 +142,5 @@ pub mod scene;
 pub mod sim;
 pub mod sketch;
 pub mod solver;
+#[cfg(feature = "gui")]
+pub mod ui;

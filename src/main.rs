@@ -1,7 +1,8 @@
 //! The `sinew` binary: arguments in, a headless command or the window out.
 
 use clap::Parser;
-use sinew::cli::{Cli, Console, nothing_asked, run};
+use sinew::cli::{Cli, Console, run};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -9,7 +10,23 @@ fn main() -> ExitCode {
     let mut console = Console::of_process();
     match &cli.command {
         Some(command) => run(command, &mut console),
-        // The window's place.
-        None => nothing_asked(&mut console),
+        None => show(cli.scene, &mut console),
     }
+}
+
+#[cfg(feature = "gui")]
+fn show(path: Option<PathBuf>, console: &mut Console) -> ExitCode {
+    let document = match sinew::ui::Document::load(path) {
+        Ok(document) => document,
+        Err(problem) => return sinew::cli::bad_input(&problem, console),
+    };
+    match sinew::ui::run(document) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => sinew::cli::no_window(&problem, console),
+    }
+}
+
+#[cfg(not(feature = "gui"))]
+fn show(path: Option<PathBuf>, console: &mut Console) -> ExitCode {
+    sinew::cli::without_window(path, console)
 }

@@ -1,11 +1,10 @@
 //! One body of the scene: particles, forces, start, stable step.
 
+use super::matter::Matter;
 use super::{BakeError, BakeStage, Note, fibres, supports};
 use crate::geometry::kernel::Kernel;
-use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box};
-use crate::geometry::mesh::box_surface;
-use crate::scene::{Body, BodyKind, IntegratorKind, Mass, Placement, Rotation, Scene, Shape, TimeStep};
-use crate::solver::body::{BodyParts, RestScale, Skin};
+use crate::scene::{Body, BodyKind, IntegratorKind, Mass, Placement, Rotation, Scene, TimeStep};
+use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
     AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, MatrixForce, PairDamping, Plane, StepLimit,
@@ -14,7 +13,7 @@ use crate::solver::integrators::{ExplicitEuler, Integrator, LeapFrog, Midpoint, 
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::stable_step::highest_frequency_squared;
 use crate::solver::state::ParticleState;
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DQuat, DVec3};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -34,6 +33,7 @@ const REST_FORCE: f64 = 2e-7;
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
+    matter: Matter<'_>,
     path: &str,
     notes: &mut Vec<Note>,
     progress: &mut dyn FnMut(&str, BakeStage),
@@ -44,32 +44,24 @@ pub(super) fn draft(
     let kernel = Kernel::new(material.support_radius);
     let volume = spacing.powi(3);
 
-    progress(name, BakeStage::Sampling);
-    let Shape::Box(shape) = &body.shape;
-    let solid = Cuboid { center: DVec3::from_array(shape.center), size: DVec3::from_array(shape.size) };
-    let sample = fill_box(&solid, spacing, lattice_axes(&shape.lattice_rotation));
-    if sample.points.is_empty() {
-        return Err(BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing });
-    }
-    note_sampling(&sample, &solid, path, notes);
-
     progress(name, BakeStage::Neighbours);
-    let neighbourhood = Neighbourhood::on_lattice(&sample, kernel, volume)
+    let Matter { sample, volume: shape_volume, size, .. } = &matter;
+    let neighbourhood = Neighbourhood::on_lattice(sample, kernel, volume)
         .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);
 
     progress(name, BakeStage::Embedding);
     let embedder = Embedder::new(&sample.points, kernel);
-    let diagonal = solid.size.length();
+    let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
-    let skin = skin(&solid, spacing, &embedder);
+    let skin = matter.skin(kernel).map(Arc::new);
 
     let mass = match material.mass {
-        Mass::Density(density) => density * solid.volume() / sample.points.len() as f64,
+        Mass::Density(density) => density * shape_volume / sample.points.len() as f64,
         Mass::PerParticle(mass) => mass,
     };
     let orientation = turn(&body.placement.rotation);
-    let regions = supports::regions(body, &sample, path)?;
+    let regions = supports::regions(body, sample, path)?;
     let rest: Arc<[DVec3]> = sample.points.iter().map(|&x| to_world(&body.placement, x)).collect();
     let state = initial_state(body, &sample.points, &regions, mass, path)?;
 
@@ -115,6 +107,7 @@ pub(super) fn draft(
             BodyKind::FibreSolid => "fibre_solid",
         },
         state,
+        model: sample.points.as_slice().into(),
         rest,
         forces,
         integrator,
@@ -136,18 +129,6 @@ pub(super) fn draft(
         },
     };
     Ok(Draft { parts, regions })
-}
-
-fn lattice_axes(rotation: &Rotation) -> DMat3 {
-    // Exactly along the axes when not turned: that decides how the box is filled.
-    if rotation.degrees == 0.0 { DMat3::IDENTITY } else { DMat3::from_quat(turn(rotation)) }
-}
-
-/// The surface that is drawn; none where some part of it has too little material around it to ride on.
-fn skin(solid: &Cuboid, edge: f64, embedder: &Embedder<'_>) -> Option<Arc<Skin>> {
-    let surface = box_surface(solid, edge);
-    let vertices: Option<Vec<_>> = surface.positions.iter().map(|&at| embedder.stencil(at)).collect();
-    vertices.map(|vertices| Arc::new(Skin { vertices, triangles: surface.triangles }))
 }
 
 /// Particles are balls of radius D / 2, as stiff against others as the material.
@@ -182,31 +163,6 @@ fn stable_step(
     // On a copy: the forces' warm starts must be those of the start when the run begins.
     frequency_squared += highest_frequency_squared(&mut forces.to_vec(), state, spacing);
     integrator.stable_step(frequency_squared.sqrt(), damping_rate)
-}
-
-fn note_sampling(sample: &LatticeSample, solid: &Cuboid, path: &str, notes: &mut Vec<Note>) {
-    let (_, pieces) = sample.pieces();
-    if pieces > 1 {
-        notes.push(Note {
-            path: format!("{path}/shape"),
-            text: format!("falls into {pieces} pieces that are not connected; each moves on its own"),
-            warning: true,
-        });
-    }
-    let sampled = sample.points.len() as f64 * sample.spacing.powi(3);
-    let error = sampled / solid.volume() - 1.0;
-    if error.abs() > 0.02 {
-        notes.push(Note {
-            path: format!("{path}/shape"),
-            text: format!(
-                "the particles fill {:.1} % of the shape's volume: its extents are not whole multiples of the spacing \
-                 {} m",
-                100.0 * (1.0 + error),
-                sample.spacing
-            ),
-            warning: true,
-        });
-    }
 }
 
 pub(super) fn turn(rotation: &Rotation) -> DQuat {

@@ -108,12 +108,9 @@ impl Placing<'_> {
     fn embed(&mut self, fibre: usize, mut vertices: Vec<DVec3>, path: &str) -> Option<PlacedFibre> {
         let total = vertices.len();
         let holds = |at: DVec3| self.embedder.stencil(at).is_some_and(|s| s.square_sum() <= GREATEST_SQUARE_SUM);
-        let first = vertices.iter().position(|&at| holds(at));
-        let last = vertices.iter().rposition(|&at| holds(at));
-        let (Some(first), Some(last)) = (first, last) else {
-            self.note(path, true, "discarded: it runs along the outside of the material; draw it deeper".to_owned());
-            return None;
-        };
+        // A fibre that runs along the outside all its length has no end worth keeping: all of it slides.
+        let first = vertices.iter().position(|&at| holds(at)).unwrap_or(0);
+        let last = vertices.iter().rposition(|&at| holds(at)).unwrap_or(total - 1);
         let mut slid = 0;
         for vertex in &mut vertices[first..=last] {
             if let Some(inside) = self.slide_in(*vertex) {

@@ -3,12 +3,13 @@
 
 mod body;
 mod fibres;
+mod matter;
 mod measures;
 mod supports;
 
 pub use fibres::PlacedFibre;
 
-use crate::scene::{PanelMotion, Scene, TimeStep};
+use crate::scene::{Assets, PanelMotion, Scene, TimeStep};
 use crate::solver::body::Body;
 use crate::solver::neighbourhood::TooThin;
 use crate::solver::panel::Panel;
@@ -32,6 +33,28 @@ pub enum BakeError {
         body: String,
         /// Particle spacing [m].
         spacing: f64,
+    },
+    /// The shape's model was not loaded.
+    #[error("{path}: the model was not loaded; load the scene's assets first")]
+    NotLoaded {
+        /// Pointer to the shape's path.
+        path: String,
+    },
+    /// The shape would need more particles than are allowed.
+    #[error(
+        "{path}: about {wanted:.1e} {what} where {limit:.1e} are allowed; give {suggested:.2e} m or more, or check the scale"
+    )]
+    TooMany {
+        /// Pointer to the value that decides.
+        path: String,
+        /// What there would be too much of.
+        what: &'static str,
+        /// How many there would be.
+        wanted: f64,
+        /// Greatest number.
+        limit: f64,
+        /// Support radius that would do [m].
+        suggested: f64,
     },
     /// Part of the shape is a single layer of particles.
     #[error("{path}: {source}")]
@@ -123,16 +146,22 @@ pub struct Baked {
     pub regions: Vec<HashMap<String, Vec<u32>>>,
 }
 
-/// Puts a scene together. Call [`Scene::validate`] first: values out of range are not looked for again here.
+/// Puts a scene together. Call [`Scene::validate`] first: values out of range are not looked for again here. `assets`
+/// holds the solids of the scene's meshes; a scene without any needs none.
 ///
 /// # Errors
 /// [`BakeError`] with the pointer to what cannot be put together.
-pub fn bake(scene: &Scene, progress: &mut dyn FnMut(&str, BakeStage)) -> Result<Baked, BakeError> {
+pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeStage)) -> Result<Baked, BakeError> {
     let mut notes = Vec::new();
     let panels: Vec<Panel> = scene.panels.iter().map(panel).collect();
     let mut drafts = Vec::new();
     for (index, body) in scene.bodies.iter().enumerate() {
-        drafts.push(body::draft(scene, body, &format!("/bodies/{index}"), &mut notes, progress)?);
+        let path = format!("/bodies/{index}");
+        let name = if body.name.is_empty() { &body.id } else { &body.name };
+        progress(name, BakeStage::Sampling);
+        let matter = matter::matter(body, assets, &path, &mut notes)?;
+        let body = matter.effective(body);
+        drafts.push(body::draft(scene, &body, matter, &path, &mut notes, progress)?);
     }
     let stable: Vec<f64> = drafts.iter().map(|draft| draft.parts.stable_dt).collect();
     let plan = plan(scene, &stable);

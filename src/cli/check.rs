@@ -29,7 +29,7 @@ pub struct Check {
 pub fn run(args: &Check, console: &mut Console) -> Result<Outcome, CliError> {
     let source = printable(&args.scene);
     let scene = load(Some(&args.scene), &args.sets, None)?;
-    let baked = put_together(&scene, &source, console)?;
+    let baked = put_together(&scene, Some(&args.scene), console)?;
     tell(&notes(&scene, &baked), console);
     console.print(&contents(&scene, &baked, &source))?;
     Ok(Outcome::Done)

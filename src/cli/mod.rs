@@ -8,6 +8,7 @@ mod check;
 mod console;
 mod drive;
 mod error;
+mod make_models;
 mod output;
 mod parallel;
 mod picture;
@@ -25,12 +26,16 @@ pub use console::Console;
 pub use error::CliError;
 
 use clap::{Parser, Subcommand};
+use std::fmt::Display;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Sketch fibres into soft solids and watch them bend, shear, twist or stiffen.
 #[derive(Debug, Parser)]
-#[command(name = "sinew", version)]
+#[command(name = "sinew", version, args_conflicts_with_subcommands = true)]
 pub struct Cli {
+    /// Scene to open in the window; the built-in scene unless given
+    pub scene: Option<PathBuf>,
     /// What to do.
     #[command(subcommand)]
     pub command: Option<Command>,
@@ -49,6 +54,9 @@ pub enum Command {
     Check(check::Check),
     /// Print the JSON Schema of scene files
     Schema,
+    /// Make the models in assets/ anew
+    #[command(hide = true)]
+    MakeModels(make_models::MakeModels),
 }
 
 /// How a command ended.
@@ -73,6 +81,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Command::Sweep(args) => sweep::run(args, console),
         Command::Check(args) => check::run(args, console),
         Command::Schema => schema::run(console),
+        Command::MakeModels(args) => make_models::run(args, console),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
@@ -88,8 +97,23 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
     }
 }
 
-/// What the program says, and how it ends, when it is asked for nothing and has no window to open.
-pub fn nothing_asked(console: &mut Console) -> ExitCode {
-    console.error(&"nothing to do; run a scene with `sinew simulate [SCENE]`, or see `sinew --help`");
+/// What is said, and how the program ends, where a scene for the window cannot be read.
+pub fn bad_input(problem: &dyn Display, console: &mut Console) -> ExitCode {
+    console.error(problem);
     ExitCode::from(BAD_INPUT)
+}
+
+/// What is said, and how the program ends, where no window can be opened.
+pub fn no_window(problem: &dyn Display, console: &mut Console) -> ExitCode {
+    console.error(problem);
+    ExitCode::from(NO_DRIVER)
+}
+
+/// What a program without a window does when it is given no command: it runs the scene.
+pub fn without_window(scene: Option<PathBuf>, console: &mut Console) -> ExitCode {
+    console.say(
+        "note",
+        &"this program was built without its window and runs the scene; `sinew --help` lists the commands",
+    );
+    run(&Command::Simulate(simulate::Simulate::of(scene)), console)
 }

@@ -3,7 +3,7 @@
 use super::error::printable;
 use super::{CliError, Console};
 use crate::bake::{Baked, Note, bake};
-use crate::io::{apply_sets, load_scene, scene_from_json, unknown_fields};
+use crate::io::{apply_sets, load_assets, load_scene, scene_from_json, unknown_fields};
 use crate::scene::{Scene, TimeStep};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ const LONGEST: f64 = 1e6;
 const NAMED_FIELDS: usize = 10;
 
 /// Values to replace in the scene.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct Sets {
     /// Replace a value of the scene: an RFC 6901 pointer and JSON, as in /bodies/0/material/young_modulus=2e5
     #[arg(long = "set", value_name = "POINTER=JSON")]
@@ -27,7 +27,7 @@ pub struct Sets {
 }
 
 /// How long to run, and in which frames.
-#[derive(Clone, Copy, Debug, Args)]
+#[derive(Clone, Copy, Debug, Default, Args)]
 pub struct Span {
     /// Simulated time to run [s]; the scene's duration unless given
     #[arg(long, value_name = "S", value_parser = seconds)]
@@ -117,15 +117,24 @@ pub fn with_frame_rate(mut scene: Scene, fps: Option<f64>) -> Result<Scene, CliE
     Ok(scene)
 }
 
-/// Puts a scene together, showing what is worked on when it takes long.
+/// The folder that paths in a scene are relative to: that of its file, or the present one.
+pub fn folder_of(source: Option<&Path>) -> &Path {
+    source.and_then(Path::parent).unwrap_or(Path::new(""))
+}
+
+/// Loads what a scene refers to and puts it together, showing what is worked on when it takes long.
 ///
 /// # Errors
-/// [`CliError::Bake`], with where the scene is from.
-pub fn put_together(scene: &Scene, source: &str, console: &mut Console) -> Result<Baked, CliError> {
+/// A model that cannot be used, or [`CliError::Bake`] with where the scene is from.
+pub fn put_together(scene: &Scene, source: Option<&Path>, console: &mut Console) -> Result<Baked, CliError> {
     console.begin();
-    let baked = bake(scene, &mut |body, stage| console.stage(&format!("{body}: {stage}")));
+    let assets = load_assets(scene, folder_of(source), &mut |stage| console.stage(&stage));
+    let baked = assets.map_err(CliError::from).and_then(|assets| {
+        bake(scene, &assets, &mut |body, stage| console.stage(&format!("{body}: {stage}")))
+            .map_err(|error| CliError::Bake { scene: source_name(source), source: error })
+    });
     console.end();
-    baked.map_err(|error| CliError::Bake { scene: source.to_owned(), source: error })
+    baked
 }
 
 /// What is worth saying about a scene: fields that nothing reads, and what was noticed while putting it together.

@@ -2,7 +2,7 @@
 
 use super::drive::drive;
 use super::picture::{Look, Studio};
-use super::prepare::{Sets, load, notes, on_threads, put_together, seconds, source_name, tell};
+use super::prepare::{Sets, load, notes, on_threads, put_together, seconds, tell};
 use super::{CliError, Console, Outcome, output};
 use crate::sim::Runner;
 use clap::Args;
@@ -37,9 +37,8 @@ pub fn run(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
 }
 
 fn render(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
-    let source = source_name(args.scene.as_deref());
     let scene = load(args.scene.as_ref(), &args.sets, None)?;
-    let baked = put_together(&scene, &source, console)?;
+    let baked = put_together(&scene, args.scene.as_deref(), console)?;
     tell(&notes(&scene, &baked), console);
     output::check(args.scene.as_ref(), &[("--out", Some(&args.out))])?;
 

@@ -14,7 +14,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 /// Arguments of `sinew simulate`.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct Simulate {
     /// Scene file; the built-in scene unless given
     scene: Option<PathBuf>,
@@ -41,6 +41,13 @@ pub struct Simulate {
     look: Look,
 }
 
+impl Simulate {
+    /// Runs a scene, the built-in one unless given, with nothing else asked for.
+    pub(super) fn of(scene: Option<PathBuf>) -> Self {
+        Self { scene, ..Self::default() }
+    }
+}
+
 /// Runs the scene, writes the files that were asked for and prints a summary.
 ///
 /// # Errors
@@ -52,7 +59,7 @@ pub fn run(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> 
 fn simulate(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
     let source = source_name(args.scene.as_deref());
     let scene = load(args.scene.as_ref(), &args.sets, args.span.fps)?;
-    let baked = put_together(&scene, &source, console)?;
+    let baked = put_together(&scene, args.scene.as_deref(), console)?;
     let notes = notes(&scene, &baked);
     tell(&notes, console);
     output::check(args.scene.as_ref(), &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;

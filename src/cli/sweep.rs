@@ -3,12 +3,13 @@
 use super::drive::{End, drive};
 use super::error::printable;
 use super::parallel::in_parallel;
-use super::prepare::{Sets, Span, load, notes, with_frame_rate, with_sets, word};
+use super::prepare::{Sets, Span, folder_of, load, notes, with_frame_rate, with_sets, word};
 use super::table::{Align, Table, figures, readable};
 use super::vary::{Product, Vary};
 use super::{CliError, Console, Outcome, output};
 use crate::bake::{Baked, Note, bake};
-use crate::scene::{Scene, one_line};
+use crate::io::complete_assets;
+use crate::scene::{Assets, Scene, one_line};
 use crate::sim::{BodyReport, MeasureReport, Report, Runner};
 use clap::Args;
 use serde::Serialize;
@@ -68,7 +69,10 @@ struct Row {
 pub fn run(args: &Sweep, console: &mut Console) -> Result<Outcome, CliError> {
     let base = load(Some(&args.scene), &args.sets, None)?;
     let product = Product::of(&args.vary)?;
-    let plan = Plan { args, base: &base, product };
+    // A model that cannot be used is the rows' error: they may all have another.
+    let mut assets = Assets::default();
+    complete_assets(&mut assets, &base, folder_of(Some(&args.scene)), &mut |_| {}).ok();
+    let plan = Plan { args, base: &base, assets: &assets, product };
     let threads = args.threads.map_or_else(rayon::current_num_threads, usize::from);
     let rows = product.rows() as u64;
 
@@ -105,6 +109,7 @@ pub fn run(args: &Sweep, console: &mut Console) -> Result<Outcome, CliError> {
 struct Plan<'a> {
     args: &'a Sweep,
     base: &'a Scene,
+    assets: &'a Assets,
     product: Product<'a>,
 }
 
@@ -114,9 +119,12 @@ impl Plan<'_> {
         let attempt = || {
             let scene = with_sets(self.base, &self.product.assignments(row))?;
             let scene = with_frame_rate(scene, self.args.span.fps)?;
+            // The models of most rows are those of the scene as it is.
+            let mut assets = self.assets.clone();
+            complete_assets(&mut assets, &scene, folder_of(Some(&self.args.scene)), &mut |_| {})?;
             let source = printable(&self.args.scene);
-            let baked =
-                bake(&scene, &mut |_, _| {}).map_err(|error| CliError::Bake { scene: source, source: error })?;
+            let baked = bake(&scene, &assets, &mut |_, _| {})
+                .map_err(|error| CliError::Bake { scene: source, source: error })?;
             Ok((scene, baked))
         };
         attempt().map_err(|error| CliError::Row { values: self.product.line(row), source: Box::new(error) })

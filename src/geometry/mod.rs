@@ -1,8 +1,21 @@
-//! Shapes and distances: curves, kernel, lattice sampling, neighbour search, surface meshes. Knows nothing of scenes or
-//! physics.
+//! Shapes and distances: curves, kernel, neighbour search, surface meshes, and from a model to the particles inside it
+//! (weld, check, orient, fill). Knows nothing of scenes or physics.
 
+pub mod bvh;
+pub mod crossing;
 pub mod curve;
+pub mod edges;
+pub mod fill;
+pub mod isosurface;
 pub mod kernel;
 pub mod lattice;
 pub mod mesh;
+pub mod model;
 pub mod neighbours;
+pub mod orient;
+pub mod report;
+pub mod rows;
+pub mod solid;
+pub mod thinness;
+pub mod weld;
+pub mod winding;

@@ -1,5 +1,6 @@
 //! What can go wrong with a file, each as one line that says what, where and what to do.
 
+use crate::geometry::report::Refusal;
 use crate::scene::{SceneError, one_line};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -45,6 +46,28 @@ pub enum IoError {
         /// Offset of the first such byte.
         at: usize,
     },
+    /// A file that is no model, by its name.
+    #[error("the name does not end like that of a model; give an OBJ, STL, PLY, glTF or GLB file")]
+    UnknownModel,
+    /// A model that cannot be understood.
+    #[error("the {format} file cannot be read ({problem}); export it again, or in another format")]
+    Model {
+        /// Format, as its name ends.
+        format: &'static str,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A model without an inside.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
+    /// A file that a scene names.
+    #[error("{pointer}: {error}")]
+    Asset {
+        /// RFC 6901 pointer to where the scene names it.
+        pointer: String,
+        /// What is wrong with it.
+        error: Box<IoError>,
+    },
     /// Text that is not JSON.
     #[error("line {line}, column {column}{}: {problem}; correct the JSON there", at_path(path))]
     Syntax {
@@ -80,7 +103,7 @@ impl IoError {
     /// The error without the file it is in.
     pub fn bare(&self) -> &Self {
         match self {
-            Self::InFile { error, .. } => error.bare(),
+            Self::InFile { error, .. } | Self::Asset { error, .. } => error.bare(),
             other => other,
         }
     }

@@ -1,18 +1,25 @@
-//! The only file access: scene files in and out, their published schema, sequences of meshes out, writes that happen
-//! wholly or not at all.
+//! The only file access: scene files in and out, their published schema, models in and out, sequences of files out,
+//! writes that happen wholly or not at all.
 
+mod assets;
 mod atomic;
 mod error;
 mod frames;
+mod glb;
 mod json;
+mod model;
 mod obj;
 mod pointer;
+mod read;
 mod scene;
 mod schema;
 
+pub use assets::{complete_assets, load_assets};
 pub use atomic::{check_writable, make_folder, write_atomically};
 pub use error::IoError;
 pub use frames::FrameFolder;
+pub use glb::write_glb;
+pub use model::{MAX_MODEL_BYTES, is_model, load_model};
 pub use obj::write_obj;
 pub use pointer::{apply_sets, set_pointer};
 pub use scene::{MAX_SCENE_BYTES, load_scene, save_scene, scene_from_json, scene_to_json};

@@ -33,7 +33,7 @@ fn write_body(out: &mut dyn Write, body: &BodySnapshot, next: &mut usize) -> io:
         return write_element(out, "p", first..*next);
     }
     write_vertices(out, &body.skin, next)?;
-    for triangle in &body.triangles {
+    for triangle in body.triangles.iter() {
         let [a, b, c] = triangle.map(|vertex| first + vertex as usize);
         writeln!(out, "f {a} {b} {c}")?;
     }
@@ -80,9 +80,10 @@ mod tests {
                 vertices: vec![DVec3::ZERO, DVec3::new(0.0, 0.5, 0.0)],
             }],
             skin,
-            triangles: vec![[0, 1, 2]],
+            triangles: [[0, 1, 2]].into(),
+            ..BodySnapshot::default()
         };
-        let bare = BodySnapshot { triangles: Vec::new(), fibres: Vec::new(), ..body.clone() };
+        let bare = BodySnapshot { triangles: [].into(), fibres: Vec::new(), ..body.clone() };
         let snapshot = Snapshot { time: 0.5, bodies: vec![body, bare], panels: Vec::new() };
         let mut text = Vec::new();
         write_obj(&mut text, &snapshot).unwrap();

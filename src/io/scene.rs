@@ -2,12 +2,11 @@
 
 use super::json::{parse, pointer_of};
 use super::pointer::node_at;
+use super::read::read_bytes;
 use super::schema::{Node, closest, unknown_fields_of};
 use super::{IoError, write_atomically};
 use crate::scene::{SCENE_VERSION, Scene, SceneError, brief, one_line};
 use serde_json::Value;
-use std::fs::{self, File, FileType};
-use std::io::{self, Read};
 use std::path::Path;
 
 /// Scene files larger than this are refused [bytes].
@@ -143,29 +142,8 @@ pub(super) fn check_version(value: &Value) -> Result<(), IoError> {
 }
 
 fn read_text(path: &Path) -> Result<String, IoError> {
-    let metadata = fs::metadata(path).map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => IoError::Missing,
-        _ => IoError::Read(error),
-    })?;
-    // Asked before opening: opening a pipe would wait for somebody to write to it.
-    if !metadata.is_file() {
-        return Err(IoError::NotAFile(kind_of(metadata.file_type())));
-    }
-    let too_large = |bytes| Err(IoError::TooLarge { bytes, limit: MAX_SCENE_BYTES });
-    if metadata.len() > MAX_SCENE_BYTES {
-        return too_large(metadata.len());
-    }
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(IoError::Read)?;
-    file.take(MAX_SCENE_BYTES + 1).read_to_end(&mut bytes).map_err(IoError::Read)?;
-    if bytes.len() as u64 > MAX_SCENE_BYTES {
-        return too_large(bytes.len() as u64);
-    }
+    let bytes = read_bytes(path, MAX_SCENE_BYTES)?;
     String::from_utf8(bytes).map_err(|error| IoError::NotUtf8 { at: error.utf8_error().valid_up_to() })
-}
-
-fn kind_of(file_type: FileType) -> &'static str {
-    if file_type.is_dir() { "a folder" } else { "a pipe or device" }
 }
 
 /// Puts arrays of plain values that fit on one line there. Works on lines: JSON strings hold no line breaks.

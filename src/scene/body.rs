@@ -60,6 +60,29 @@ pub enum BodyKind {
 pub enum Shape {
     /// A box.
     Box(BoxShape),
+    /// A closed mesh from a file.
+    Mesh(MeshShape),
+}
+
+/// A closed mesh from an OBJ, STL, PLY, glTF or GLB file, filled with particles on a cubic lattice. The lattice is placed
+/// so, and its spacing changed by so little, that the particles' volume comes closest to that of the mesh.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MeshShape {
+    /// The file, relative to the scene file.
+    pub path: String,
+    /// Metres to a unit of the file: 0.001 for a file in millimetres.
+    #[serde(default = "default_scale")]
+    pub scale: f64,
+    /// Axis of the file that points up; it becomes Y.
+    #[serde(default = "default_up")]
+    pub up: Axis,
+    /// Number of particles that is wanted; the spacing and the support radius follow from it then, and the material's
+    /// support radius is not used. From 8 to 2000000.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub particles: Option<u32>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
 }
 
 /// A box along the axes of the model frame, filled with particles on a cubic lattice.
@@ -282,6 +305,14 @@ pub enum Selector {
         #[serde(flatten)]
         extra: Extra,
     },
+}
+
+fn default_scale() -> f64 {
+    1.0
+}
+
+fn default_up() -> Axis {
+    Axis::Y
 }
 
 fn default_poisson() -> f64 {

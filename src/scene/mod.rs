@@ -7,6 +7,7 @@
 //! Each struct keeps the JSON fields it does not know in `extra`, so that a scene written by a newer program
 //! survives loading and saving here.
 
+mod assets;
 mod body;
 mod fibre;
 mod measure;
@@ -14,9 +15,10 @@ mod support;
 mod validate;
 mod world;
 
+pub use assets::Assets;
 pub use body::{
-    Body, BodyKind, BoxShape, Damping, Falloff, Impulse, Initial, IntegratorKind, Mass, Material, Placement, Region,
-    Rotation, Selector, Shape,
+    Body, BodyKind, BoxShape, Damping, Falloff, Impulse, Initial, IntegratorKind, Mass, Material, MeshShape, Placement,
+    Region, Rotation, Selector, Shape,
 };
 pub use fibre::{Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke};
 pub use measure::{Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};

@@ -2,6 +2,7 @@
 
 use crate::bake::Baked;
 use crate::scene::{OverTime, Scene};
+use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;
 use crate::solver::snapshot::Snapshot;
 use crate::solver::world::World;
@@ -36,6 +37,26 @@ impl Runner {
             }
         }
         self.restful_frames = if self.world.at_rest() { self.restful_frames + 1 } else { 0 };
+    }
+
+    /// Goes on with the motion of `before`, a runner of the same scene before an edit.
+    pub fn adopt(&mut self, before: &Self) {
+        self.world.adopt(&before.world);
+        self.peaks = self.world.measures();
+    }
+
+    /// One body, to pull on it.
+    pub fn body_mut(&mut self, index: usize) -> Option<&mut Body> {
+        self.world.body_mut(index)
+    }
+
+    /// Lets go of everything that is pulled.
+    pub fn release_all(&mut self) {
+        for index in 0..self.world.bodies().len() {
+            if let Some(body) = self.world.body_mut(index) {
+                body.grabs_mut().clear();
+            }
+        }
     }
 
     /// The world as it stands.

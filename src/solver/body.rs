@@ -5,7 +5,9 @@ use super::dynamics::Dynamics;
 use super::embedding::Stencil;
 use super::energy::Energies;
 use super::forces::{ContactLaw, Force};
+use super::grab::Grab;
 use super::integrators::Integrator;
+use super::skin::Skin;
 use super::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -22,6 +24,8 @@ pub struct BodyParts {
     pub kind: &'static str,
     /// Particles at the start.
     pub state: ParticleState,
+    /// Rest positions in the model frame [m].
+    pub model: Arc<[DVec3]>,
     /// Rest positions in the world [m]: where the particles would start without any initial deformation.
     pub rest: Arc<[DVec3]>,
     /// Everything that pushes and pulls.
@@ -68,15 +72,6 @@ pub struct FibreLine {
     pub vertices: Vec<Stencil>,
 }
 
-/// Render surface that rides on the particles.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Skin {
-    /// Embedding of every vertex.
-    pub vertices: Vec<Stencil>,
-    /// Vertex indices of the faces.
-    pub triangles: Vec<[u32; 3]>,
-}
-
 /// A body that was stopped because its motion could no longer be computed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("body \"{body}\" diverged at {time:.6} s ({cause}) and was stopped in its last good state; {remedy}")]
@@ -95,6 +90,7 @@ pub struct Divergence {
 #[derive(Clone)]
 pub struct Body {
     parts: BodyParts,
+    grabs: Vec<Grab>,
     held: Vec<DVec3>,
     net: Vec<DVec3>,
     current: bool,
@@ -109,6 +105,7 @@ impl Body {
     pub fn new(parts: BodyParts) -> Self {
         let n = parts.state.len();
         let mut body = Self {
+            grabs: Vec::new(),
             held: vec![DVec3::ZERO; n],
             net: Vec::new(),
             current: false,
@@ -141,6 +138,39 @@ impl Body {
     pub fn add_force(&mut self, force: Box<dyn Force>) {
         self.parts.forces.push(force);
         self.current = false;
+    }
+
+    /// Pulls on the body, to be added, moved and taken away.
+    pub fn grabs_mut(&mut self) -> &mut Vec<Grab> {
+        self.current = false;
+        &mut self.grabs
+    }
+
+    /// Pulls on the body.
+    pub fn grabs(&self) -> &[Grab] {
+        &self.grabs
+    }
+
+    /// The point of the skin's vertex, or of the particle where there is no skin; none if there is no such vertex.
+    pub fn point(&self, vertex: usize) -> Option<Stencil> {
+        match &self.parts.skin {
+            Some(skin) => skin.stencil(vertex),
+            None => (vertex < self.parts.state.len()).then(|| Stencil { weights: vec![(vertex as u32, 1.0)] }),
+        }
+    }
+
+    /// Takes over the motion of `other`, the same body before an edit; false if the two do not have the same particles.
+    pub(super) fn adopt(&mut self, other: &Self) -> bool {
+        if self.parts.rest != other.parts.rest || other.divergence.is_some() {
+            return false;
+        }
+        self.parts.state.positions.clone_from(&other.parts.state.positions);
+        self.parts.state.velocities.clone_from(&other.parts.state.velocities);
+        self.grabs.clone_from(&other.grabs);
+        self.steps = other.steps;
+        self.evaluations = other.evaluations;
+        self.current = false;
+        true
     }
 
     /// Time steps taken.
@@ -202,6 +232,7 @@ impl Body {
             let mut dynamics = Dynamics {
                 forces: &mut self.parts.forces,
                 constraints: &self.parts.constraints,
+                grabs: &self.grabs,
                 net: &mut self.net,
                 current: &mut self.current,
                 evaluations: &mut self.evaluations,
@@ -220,6 +251,7 @@ impl Body {
         let mut dynamics = Dynamics {
             forces: &mut self.parts.forces,
             constraints: &self.parts.constraints,
+            grabs: &self.grabs,
             net: &mut self.net,
             current: &mut self.current,
             evaluations: &mut self.evaluations,

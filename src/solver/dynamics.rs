@@ -2,6 +2,7 @@
 
 use super::constraint::Constraint;
 use super::forces::Force;
+use super::grab::Grab;
 use super::state::ParticleState;
 use glam::DVec3;
 
@@ -12,6 +13,7 @@ use glam::DVec3;
 pub struct Dynamics<'a> {
     pub(super) forces: &'a mut [Box<dyn Force>],
     pub(super) constraints: &'a [Constraint],
+    pub(super) grabs: &'a [Grab],
     pub(super) net: &'a mut Vec<DVec3>,
     pub(super) current: &'a mut bool,
     pub(super) evaluations: &'a mut u64,
@@ -35,6 +37,9 @@ impl Dynamics<'_> {
         self.net.resize(state.len(), DVec3::ZERO);
         for force in self.forces.iter_mut() {
             force.add_forces(time, state, self.net);
+        }
+        for grab in self.grabs {
+            grab.add_forces(state, self.net);
         }
         *self.current = false;
         *self.evaluations += 1;

@@ -1,7 +1,9 @@
 //! What the solver shows of itself: plain positions at one time.
 
+use super::body::Body;
 use super::world::World;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
+use std::sync::Arc;
 
 /// A world at one time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,8 +27,12 @@ pub struct BodySnapshot {
     pub fibres: Vec<FibreSnapshot>,
     /// Vertices of the skin [m].
     pub skin: Vec<DVec3>,
+    /// Unit normals of the skin's vertices.
+    pub normals: Vec<Vec3>,
     /// Vertex indices of the skin's faces.
-    pub triangles: Vec<[u32; 3]>,
+    pub triangles: Arc<[[u32; 3]]>,
+    /// Linear red, green, blue and opacity of the skin's vertices; empty where the model had none.
+    pub colours: Arc<[[f32; 4]]>,
 }
 
 /// A fibre at one time.
@@ -41,15 +47,26 @@ pub struct FibreSnapshot {
 impl Snapshot {
     /// The world as it stands.
     pub fn of(world: &World) -> Self {
+        Self::with(world, |body| &body.state().positions)
+    }
+
+    /// Every body at rest in its own model frame, as it is drawn into.
+    pub fn in_model_frames(world: &World) -> Self {
+        Self::with(world, |body| &body.parts().model)
+    }
+
+    fn with<'a>(world: &'a World, positions: impl Fn(&'a Body) -> &'a [DVec3]) -> Self {
         let bodies = world
             .bodies()
             .iter()
             .map(|body| {
-                let positions = &body.state().positions;
+                let positions = positions(body);
                 let parts = body.parts();
+                let skin = parts.skin.as_deref();
+                let vertices = skin.map_or_else(Vec::new, |skin| skin.positions(positions));
                 BodySnapshot {
                     name: parts.name.clone(),
-                    particles: positions.clone(),
+                    particles: positions.to_vec(),
                     fibres: parts
                         .fibres
                         .iter()
@@ -58,13 +75,10 @@ impl Snapshot {
                             vertices: fibre.vertices.iter().map(|vertex| vertex.gather(positions)).collect(),
                         })
                         .collect(),
-                    skin: parts
-                        .skin
-                        .iter()
-                        .flat_map(|skin| &skin.vertices)
-                        .map(|vertex| vertex.gather(positions))
-                        .collect(),
-                    triangles: parts.skin.iter().flat_map(|skin| skin.triangles.iter().copied()).collect(),
+                    normals: skin.map_or_else(Vec::new, |skin| skin.normals(&vertices)),
+                    skin: vertices,
+                    triangles: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.triangles())),
+                    colours: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.colours())),
                 }
             })
             .collect();

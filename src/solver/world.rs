@@ -35,13 +35,15 @@ pub struct World {
     probes: Vec<Probe>,
     plan: StepPlan,
     gravity: DVec3,
+    /// Time at which frame 0 began [s]; not zero after an edit.
+    since: f64,
     frame: u64,
 }
 
 impl World {
     /// A world at time zero.
     pub fn new(bodies: Vec<Body>, panels: Vec<Panel>, probes: Vec<Probe>, plan: StepPlan, gravity: DVec3) -> Self {
-        Self { bodies, panels, probes, plan, gravity, frame: 0 }
+        Self { bodies, panels, probes, plan, gravity, since: 0.0, frame: 0 }
     }
 
     /// The bodies in the order of the scene.
@@ -81,7 +83,29 @@ impl World {
 
     /// Time of an outer step of the present frame, from whole numbers so that no rounding adds up.
     fn time_at(&self, outer: u32) -> f64 {
-        (self.frame as f64 + f64::from(outer) / f64::from(self.plan.outer_steps)) * self.plan.frame_seconds
+        self.since + (self.frame as f64 + f64::from(outer) / f64::from(self.plan.outer_steps)) * self.plan.frame_seconds
+    }
+
+    /// Takes over the motion of `before`, the same world before an edit, so that the simulation goes on: time, panels, and
+    /// the state of every body that still has the same particles. The others start anew.
+    pub fn adopt(&mut self, before: &Self) {
+        self.since = before.time();
+        self.frame = 0;
+        for body in &mut self.bodies {
+            if let Some(old) = before.bodies.iter().find(|old| old.parts().id == body.parts().id) {
+                body.adopt(old);
+            }
+        }
+        for panel in &mut self.panels {
+            if let Some(old) = before.panels.iter().find(|old| old.id == panel.id) {
+                panel.height = old.height;
+                panel.velocity = old.velocity;
+            }
+        }
+        let time = self.time();
+        for body in &mut self.bodies {
+            body.settle(time);
+        }
     }
 
     /// Advances by one frame. A body that diverges stops in the state of the frame before; the others go on.

@@ -6,7 +6,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::{DVec2, DVec3};
 use sinew::bake::bake;
-use sinew::scene::Scene;
+use sinew::scene::{Assets, Scene};
 use sinew::sketch::{LiftOptions, Stroke, View, lift};
 use sinew::solver::forces::Force;
 use sinew::solver::state::ParticleState;
@@ -40,7 +40,7 @@ fn block([x, y, z]: [u32; 3]) -> (Vec<Box<dyn Force>>, ParticleState) {
         }]
     });
     let scene: Scene = serde_json::from_value(scene).expect("a scene");
-    let baked = bake(&scene, &mut |_, _| {}).expect("a world");
+    let baked = bake(&scene, &Assets::default(), &mut |_, _| {}).expect("a world");
     let parts = baked.world.bodies()[0].parts();
     let mut state = parts.state.clone();
     for x in &mut state.positions {

@@ -2,7 +2,7 @@
 
 use sinew::bake::{Baked, bake};
 use sinew::scene::{
-    Axis, Body, BoxShape, Damping, Distance, Easing, Extra, Fibre, FibreSource, Initial, IntegratorKind, Mass,
+    Assets, Axis, Body, BoxShape, Damping, Distance, Easing, Extra, Fibre, FibreSource, Initial, IntegratorKind, Mass,
     Material, Measure, MeasureKind, Motion, OverTime, PaperStiffness, Pin, Placement, Ramp, Reaction, Region,
     RestShape, Rigidity, Rotation, Scene, Selector, Shape, Side, Stiffness,
 };
@@ -105,7 +105,7 @@ pub fn fibre(
 
 pub fn baked(scene: &Scene) -> Baked {
     scene.validate().expect("a valid scene");
-    bake(scene, &mut |_, _| {}).expect("a scene that bakes")
+    bake(scene, &Assets::default(), &mut |_, _| {}).expect("a scene that bakes")
 }
 
 pub fn runner(scene: &Scene) -> Runner {

@@ -8,5 +8,6 @@ mod fibres;
 mod forces;
 mod press;
 mod rods;
+mod shipped;
 mod stable_step;
 mod world;

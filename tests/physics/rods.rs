@@ -107,7 +107,7 @@ fn twisted(n: u32, degrees: f64) -> (Scene, f64) {
 
 /// Turns the lattice of a body and gives it the mass of its shape, however many particles fit.
 fn askew(rod: &mut Body, axis: [f64; 3], degrees: f64) {
-    let Shape::Box(shape) = &mut rod.shape;
+    let Shape::Box(shape) = &mut rod.shape else { panic!("a box") };
     shape.lattice_rotation = Rotation { axis, degrees, extra: Extra::new() };
     rod.material.mass = Mass::Density(DENSITY);
 }

@@ -278,6 +278,9 @@ fn other_bodies_go_on_when_one_diverges() {
 fn thin_shapes_are_refused_with_the_radius_that_helps() {
     let mut sheet = block([10, 1, 10], 2e5);
     sheet.id = "sheet".into();
-    let error = sinew::bake::bake(&in_space(sheet), &mut |_, _| {}).err().expect("an error").to_string();
+    let error = sinew::bake::bake(&in_space(sheet), &sinew::scene::Assets::default(), &mut |_, _| {})
+        .err()
+        .expect("an error")
+        .to_string();
     assert!(error.contains("/bodies/0/material/support_radius") && error.contains("7.500e-3 m"), "{error}");
 }

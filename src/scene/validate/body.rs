@@ -16,6 +16,9 @@ const SPACING_RATIO: (f64, f64) = (0.3, 0.6);
 /// Greatest Poisson's ratio: at one half the material is incompressible and its stiffness infinite.
 const MAX_POISSON: f64 = 0.49;
 
+/// Fewest particles worth asking for: two along each axis.
+const LEAST_PARTICLES: usize = 8;
+
 /// Memory that a material particle takes with its neighbours [bytes].
 const BYTES_PER_PARTICLE: f64 = 2500.0;
 
@@ -38,13 +41,33 @@ pub(super) fn bodies(at: &At<'_>, bodies: &[Body]) -> Checked {
 }
 
 fn shape(at: &At<'_>, shape: &Shape) -> Checked {
-    let Shape::Box(shape) = shape;
-    let at = at.field("box");
-    vector(&at.field("center"), &shape.center, "m")?;
-    for (axis, &size) in shape.size.iter().enumerate() {
-        positive(&at.field("size").item(axis), size, "m")?;
+    match shape {
+        Shape::Box(shape) => {
+            let at = at.field("box");
+            vector(&at.field("center"), &shape.center, "m")?;
+            for (axis, &size) in shape.size.iter().enumerate() {
+                positive(&at.field("size").item(axis), size, "m")?;
+            }
+            rotation(&at.field("lattice_rotation"), &shape.lattice_rotation)
+        }
+        Shape::Mesh(shape) => {
+            let at = at.field("mesh");
+            let path = at.field("path");
+            require(
+                &path,
+                &shape.path,
+                !shape.path.trim().is_empty(),
+                "names no file",
+                || "name an OBJ, STL, PLY, glTF or GLB file, relative to the scene file",
+            )?;
+            positive(&at.field("scale"), shape.scale, "m")?;
+            let Some(count) = shape.particles else { return Ok(()) };
+            let possible = (LEAST_PARTICLES..=MAX_PARTICLES).contains(&(count as usize));
+            require(&at.field("particles"), &count, possible, "is no number of particles to fill a mesh with", || {
+                format!("give {LEAST_PARTICLES} to {MAX_PARTICLES}")
+            })
+        }
     }
-    rotation(&at.field("lattice_rotation"), &shape.lattice_rotation)
 }
 
 fn rotation(at: &At<'_>, rotation: &Rotation) -> Checked {
@@ -70,7 +93,8 @@ fn material(at: &At<'_>, material: &Material) -> Checked {
 
 /// Particles of the bodies so far, this one included, as their volumes and spacings have it.
 fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, crate::scene::SceneError> {
-    let Shape::Box(shape) = &body.shape;
+    // The volume of a mesh is not in the document: baking counts its particles.
+    let Shape::Box(shape) = &body.shape else { return Ok(before) };
     let material = &body.material;
     let particles = before + shape.size.iter().product::<f64>() / material.spacing().powi(3);
     let most = MAX_PARTICLES as f64;

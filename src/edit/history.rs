@@ -1,0 +1,118 @@
+//! The open document and its history.
+
+use super::Command;
+use crate::scene::{Scene, SceneError};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// A change that cannot be made; the document is as it was.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum EditError {
+    /// What the change refers to is not there.
+    #[error("{0}")]
+    Missing(String),
+    /// The document would hold a value that cannot be used.
+    #[error(transparent)]
+    Invalid(#[from] SceneError),
+}
+
+/// A step of the history: what it is called and the document before it (undo) or after it (redo).
+#[derive(Clone, Debug)]
+struct Step {
+    name: String,
+    scene: Arc<Scene>,
+    gesture: Option<u64>,
+}
+
+/// Steps that are kept.
+const DEPTH: usize = 500;
+
+/// An open document: the only way to change it is a [`Command`].
+#[derive(Clone, Debug)]
+pub struct Editor {
+    scene: Arc<Scene>,
+    saved: Arc<Scene>,
+    undo: Vec<Step>,
+    redo: Vec<Step>,
+}
+
+impl Editor {
+    /// Opens a document.
+    pub fn new(scene: Scene) -> Self {
+        let scene = Arc::new(scene);
+        Self { saved: Arc::clone(&scene), scene, undo: Vec::new(), redo: Vec::new() }
+    }
+
+    /// The document.
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
+    }
+
+    /// Makes a change. A change that leaves the document as it was is no step.
+    ///
+    /// # Errors
+    /// What the change refers to is missing, or the document would not validate; it is as it was then.
+    pub fn apply(&mut self, command: &Command) -> Result<(), EditError> {
+        self.apply_in(command, None)
+    }
+
+    /// Makes a change as part of a gesture: all changes of one gesture, such as one drag of a slider, are one step.
+    ///
+    /// # Errors
+    /// As [`Self::apply`].
+    pub fn apply_in(&mut self, command: &Command, gesture: Option<u64>) -> Result<(), EditError> {
+        let mut scene = (*self.scene).clone();
+        command.apply(&mut scene).map_err(EditError::Missing)?;
+        scene.validate()?;
+        if scene == *self.scene {
+            return Ok(());
+        }
+        let before = std::mem::replace(&mut self.scene, Arc::new(scene));
+        self.redo.clear();
+        let name = command.name();
+        if self.undo.last().is_some_and(|step| gesture.is_some() && step.gesture == gesture && step.name == name) {
+            return Ok(());
+        }
+        self.undo.push(Step { name, scene: before, gesture });
+        if self.undo.len() > DEPTH {
+            self.undo.remove(0);
+        }
+        Ok(())
+    }
+
+    /// What undo would take back.
+    pub fn undo_name(&self) -> Option<&str> {
+        self.undo.last().map(|step| step.name.as_str())
+    }
+
+    /// What redo would do again.
+    pub fn redo_name(&self) -> Option<&str> {
+        self.redo.last().map(|step| step.name.as_str())
+    }
+
+    /// Takes the last change back; false if there is none.
+    pub fn undo(&mut self) -> bool {
+        let Some(step) = self.undo.pop() else { return false };
+        let after = std::mem::replace(&mut self.scene, Arc::clone(&step.scene));
+        self.redo.push(Step { scene: after, gesture: None, ..step });
+        true
+    }
+
+    /// Makes the last change that was taken back again; false if there is none.
+    pub fn redo(&mut self) -> bool {
+        let Some(step) = self.redo.pop() else { return false };
+        let before = std::mem::replace(&mut self.scene, Arc::clone(&step.scene));
+        self.undo.push(Step { scene: before, gesture: None, ..step });
+        true
+    }
+
+    /// Whether there are changes since the document was opened or saved.
+    pub fn is_changed(&self) -> bool {
+        !Arc::ptr_eq(&self.scene, &self.saved) && self.scene != self.saved
+    }
+
+    /// Remembers the present document as the saved one. The history stays.
+    pub fn mark_saved(&mut self) {
+        self.saved = Arc::clone(&self.scene);
+    }
+}

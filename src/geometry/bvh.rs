@@ -1,0 +1,143 @@
+//! A tree of boxes around triangles: what is near a point, a line or another triangle is found without looking at all.
+
+use glam::DVec3;
+use std::ops::Range;
+
+/// Triangles by their corners, sorted into a binary tree of boxes.
+#[derive(Clone, Debug, Default)]
+pub struct Bvh {
+    nodes: Vec<Node>,
+    order: Vec<u32>,
+}
+
+/// A box with what is in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Node {
+    /// Least corner [m].
+    pub min: DVec3,
+    /// Greatest corner [m].
+    pub max: DVec3,
+    /// First of its triangles in the tree's order.
+    first: u32,
+    /// Number of its triangles.
+    count: u32,
+    /// Index of the second child; the first follows its parent. Zero for a leaf.
+    second: u32,
+}
+
+/// Triangles of a leaf.
+const LEAF: usize = 4;
+
+impl Node {
+    /// Whether it has no children.
+    pub fn is_leaf(&self) -> bool {
+        self.second == 0
+    }
+
+    fn overlaps(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
+}
+
+impl Bvh {
+    /// Sorts triangles. The tree depends on their order and positions only.
+    pub fn new(points: &[DVec3], faces: &[[u32; 3]]) -> Self {
+        let corners = |&face: &u32| faces[face as usize].map(|i| points[i as usize]);
+        let centers: Vec<DVec3> =
+            faces.iter().map(|t| t.iter().map(|&i| points[i as usize]).sum::<DVec3>() / 3.0).collect();
+        let mut this = Self { nodes: Vec::with_capacity(faces.len()), order: (0..faces.len() as u32).collect() };
+        if !faces.is_empty() {
+            this.split(0..faces.len(), &centers, &corners);
+        }
+        this
+    }
+
+    fn split(&mut self, range: Range<usize>, centers: &[DVec3], corners: &impl Fn(&u32) -> [DVec3; 3]) -> usize {
+        let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (mut least, mut greatest) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for face in &self.order[range.clone()] {
+            for corner in corners(face) {
+                min = min.min(corner);
+                max = max.max(corner);
+            }
+            least = least.min(centers[*face as usize]);
+            greatest = greatest.max(centers[*face as usize]);
+        }
+        let index = self.nodes.len();
+        self.nodes.push(Node { min, max, first: range.start as u32, count: range.len() as u32, second: 0 });
+        if range.len() > LEAF {
+            let spread = greatest - least;
+            let axis = spread.max_position();
+            let middle = range.len() / 2;
+            self.order[range.clone()].select_nth_unstable_by(middle, |&a, &b| {
+                centers[a as usize][axis].total_cmp(&centers[b as usize][axis]).then(a.cmp(&b))
+            });
+            self.split(range.start..range.start + middle, centers, corners);
+            let second = self.split(range.start + middle..range.end, centers, corners);
+            self.nodes[index].second = second as u32;
+        }
+        index
+    }
+
+    /// All boxes, parents before their children.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The two children of a node that is no leaf.
+    pub fn children(&self, index: usize) -> [usize; 2] {
+        [index + 1, self.nodes[index].second as usize]
+    }
+
+    /// Triangles in a node.
+    pub fn triangles(&self, index: usize) -> &[u32] {
+        let node = &self.nodes[index];
+        &self.order[node.first as usize..(node.first + node.count) as usize]
+    }
+
+    /// Calls `found` for every triangle in a leaf whose box, and all boxes above it, `enter` accepts.
+    pub fn visit(&self, enter: impl Fn(&Node) -> bool, mut found: impl FnMut(u32)) {
+        let mut open = Vec::with_capacity(64);
+        if !self.nodes.is_empty() {
+            open.push(0);
+        }
+        while let Some(index) = open.pop() {
+            let node = &self.nodes[index];
+            if !enter(node) {
+                continue;
+            }
+            if node.is_leaf() {
+                self.triangles(index).iter().for_each(|&face| found(face));
+            } else {
+                open.extend(self.children(index));
+            }
+        }
+    }
+
+    /// Pairs of leaves whose boxes overlap, each once, a leaf with itself included.
+    pub fn overlapping_leaves(&self) -> Vec<[u32; 2]> {
+        let mut pairs = Vec::new();
+        let mut open = vec![[0, 0]];
+        if self.nodes.is_empty() {
+            open.clear();
+        }
+        while let Some([a, b]) = open.pop() {
+            let [m, n] = [a, b].map(|index: usize| &self.nodes[index]);
+            if !m.overlaps(n) {
+                continue;
+            }
+            match (m.is_leaf(), n.is_leaf()) {
+                (true, true) => pairs.push([a as u32, b as u32]),
+                (false, false) if a == b => {
+                    let [c, d] = self.children(a);
+                    open.extend([[c, c], [c, d], [d, d]]);
+                }
+                (false, is_leaf) if is_leaf || m.count >= n.count => {
+                    open.extend(self.children(a).map(|child| [child, b]));
+                }
+                _ => open.extend(self.children(b).map(|child| [a, child])),
+            }
+        }
+        pairs
+    }
+}

@@ -1,0 +1,260 @@
+//! Filling a solid with particles: the lattice is placed, and its spacing changed a little, so that the particles'
+//! volume comes closest to the solid's.
+//!
+//! A section three or four spacings wide holds 0.88 to 1.18 of its area depending on where the lattice falls. Geometry
+//! dominates every other error there, so the search is worth its time.
+
+use super::lattice::LatticeSample;
+use super::solid::Solid;
+use super::thinness::{Thinness, thinness};
+use glam::{DMat3, DVec3, IVec3};
+use rayon::prelude::*;
+use thiserror::Error;
+
+/// How fine to fill.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fineness {
+    /// Spacing of the lattice [m], kept to a few per cent.
+    Spacing(f64),
+    /// Number of particles, from which the spacing follows.
+    Particles(u32),
+}
+
+/// A filled solid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Filling {
+    /// The particles.
+    pub sample: LatticeSample,
+    /// Particles' volume over the solid's, minus one.
+    pub volume_error: f64,
+    /// Particles in parts of one layer, and of two.
+    pub thinness: Thinness,
+    /// Lattice points inside that were left out because too few others are around them to hold them.
+    pub pruned: usize,
+}
+
+/// A solid that cannot be filled as asked.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum FillError {
+    /// More particles than are allowed, or more lattice points to look at than is sensible.
+    #[error("about {wanted:.1e} lattice points would be needed where {limit:.1e} are allowed")]
+    TooMany {
+        /// Number of lattice points.
+        wanted: f64,
+        /// Greatest number.
+        limit: f64,
+    },
+    /// No lattice point inside.
+    #[error("no particle fits in at a spacing of {spacing:.3e} m")]
+    Empty {
+        /// Spacing [m].
+        spacing: f64,
+    },
+}
+
+/// Least and greatest change of the spacing that is tried, and by how much they are stepped through.
+const STEPS: i32 = 6;
+const STEP: f64 = 0.005;
+
+/// Quarters of the spacing by which the lattice is moved along each axis.
+const SHIFTS: i32 = 4;
+
+/// Cost of a per cent of change in spacing, in per cent of error in volume: a spacing that was asked for is left
+/// alone unless the gain is clear.
+const CHANGE: f64 = 0.5;
+
+/// Cost of a lattice that does not lie symmetrically to the solid's extents.
+const ASKEW: f64 = 5e-4;
+
+/// Cost below which the search ends.
+const GOOD: f64 = 1.5e-3;
+
+/// Candidates whose thin parts are compared.
+const FINALISTS: usize = 6;
+
+/// Weight of the share of particles in single layers.
+const THIN: f64 = 1.0;
+
+/// Lattice points of the bounding box that are looked at for one particle that is allowed, at most.
+const BOX_SHARE: f64 = 50.0;
+
+/// A lattice: its spacing [m] and the position of one of its points [m].
+#[derive(Clone, Copy, Debug)]
+struct Lattice {
+    spacing: f64,
+    origin: DVec3,
+}
+
+/// Fills a solid with at most `limit` particles. `reach` is the support radius over the spacing, h / D: it decides
+/// which particles hold each other.
+///
+/// # Errors
+/// [`FillError`].
+pub fn fill(solid: &Solid, fineness: Fineness, reach: f64, limit: usize) -> Result<Filling, FillError> {
+    let spacing = match fineness {
+        Fineness::Spacing(spacing) => spacing,
+        Fineness::Particles(count) => (solid.volume / f64::from(count.max(1))).cbrt(),
+    };
+    let particles = solid.volume / spacing.powi(3);
+    let in_box = (solid.size() / spacing + 1.0).element_product();
+    let limit = limit as f64;
+    for (wanted, limit) in [(particles, limit), (in_box, BOX_SHARE * limit)] {
+        if wanted.is_nan() || wanted > limit {
+            return Err(FillError::TooMany { wanted, limit });
+        }
+    }
+    let cost = |count: usize, lattice: &Lattice| {
+        let volume_error = count as f64 * lattice.spacing.powi(3) / solid.volume - 1.0;
+        let off = match fineness {
+            Fineness::Spacing(spacing) => CHANGE * (lattice.spacing / spacing - 1.0),
+            Fineness::Particles(wanted) => count as f64 / f64::from(wanted) - 1.0,
+        };
+        volume_error.abs() + off.abs()
+    };
+    let mut candidates: Vec<(f64, Lattice)> = Vec::new();
+    for k in 0..=2 * STEPS {
+        // 0, +1, -1, +2, -2, ... steps away.
+        let steps = if k % 2 == 0 { -(k / 2) } else { k / 2 + 1 };
+        if steps > STEPS {
+            continue;
+        }
+        let found = placements(solid, spacing * (1.0 + STEP * f64::from(steps)));
+        candidates.extend(
+            found
+                .into_iter()
+                .filter(|(count, ..)| *count > 0)
+                .map(|(count, askew, lattice)| (cost(count, &lattice) + ASKEW * f64::from(askew), lattice)),
+        );
+        if candidates.iter().any(|(cost, _)| *cost < GOOD) {
+            break;
+        }
+    }
+    candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let finalists = candidates.iter().take(FINALISTS).map(|&(cost, lattice)| {
+        let filling = prune(solid, collect(solid, lattice), reach);
+        let thin = filling.thinness.single as f64 + filling.pruned as f64;
+        let lost = filling.sample.points.is_empty();
+        (cost + THIN * thin / filling.sample.points.len().max(1) as f64, lost, filling)
+    });
+    let mut best: Option<(f64, Filling)> = None;
+    for (cost, lost, filling) in finalists {
+        let perfect = filling.thinness.single + filling.pruned == 0;
+        if !lost && best.as_ref().is_none_or(|(least, _)| cost < *least) {
+            best = Some((cost, filling));
+        }
+        // The rest would cost more in volume alone.
+        if perfect {
+            break;
+        }
+    }
+    best.map(|(_, filling)| filling).ok_or(FillError::Empty { spacing })
+}
+
+/// Positions of a lattice of this spacing: how many points fall inside, along how many axes it lies askew, the lattice.
+fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, i32, Lattice)> {
+    if solid.report.closed { placements_by_rows(solid, spacing) } else { placements_by_winding(solid, spacing) }
+}
+
+fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (i32, Lattice) {
+    let shift = DVec3::from_array(quarters.map(|q| f64::from(q) / f64::from(SHIFTS)));
+    let askew = quarters.iter().filter(|&&q| 2 * q % SHIFTS != 0).count() as i32;
+    (askew, Lattice { spacing, origin: 0.5 * (solid.min + solid.max) + spacing * shift })
+}
+
+/// Layers of the lattice that can touch a solid, along each axis.
+fn layers(solid: &Solid, lattice: &Lattice) -> [IVec3; 2] {
+    let first = ((solid.min - lattice.origin) / lattice.spacing).floor().as_ivec3();
+    let last = ((solid.max - lattice.origin) / lattice.spacing).ceil().as_ivec3();
+    [first, last]
+}
+
+/// Points of a row's stretches, as lattice indices along x.
+fn cells_along(stretches: &[[f64; 2]], lattice: &Lattice) -> impl Iterator<Item = std::ops::RangeInclusive<i32>> {
+    let Lattice { spacing, origin } = *lattice;
+    stretches.iter().map(move |[from, to]| {
+        let at = |cell: i32| origin.x + spacing * f64::from(cell);
+        let mut first = ((from - origin.x) / spacing).ceil() as i32;
+        let mut last = ((to - origin.x) / spacing).floor() as i32;
+        // The position that a particle gets is what counts, to the last bit.
+        first += i32::from(at(first) < *from);
+        last -= i32::from(at(last) > *to);
+        first..=last
+    })
+}
+
+fn placements_by_rows(solid: &Solid, spacing: f64) -> Vec<(usize, i32, Lattice)> {
+    (0..SHIFTS * SHIFTS)
+        .into_par_iter()
+        .flat_map_iter(|k| {
+            let lattices: Vec<_> =
+                (0..SHIFTS).map(|x| lattice_at(solid, spacing, [x, k % SHIFTS, k / SHIFTS])).collect();
+            let mut counts = vec![0; lattices.len()];
+            // Rows are shared by the lattices that differ along x only.
+            let [first, last] = layers(solid, &lattices[0].1);
+            let origin = lattices[0].1.origin;
+            for z in first.z..=last.z {
+                for y in first.y..=last.y {
+                    let row = solid.row(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
+                    for (count, (_, lattice)) in counts.iter_mut().zip(&lattices) {
+                        *count += cells_along(&row, lattice).map(Iterator::count).sum::<usize>();
+                    }
+                }
+            }
+            counts.into_iter().zip(lattices).map(|(count, (askew, lattice))| (count, askew, lattice))
+        })
+        .collect()
+}
+
+fn placements_by_winding(solid: &Solid, spacing: f64) -> Vec<(usize, i32, Lattice)> {
+    // Half spacings only: a winding number costs more than a row.
+    (0..8)
+        .map(|k| {
+            let (askew, lattice) = lattice_at(solid, spacing, [k % 2, k / 2 % 2, k / 4].map(|half| half * SHIFTS / 2));
+            (collect(solid, lattice).points.len(), askew, lattice)
+        })
+        .collect()
+}
+
+fn collect(solid: &Solid, lattice: Lattice) -> LatticeSample {
+    let [first, last] = layers(solid, &lattice);
+    let Lattice { spacing, origin } = lattice;
+    let winding = (!solid.report.closed).then(|| solid.winding());
+    let rows: Vec<Vec<IVec3>> = (first.z..=last.z)
+        .into_par_iter()
+        .map(|z| {
+            let mut cells = Vec::new();
+            for y in first.y..=last.y {
+                let at = |x: i32| origin + spacing * IVec3::new(x, y, z).as_dvec3();
+                match &winding {
+                    Some(winding) => cells
+                        .extend((first.x..=last.x).filter(|&x| winding.at(at(x)) > 0.5).map(|x| IVec3::new(x, y, z))),
+                    None => {
+                        let row = solid.row(at(0).y, at(0).z);
+                        cells.extend(cells_along(&row, &lattice).flatten().map(|x| IVec3::new(x, y, z)));
+                    }
+                }
+            }
+            cells
+        })
+        .collect();
+    let cells: Vec<IVec3> = rows.into_iter().flatten().collect();
+    let points = cells.iter().map(|cell| origin + spacing * cell.as_dvec3()).collect();
+    LatticeSample { spacing, axes: DMat3::IDENTITY, points, cells }
+}
+
+/// Leaves out points that have hardly any others around them, as at a tip finer than the lattice: nothing could hold
+/// them in place.
+fn prune(solid: &Solid, mut sample: LatticeSample, reach: f64) -> Filling {
+    let before = sample.points.len();
+    let (mut found, mut stray) = thinness(&sample.cells, reach);
+    // Without the strays others may be strays: at a needle, all of them in turn.
+    while stray.iter().any(|&stray| stray) {
+        let mut keep = stray.iter().map(|stray| !stray);
+        sample.points.retain(|_| keep.next().unwrap_or(true));
+        let mut keep = stray.iter().map(|stray| !stray);
+        sample.cells.retain(|_| keep.next().unwrap_or(true));
+        (found, stray) = thinness(&sample.cells, reach);
+    }
+    let volume_error = sample.points.len() as f64 * sample.spacing.powi(3) / solid.volume - 1.0;
+    Filling { volume_error, thinness: found, pruned: before - sample.points.len(), sample }
+}

@@ -1,0 +1,140 @@
+//! How many layers of a lattice a part is thick.
+
+use glam::{DMat3, DVec3, IVec3};
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+/// Particles in thin parts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Thinness {
+    /// Particles in parts of hardly more than one layer.
+    pub single: usize,
+    /// Particles in parts of about two layers.
+    pub double: usize,
+    /// Index of the first particle in a single layer.
+    pub first: Option<usize>,
+}
+
+/// Least variance of the particles in reach, in squared spacings: 0 for one layer, 1/4 for two, about 1/2 for three.
+const SINGLE: f64 = 0.15;
+const DOUBLE: f64 = 0.3;
+
+/// Variance and number of neighbours below which a particle is held by next to nothing.
+const STRAY: (f64, usize) = (0.02, 6);
+
+/// Looks around every particle, out to `reach` spacings. Also tells which particles are strays: those whose neighbours
+/// lie on a plane or a line, or are too few.
+pub fn thinness(cells: &[IVec3], reach: f64) -> (Thinness, Vec<bool>) {
+    let occupied = Occupied::new(cells);
+    let steps = steps_within(reach);
+    let found: Vec<(f64, usize)> = cells
+        .par_iter()
+        .map(|&cell| {
+            let (mut count, mut sum, mut squares) = (1, DVec3::ZERO, DMat3::ZERO);
+            for &(step, y) in &steps {
+                if occupied.contains(cell + step) {
+                    count += 1;
+                    sum += y;
+                    squares += DMat3::from_cols(y * y.x, y * y.y, y * y.z);
+                }
+            }
+            let mean = sum / f64::from(count);
+            let spread =
+                squares * f64::from(count).recip() - DMat3::from_cols(mean * mean.x, mean * mean.y, mean * mean.z);
+            (least_eigenvalue(spread), count as usize - 1)
+        })
+        .collect();
+    let single = |&(variance, _): &(f64, usize)| variance < SINGLE;
+    let thinness = Thinness {
+        single: found.iter().filter(|one| single(one)).count(),
+        double: found.iter().filter(|&&(variance, _)| (SINGLE..DOUBLE).contains(&variance)).count(),
+        first: found.iter().position(|one| single(one)),
+    };
+    let stray = found.iter().map(|&(variance, count)| variance < STRAY.0 || count < STRAY.1).collect();
+    (thinness, stray)
+}
+
+/// Lattice steps shorter than `reach`, none left out.
+fn steps_within(reach: f64) -> Vec<(IVec3, DVec3)> {
+    let n = reach.ceil() as i32;
+    let span = || -n..=n;
+    span()
+        .flat_map(|z| span().flat_map(move |y| span().map(move |x| IVec3::new(x, y, z))))
+        .map(|step| (step, step.as_dvec3()))
+        .filter(|(step, y)| *step != IVec3::ZERO && y.length() < reach)
+        .collect()
+}
+
+/// Which cells of the bounding box hold a particle.
+struct Occupied {
+    first: IVec3,
+    size: IVec3,
+    cells: Vec<bool>,
+}
+
+impl Occupied {
+    fn new(cells: &[IVec3]) -> Self {
+        let first = cells.iter().copied().reduce(IVec3::min).unwrap_or_default();
+        let last = cells.iter().copied().reduce(IVec3::max).unwrap_or_default();
+        let size = last - first + 1;
+        let length = size.x as usize * size.y as usize * size.z as usize;
+        let mut this = Self { first, size, cells: vec![false; length] };
+        for &cell in cells {
+            if let Some(index) = this.index(cell) {
+                this.cells[index] = true;
+            }
+        }
+        this
+    }
+
+    fn index(&self, cell: IVec3) -> Option<usize> {
+        let at = cell - self.first;
+        let within = at.cmpge(IVec3::ZERO).all() && at.cmplt(self.size).all();
+        within.then(|| (at.z as usize * self.size.y as usize + at.y as usize) * self.size.x as usize + at.x as usize)
+    }
+
+    fn contains(&self, cell: IVec3) -> bool {
+        self.index(cell).is_some_and(|index| self.cells[index])
+    }
+}
+
+/// Least eigenvalue of a symmetric matrix (Smith 1961).
+fn least_eigenvalue(a: DMat3) -> f64 {
+    let mean = (a.x_axis.x + a.y_axis.y + a.z_axis.z) / 3.0;
+    let b = a - DMat3::from_diagonal(DVec3::splat(mean));
+    let p = ((b.x_axis.length_squared() + b.y_axis.length_squared() + b.z_axis.length_squared()) / 6.0).sqrt();
+    if p == 0.0 {
+        return mean;
+    }
+    let r = (b * p.recip()).determinant() / 2.0;
+    let phi = r.clamp(-1.0, 1.0).acos() / 3.0;
+    mean + 2.0 * p * (phi + 2.0 * PI / 3.0).cos()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slab(layers: i32) -> Vec<IVec3> {
+        let cells = (0..layers).flat_map(|z| (0..100).map(move |k| IVec3::new(k % 10, k / 10, z)));
+        cells.collect()
+    }
+
+    #[test]
+    fn eigenvalues_of_a_known_matrix() {
+        let a = DMat3::from_cols_array(&[2.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0]);
+        assert!((least_eigenvalue(a) - (2.0 - 2.0_f64.sqrt())).abs() < 1e-12);
+        assert_eq!(least_eigenvalue(DMat3::from_diagonal(DVec3::splat(3.0))), 3.0);
+    }
+
+    #[test]
+    fn layers_are_told_apart() {
+        let counts = |layers| {
+            let (found, stray) = thinness(&slab(layers), 2.5);
+            (found.single, found.double, stray.iter().filter(|&&stray| stray).count())
+        };
+        assert_eq!(counts(1), (100, 0, 100));
+        assert_eq!(counts(2), (0, 200, 0));
+        assert_eq!(counts(3), (0, 0, 0));
+    }
+}

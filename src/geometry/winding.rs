@@ -1,0 +1,126 @@
+//! The generalised winding number: how often a surface turns around a point, holes and all.
+//!
+//! One inside a closed surface and nothing outside it; beside a hole it passes smoothly from one to the other, so that
+//! one half is a sound place to draw the line (Jacobson et al. 2013). Far triangles are taken together by the first two
+//! terms of their expansion (Barill et al. 2018), so that a query costs the logarithm of the number of triangles.
+
+use super::bvh::Bvh;
+use glam::{DMat3, DVec3};
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+/// A surface with its far fields.
+#[derive(Clone, Debug)]
+pub struct Winding<'a> {
+    points: &'a [DVec3],
+    faces: &'a [[u32; 3]],
+    bvh: &'a Bvh,
+    far: Vec<Far>,
+}
+
+/// What a group of triangles looks like from afar.
+#[derive(Clone, Copy, Debug)]
+struct Far {
+    center: DVec3,
+    /// Sum of the triangles' area vectors [m²].
+    area: DVec3,
+    /// Sum of `(c - center) (x) area` over the triangles' centres c [m³].
+    moment: DMat3,
+    /// Distance from the centre beyond which none of them reaches [m].
+    radius: f64,
+}
+
+/// A group counts as far from this many radii on: the error falls with the cube.
+const FAR: f64 = 3.0;
+
+impl<'a> Winding<'a> {
+    /// Prepares queries against triangles and the tree over them.
+    pub fn new(points: &'a [DVec3], faces: &'a [[u32; 3]], bvh: &'a Bvh) -> Self {
+        let far = (0..bvh.nodes().len()).into_par_iter().map(|node| far_field(points, faces, bvh, node)).collect();
+        Self { points, faces, bvh, far }
+    }
+
+    /// How often the surface turns around a point; positive when its faces turn outwards.
+    pub fn at(&self, point: DVec3) -> f64 {
+        let mut sum = 0.0;
+        let mut open = Vec::with_capacity(64);
+        if !self.far.is_empty() {
+            open.push(0);
+        }
+        while let Some(index) = open.pop() {
+            let Far { center, area, moment, radius } = self.far[index];
+            let offset = center - point;
+            let squared = offset.length_squared();
+            if squared > (FAR * radius).powi(2) {
+                let trace = moment.x_axis.x + moment.y_axis.y + moment.z_axis.z;
+                let second = trace - 3.0 * offset.dot(moment * offset) / squared;
+                sum += (area.dot(offset) + second) / (squared * squared.sqrt());
+            } else if self.bvh.nodes()[index].is_leaf() {
+                for &face in self.bvh.triangles(index) {
+                    sum += solid_angle(self.faces[face as usize].map(|i| self.points[i as usize] - point));
+                }
+            } else {
+                open.extend(self.bvh.children(index));
+            }
+        }
+        sum / (4.0 * PI)
+    }
+}
+
+/// The far field of a node's triangles. All are summed, at every level: a logarithm of additions a triangle, and no
+/// error that grows from level to level.
+fn far_field(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, node: usize) -> Far {
+    let triangles = bvh.triangles(node).iter().map(|&face| {
+        let [a, b, c] = faces[face as usize].map(|i| points[i as usize]);
+        (0.5 * (b - a).cross(c - a), (a + b + c) / 3.0)
+    });
+    let (mut area, mut center, mut weight) = (DVec3::ZERO, DVec3::ZERO, 0.0);
+    for (vector, middle) in triangles.clone() {
+        let size = vector.length();
+        area += vector;
+        center += size * middle;
+        weight += size;
+    }
+    let bounds = &bvh.nodes()[node];
+    let center = if weight > 0.0 { center / weight } else { 0.5 * (bounds.min + bounds.max) };
+    let mut moment = DMat3::ZERO;
+    for (vector, middle) in triangles {
+        let arm = middle - center;
+        moment += DMat3::from_cols(arm * vector.x, arm * vector.y, arm * vector.z);
+    }
+    let radius = (center - bounds.min).max(bounds.max - center).length();
+    Far { center, area, moment, radius }
+}
+
+/// Signed solid angle of a triangle seen from the origin (Van Oosterom and Strackee 1983).
+pub fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
+    let [la, lb, lc] = [a, b, c].map(DVec3::length);
+    let volume = a.dot(b.cross(c));
+    let below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    2.0 * volume.atan2(below)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::lattice::Cuboid;
+    use crate::geometry::mesh::box_surface;
+
+    #[test]
+    fn the_far_field_agrees_with_the_sum_of_all_angles() {
+        let shape = Cuboid { center: DVec3::splat(0.2), size: DVec3::new(1.0, 2.0, 0.5) };
+        let mut mesh = box_surface(&shape, 0.05);
+        // Open on one side.
+        mesh.triangles.retain(|t| t.iter().any(|&i| mesh.positions[i as usize].y < 1.19));
+        let bvh = Bvh::new(&mesh.positions, &mesh.triangles);
+        let winding = Winding::new(&mesh.positions, &mesh.triangles, &bvh);
+        for k in 0..200 {
+            let t = f64::from(k);
+            let point = DVec3::new((t * 0.37).sin(), 1.5 * (t * 0.73).cos(), (t * 1.1).sin()) + 0.2;
+            let exact: f64 =
+                mesh.triangles.iter().map(|t| solid_angle(t.map(|i| mesh.positions[i as usize] - point))).sum::<f64>()
+                    / (4.0 * PI);
+            assert!((winding.at(point) - exact).abs() < 1e-2, "{point}: {} not {exact}", winding.at(point));
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Loading what a scene refers to.
+
+use super::{IoError, load_model};
+use crate::geometry::solid::Solid;
+use crate::scene::{Assets, Scene};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Loads and checks the models that a scene names, relative to `folder`, that of the scene file. `progress` hears
+/// what is being worked on.
+///
+/// # Errors
+/// [`IoError::Asset`] with the pointer and the file: it cannot be read, or what it holds has no inside.
+pub fn load_assets(scene: &Scene, folder: &Path, progress: &mut dyn FnMut(&str)) -> Result<Assets, IoError> {
+    let mut assets = Assets::default();
+    complete_assets(&mut assets, scene, folder, progress)?;
+    Ok(assets)
+}
+
+/// [`load_assets`] for those that are not there yet.
+///
+/// # Errors
+/// As [`load_assets`]; those loaded before it stay.
+pub fn complete_assets(
+    assets: &mut Assets,
+    scene: &Scene,
+    folder: &Path,
+    progress: &mut dyn FnMut(&str),
+) -> Result<(), IoError> {
+    for (pointer, shape) in scene.meshes() {
+        if assets.solid(shape).is_some() {
+            continue;
+        }
+        let path = folder.join(&shape.path);
+        let asset = |error: IoError| IoError::Asset { pointer: format!("{pointer}/path"), error: Box::new(error) };
+        progress(&format!("{}: reading", shape.path));
+        let mut model = load_model(&path).map_err(asset)?;
+        model.stand_up(shape.up_axis(), shape.scale);
+        progress(&format!("{}: looking for an inside", shape.path));
+        let solid = Solid::new(&model).map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;
+        assets.insert(shape, Arc::new(solid));
+    }
+    Ok(())
+}

@@ -1,0 +1,102 @@
+//! Models in: OBJ, STL, PLY, glTF and GLB.
+
+mod gltf;
+mod obj;
+mod ply;
+mod polygon;
+mod stl;
+
+use super::IoError;
+use super::read::read_bytes;
+use crate::geometry::model::Model;
+use crate::scene::one_line;
+use std::fmt::Display;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+/// Model files larger than this are refused [bytes].
+pub const MAX_MODEL_BYTES: u64 = 1 << 30;
+
+/// Faces and vertices of a model, at most.
+const MOST: usize = 20_000_000;
+
+/// Formats, by how names end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Obj,
+    Stl,
+    Ply,
+    Gltf,
+}
+
+impl Format {
+    fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+        match ending.as_str() {
+            "obj" => Some(Self::Obj),
+            "stl" => Some(Self::Stl),
+            "ply" => Some(Self::Ply),
+            "gltf" | "glb" => Some(Self::Gltf),
+            _ => None,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Obj => "OBJ",
+            Self::Stl => "STL",
+            Self::Ply => "PLY",
+            Self::Gltf => "glTF",
+        }
+    }
+}
+
+/// Why a file cannot be understood.
+#[derive(Debug)]
+enum Failure {
+    /// What it holds makes no sense.
+    Content(String),
+    /// A file that it refers to.
+    Other(IoError),
+}
+
+impl Failure {
+    fn new(problem: impl Display) -> Self {
+        Self::Content(problem.to_string())
+    }
+}
+
+/// Whether a path ends like that of a model.
+pub fn is_model(path: &Path) -> bool {
+    Format::of(path).is_some()
+}
+
+/// Reads a model, in the file's own unit and axes.
+///
+/// # Errors
+/// [`IoError::InFile`] with what is wrong: no regular file of sensible size, no known format, no sense in it.
+pub fn load_model(path: &Path) -> Result<Model, IoError> {
+    let load = || {
+        let format = Format::of(path).ok_or(IoError::UnknownModel)?;
+        let bytes = read_bytes(path, MAX_MODEL_BYTES)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        // Importers meet files that nobody has thought of: a panic in one is a file that cannot be read.
+        let read = catch_unwind(AssertUnwindSafe(|| match format {
+            Format::Obj => obj::read(&bytes, folder),
+            Format::Stl => stl::read(bytes),
+            Format::Ply => ply::read(&bytes),
+            Format::Gltf => gltf::read(&bytes, folder),
+        }));
+        let understood = |problem: String| IoError::Model { format: format.name(), problem: one_line(&problem) };
+        match read {
+            Ok(Ok(model)) if model.triangles.len().max(model.positions.len()) > MOST => {
+                Err(understood(format!("it has more than {} million faces or vertices", MOST / 1_000_000)))
+            }
+            Ok(Ok(model)) => Ok(model),
+            Ok(Err(Failure::Content(problem))) => Err(understood(problem)),
+            Ok(Err(Failure::Other(error))) => Err(error),
+            Err(_) => Err(understood("it is damaged".to_owned())),
+        }
+    };
+    load().map_err(|error| error.within(path))
+}

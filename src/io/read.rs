@@ -1,0 +1,36 @@
+//! Reading a whole file, if it is one and of sensible size.
+
+use super::IoError;
+use std::fs::{self, File, FileType};
+use std::io::{self, Read};
+use std::path::Path;
+
+/// The content of a regular file of at most `limit` bytes.
+///
+/// # Errors
+/// [`IoError::Missing`], [`IoError::NotAFile`], [`IoError::TooLarge`] or [`IoError::Read`].
+pub(super) fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, IoError> {
+    let metadata = fs::metadata(path).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => IoError::Missing,
+        _ => IoError::Read(error),
+    })?;
+    // Asked before opening: opening a pipe would wait for somebody to write to it.
+    if !metadata.is_file() {
+        return Err(IoError::NotAFile(kind_of(metadata.file_type())));
+    }
+    let too_large = |bytes| Err(IoError::TooLarge { bytes, limit });
+    if metadata.len() > limit {
+        return too_large(metadata.len());
+    }
+    let mut bytes = Vec::with_capacity(metadata.len() as usize);
+    let file = File::open(path).map_err(IoError::Read)?;
+    file.take(limit + 1).read_to_end(&mut bytes).map_err(IoError::Read)?;
+    if bytes.len() as u64 > limit {
+        return too_large(bytes.len() as u64);
+    }
+    Ok(bytes)
+}
+
+fn kind_of(file_type: FileType) -> &'static str {
+    if file_type.is_dir() { "a folder" } else { "a pipe or device" }
+}

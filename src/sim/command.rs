@@ -1,0 +1,41 @@
+//! What can be asked of a running world. None of it is saved, none of it is undone.
+
+use crate::scene::{Assets, Scene};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// A request to the [`super::Worker`].
+#[derive(Clone, Debug)]
+pub enum SimCommand {
+    /// Run.
+    Play,
+    /// Hold still.
+    Pause,
+    /// Advance by one frame, then hold still.
+    Step,
+    /// Back to the start of the scene.
+    Reset,
+    /// Simulated time over wall time that is aimed at.
+    Speed(f64),
+    /// The document has changed: put it together again and go on from the present motion.
+    Edit(Arc<Scene>),
+    /// Another document and its models: put it together and start anew.
+    Open(Arc<Scene>, Arc<Assets>),
+    /// Pull on a point of a body.
+    Grab {
+        /// Index of the body.
+        body: usize,
+        /// Vertex of its skin, or particle where it has none.
+        vertex: usize,
+        /// Where to [m], world.
+        target: DVec3,
+    },
+    /// Move what was grabbed last [m], world.
+    MoveGrab(DVec3),
+    /// Let go of what was grabbed last.
+    Release,
+    /// Leave what was grabbed last where it is held now.
+    PinGrab,
+    /// Let go of everything that was pinned.
+    ReleaseAll,
+}

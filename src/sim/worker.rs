@@ -1,0 +1,364 @@
+//! The thread that runs a world beside a window: bounded requests in, the newest picture of the world out.
+//!
+//! The window never waits for the solver and the solver never waits for the window. The worker paces the [`Runner`]'s
+//! frames by the clock and takes no other step than the command line does.
+
+use super::{Runner, SimCommand};
+use crate::bake::{Baked, bake};
+use crate::scene::{Assets, Scene};
+use crate::solver::grab::Grab;
+use crate::solver::measure::MeasureValue;
+use crate::solver::snapshot::Snapshot;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// Requests that may wait; more than a person can make while one frame is computed.
+const WAITING: usize = 256;
+
+/// Wall time over which rates are averaged.
+const RATE_WINDOW: Duration = Duration::from_millis(500);
+
+/// A frame this late is not made up for: the simulation is in slow motion then.
+const GREATEST_DEBT: Duration = Duration::from_millis(100);
+
+/// The state of the simulation beside its picture.
+#[derive(Clone, Debug, Default)]
+pub struct Status {
+    /// Whether time runs.
+    pub playing: bool,
+    /// Simulated time [s].
+    pub time: f64,
+    /// Simulated frames a wall second.
+    pub frames_per_second: f64,
+    /// Simulated over wall time.
+    pub real_time_factor: f64,
+    /// Steps of each body in a frame.
+    pub substeps: Vec<u32>,
+    /// Material particles of all bodies.
+    pub particles: usize,
+    /// Why a body was stopped.
+    pub divergence: Option<String>,
+    /// Why there is no world: the scene cannot be put together, or the solver failed.
+    pub failure: Option<String>,
+    /// What was noticed while the scene was put together.
+    pub notes: Vec<String>,
+    /// What is being put together just now.
+    pub baking: Option<String>,
+    /// Present values of the scene's measures.
+    pub measures: Vec<MeasureValue>,
+    /// Document edits taken over so far, so that a window knows whether its last one has arrived.
+    pub edits: u64,
+}
+
+/// A picture of the world and what is to be said about it.
+#[derive(Clone, Debug, Default)]
+pub struct Published {
+    /// Positions.
+    pub snapshot: Snapshot,
+    /// Every body at rest in its model frame; the same one until the scene is put together again.
+    pub at_rest: Arc<Snapshot>,
+    /// The rest.
+    pub status: Status,
+}
+
+type Slot = Arc<Mutex<Option<Arc<Published>>>>;
+
+/// The running simulation, seen from the window.
+pub struct Worker {
+    sender: Option<SyncSender<SimCommand>>,
+    slot: Slot,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Worker {
+    /// Starts a thread that runs `scene`; `notify` is called whenever there is a new picture.
+    pub fn start(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, notify: impl Fn() + Send + 'static) -> Self {
+        let (sender, receiver) = sync_channel(WAITING);
+        let slot: Slot = Arc::default();
+        let out = Out { slot: Arc::clone(&slot), notify: Box::new(notify) };
+        let thread = std::thread::Builder::new()
+            .name("solver".into())
+            .spawn(move || Loop::new(scene, assets, playing, out).run(&receiver))
+            .ok();
+        Self { sender: Some(sender), slot, thread }
+    }
+
+    /// Asks for something; false if too much is waiting already or the thread is gone.
+    pub fn send(&self, command: SimCommand) -> bool {
+        match self.sender.as_ref().map(|sender| sender.try_send(command)) {
+            Some(Ok(())) => true,
+            Some(Err(TrySendError::Full(_) | TrySendError::Disconnected(_))) | None => false,
+        }
+    }
+
+    /// The newest picture since the last call.
+    pub fn take(&self) -> Option<Arc<Published>> {
+        self.slot.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        // Without a sender the thread ends after its present frame.
+        self.sender = None;
+        if let Some(thread) = self.thread.take() {
+            // A failure in there has been reported as a status.
+            let _ = thread.join();
+        }
+    }
+}
+
+struct Out {
+    slot: Slot,
+    notify: Box<dyn Fn() + Send>,
+}
+
+impl Out {
+    fn publish(&self, published: Published) {
+        *self.slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::new(published));
+        (self.notify)();
+    }
+}
+
+/// The thread's own state.
+struct Loop {
+    scene: Arc<Scene>,
+    assets: Arc<Assets>,
+    start: Option<Runner>,
+    runner: Option<Runner>,
+    at_rest: Arc<Snapshot>,
+    /// An edit that waits until everything that was asked for has been heard: only the last of several is baked.
+    edited: bool,
+    speed: f64,
+    /// Body of the grab that follows the pointer; it is the last of the body's grabs.
+    grabbed: Option<usize>,
+    status: Status,
+    out: Out,
+    rate: Rate,
+}
+
+/// Frames counted over a window of wall time.
+struct Rate {
+    since: Instant,
+    frames: u32,
+}
+
+impl Loop {
+    fn new(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, out: Out) -> Self {
+        Self {
+            scene,
+            assets,
+            start: None,
+            runner: None,
+            at_rest: Arc::default(),
+            edited: false,
+            speed: 1.0,
+            grabbed: None,
+            status: Status { playing, ..Status::default() },
+            out,
+            rate: Rate { since: Instant::now(), frames: 0 },
+        }
+    }
+
+    fn run(mut self, receiver: &Receiver<SimCommand>) {
+        self.put_together(false);
+        self.publish();
+        let mut due = Instant::now();
+        loop {
+            // Everything that waits is taken before the next frame, so that a drag is never behind.
+            let mut asked = false;
+            loop {
+                let wait =
+                    if self.runs() { due.saturating_duration_since(Instant::now()) } else { Duration::from_secs(1) };
+                match receiver.recv_timeout(if asked { Duration::ZERO } else { wait }) {
+                    Ok(command) => {
+                        self.obey(command);
+                        asked = true;
+                    }
+                    Err(RecvTimeoutError::Timeout) => break,
+                    Err(RecvTimeoutError::Disconnected) => return,
+                }
+            }
+            if std::mem::take(&mut self.edited) {
+                self.put_together(true);
+            }
+            if self.runs() && Instant::now() >= due {
+                self.advance();
+                let frame = self.frame_seconds() / self.speed.max(1e-3);
+                let now = Instant::now();
+                let earliest = now.checked_sub(GREATEST_DEBT).unwrap_or(now);
+                due = (due + Duration::from_secs_f64(frame.min(1.0))).max(earliest);
+            } else if !self.runs() {
+                due = Instant::now();
+            }
+            if asked || self.runs() {
+                self.publish();
+            }
+        }
+    }
+
+    fn runs(&self) -> bool {
+        self.status.playing && self.runner.as_ref().is_some_and(|runner| !runner.all_stopped())
+    }
+
+    fn frame_seconds(&self) -> f64 {
+        self.runner.as_ref().map_or(1.0, |runner| runner.world().plan().frame_seconds)
+    }
+
+    fn obey(&mut self, command: SimCommand) {
+        match command {
+            SimCommand::Play => {
+                self.status.playing = true;
+                self.rate = Rate { since: Instant::now(), frames: 0 };
+            }
+            SimCommand::Pause => self.status.playing = false,
+            SimCommand::Step => {
+                self.status.playing = false;
+                self.advance();
+            }
+            SimCommand::Reset => {
+                self.grabbed = None;
+                if self.start.is_some() {
+                    self.runner.clone_from(&self.start);
+                    self.status.failure = None;
+                } else {
+                    self.put_together(false);
+                }
+            }
+            SimCommand::Speed(speed) => self.speed = speed,
+            SimCommand::Edit(scene) => {
+                self.scene = scene;
+                self.status.edits += 1;
+                self.edited = true;
+            }
+            SimCommand::Open(scene, assets) => {
+                self.scene = scene;
+                self.assets = assets;
+                self.status.edits += 1;
+                self.grabbed = None;
+                self.put_together(false);
+            }
+            SimCommand::Grab { body, vertex, target } => self.grab(body, vertex, target),
+            SimCommand::MoveGrab(target) => {
+                if let Some(grab) = self.last_grab() {
+                    grab.target = target;
+                }
+            }
+            SimCommand::Release => {
+                if let Some(grabs) = self.grabs() {
+                    grabs.pop();
+                }
+                self.grabbed = None;
+            }
+            SimCommand::PinGrab => self.grabbed = None,
+            SimCommand::ReleaseAll => {
+                self.grabbed = None;
+                if let Some(runner) = &mut self.runner {
+                    runner.release_all();
+                }
+            }
+        }
+    }
+
+    fn grab(&mut self, body: usize, vertex: usize, target: glam::DVec3) {
+        let Some(held) = self.runner.as_mut().and_then(|runner| runner.body_mut(body)) else { return };
+        let Some(point) = held.point(vertex) else { return };
+        let grab = Grab::scaled(point, target, held.state(), held.parts().dt);
+        held.grabs_mut().push(grab);
+        self.grabbed = Some(body);
+    }
+
+    fn grabs(&mut self) -> Option<&mut Vec<Grab>> {
+        let body = self.grabbed?;
+        Some(self.runner.as_mut()?.body_mut(body)?.grabs_mut())
+    }
+
+    fn last_grab(&mut self) -> Option<&mut Grab> {
+        self.grabs()?.last_mut()
+    }
+
+    /// Bakes the scene. After an edit the motion goes on; where the scene cannot be put together, the old world does.
+    fn put_together(&mut self, keep_motion: bool) {
+        let scene = Arc::clone(&self.scene);
+        let result = catch_unwind(AssertUnwindSafe(|| self.bake(&scene)));
+        self.status.baking = None;
+        match result {
+            Ok(Ok(baked)) => {
+                self.status.notes = baked.notes.iter().map(ToString::to_string).collect();
+                self.status.failure = None;
+                let fresh = Runner::new(&scene, baked);
+                self.at_rest = Arc::new(Snapshot::in_model_frames(fresh.world()));
+                self.start = Some(fresh.clone());
+                let mut runner = fresh;
+                if let Some(before) = self.runner.as_ref().filter(|_| keep_motion) {
+                    runner.adopt(before);
+                }
+                self.runner = Some(runner);
+            }
+            Ok(Err(problem)) => self.status.failure = Some(problem),
+            Err(panic) => self.status.failure = Some(describe(panic.as_ref())),
+        }
+    }
+
+    fn bake(&mut self, scene: &Scene) -> Result<Baked, String> {
+        scene.validate().map_err(|error| error.to_string())?;
+        let mut shown = Instant::now();
+        let assets = Arc::clone(&self.assets);
+        bake(scene, &assets, &mut |name, stage| {
+            self.status.baking = Some(format!("{name}: {stage}"));
+            // Only what takes long enough to be read is shown.
+            if shown.elapsed() > Duration::from_millis(200) {
+                shown = Instant::now();
+                self.publish();
+            }
+        })
+        .map_err(|error| error.to_string())
+    }
+
+    fn advance(&mut self) {
+        let Some(runner) = &mut self.runner else { return };
+        let outcome = catch_unwind(AssertUnwindSafe(|| runner.advance_frame()));
+        if let Err(panic) = outcome {
+            // What the world holds after a panic cannot be trusted; the document and the last picture can.
+            self.runner = None;
+            self.status.playing = false;
+            self.status.failure = Some(describe(panic.as_ref()));
+        }
+        self.rate.frames += 1;
+        let elapsed = self.rate.since.elapsed();
+        if elapsed >= RATE_WINDOW {
+            let rate = f64::from(self.rate.frames) / elapsed.as_secs_f64();
+            self.status.frames_per_second = rate;
+            self.status.real_time_factor = rate * self.frame_seconds();
+            self.rate = Rate { since: Instant::now(), frames: 0 };
+        }
+    }
+
+    fn publish(&mut self) {
+        let mut snapshot = Snapshot::default();
+        if let Some(runner) = &self.runner {
+            let world = runner.world();
+            snapshot = runner.snapshot();
+            self.status.time = world.time();
+            self.status.substeps = world.plan().substeps.iter().map(|count| count * world.plan().outer_steps).collect();
+            self.status.particles = world.bodies().iter().map(|body| body.state().len()).sum();
+            self.status.divergence = world.divergence().map(ToString::to_string);
+            self.status.measures = world.measures();
+        }
+        let at_rest = Arc::clone(&self.at_rest);
+        self.out.publish(Published { snapshot, at_rest, status: self.status.clone() });
+    }
+}
+
+/// What a panic said.
+fn describe(panic: &(dyn std::any::Any + Send)) -> String {
+    let said = panic
+        .downcast_ref::<&str>()
+        .map(|text| (*text).to_owned())
+        .or_else(|| panic.downcast_ref::<String>().cloned())
+        .unwrap_or_else(|| "no message".to_owned());
+    format!("the solver failed ({said}); the document is unharmed: undo the last change or reset")
+}

@@ -1,0 +1,206 @@
+//! Everything that can be asked of the program, in one list: menu, shortcut, tooltip, palette and help are made of it.
+
+use egui::{Key, KeyboardShortcut, Modifiers};
+
+/// Something that a person asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Action {
+    /// Start from the built-in scene.
+    New,
+    /// Open a scene.
+    Open,
+    /// Save the scene where it came from.
+    Save,
+    /// Save the scene elsewhere.
+    SaveAs,
+    /// Close the window.
+    Quit,
+    /// Take the last change back.
+    Undo,
+    /// Make it again.
+    Redo,
+    /// Delete the selected fibre.
+    Delete,
+    /// Run or hold the simulation.
+    PlayPause,
+    /// Advance one frame.
+    Step,
+    /// Back to the start.
+    Reset,
+    /// Let go of everything that is pinned by dragging.
+    ReleasePins,
+    /// Fit the view to what is there.
+    Frame,
+    /// See through the solid.
+    XRay,
+    /// Show the particles.
+    Particles,
+    /// Switch between light and dark.
+    Theme,
+    /// Find an action by its name.
+    Palette,
+    /// List keys and gestures.
+    Help,
+}
+
+/// Menu in which an action stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Menu {
+    /// Files.
+    File,
+    /// The document.
+    Edit,
+    /// The running simulation.
+    Simulation,
+    /// What is seen.
+    View,
+    /// Help.
+    Help,
+}
+
+impl Menu {
+    /// All menus in their order.
+    pub const ALL: [Self; 5] = [Self::File, Self::Edit, Self::Simulation, Self::View, Self::Help];
+
+    /// Title.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::File => "File",
+            Self::Edit => "Edit",
+            Self::Simulation => "Simulation",
+            Self::View => "View",
+            Self::Help => "Help",
+        }
+    }
+}
+
+impl Action {
+    /// All actions in the order of the menus.
+    pub const ALL: [Self; 18] = [
+        Self::New,
+        Self::Open,
+        Self::Save,
+        Self::SaveAs,
+        Self::Quit,
+        Self::Undo,
+        Self::Redo,
+        Self::Delete,
+        Self::PlayPause,
+        Self::Step,
+        Self::Reset,
+        Self::ReleasePins,
+        Self::Frame,
+        Self::XRay,
+        Self::Particles,
+        Self::Theme,
+        Self::Palette,
+        Self::Help,
+    ];
+
+    /// Name in menus, palette and help; an ellipsis where more is asked.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::New => "New from the soft bar",
+            Self::Open => "Open…",
+            Self::Save => "Save",
+            Self::SaveAs => "Save as…",
+            Self::Quit => "Quit",
+            Self::Undo => "Undo",
+            Self::Redo => "Redo",
+            Self::Delete => "Delete fibre",
+            Self::PlayPause => "Play or pause",
+            Self::Step => "Advance one frame",
+            Self::Reset => "Back to the start",
+            Self::ReleasePins => "Release pinned drags",
+            Self::Frame => "Frame everything",
+            Self::XRay => "See through the solid",
+            Self::Particles => "Show particles",
+            Self::Theme => "Light or dark",
+            Self::Palette => "Command palette…",
+            Self::Help => "Keys and gestures",
+        }
+    }
+
+    /// What it does, in a sentence.
+    pub fn tooltip(self) -> &'static str {
+        match self {
+            Self::New => "Starts over with the built-in scene",
+            Self::Open => "Opens a scene file; dropping one on the window does the same",
+            Self::Save => "Writes the scene to its file",
+            Self::SaveAs => "Writes the scene to another file",
+            Self::Quit => "Closes the window",
+            Self::Undo => "Takes the last change of the scene back",
+            Self::Redo => "Makes the change that was taken back again",
+            Self::Delete => "Deletes the selected fibre",
+            Self::PlayPause => "Runs or holds the simulation",
+            Self::Step => "Advances the simulation by one frame and holds it",
+            Self::Reset => "Puts the simulation back to the start of the scene",
+            Self::ReleasePins => "Lets go of every point that P has pinned while dragging",
+            Self::Frame => "Fits every view to what is there",
+            Self::XRay => "Shows the fibres through the solid in the result view",
+            Self::Particles => "Shows material particles cool and structure particles warm",
+            Self::Theme => "Switches between the light and the dark theme",
+            Self::Palette => "Finds any of these by its name",
+            Self::Help => "Lists every key and gesture",
+        }
+    }
+
+    /// Menu in which it stands.
+    pub fn menu(self) -> Menu {
+        match self {
+            Self::New | Self::Open | Self::Save | Self::SaveAs | Self::Quit => Menu::File,
+            Self::Undo | Self::Redo | Self::Delete => Menu::Edit,
+            Self::PlayPause | Self::Step | Self::Reset | Self::ReleasePins => Menu::Simulation,
+            Self::Frame | Self::XRay | Self::Particles | Self::Theme => Menu::View,
+            Self::Palette | Self::Help => Menu::Help,
+        }
+    }
+
+    /// Keys; the first is shown.
+    pub fn shortcuts(self) -> &'static [KeyboardShortcut] {
+        const fn plain(key: Key) -> KeyboardShortcut {
+            KeyboardShortcut::new(Modifiers::NONE, key)
+        }
+        const fn ctrl(key: Key) -> KeyboardShortcut {
+            KeyboardShortcut::new(Modifiers::COMMAND, key)
+        }
+        const fn ctrl_shift(key: Key) -> KeyboardShortcut {
+            KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
+        }
+        match self {
+            Self::New => const { &[ctrl(Key::N)] },
+            Self::Open => const { &[ctrl(Key::O)] },
+            Self::Save => const { &[ctrl(Key::S)] },
+            Self::SaveAs => const { &[ctrl_shift(Key::S)] },
+            Self::Quit => const { &[ctrl(Key::Q)] },
+            Self::Undo => const { &[ctrl(Key::Z)] },
+            Self::Redo => const { &[ctrl_shift(Key::Z), ctrl(Key::Y)] },
+            Self::Delete => const { &[plain(Key::Delete), plain(Key::X)] },
+            Self::PlayPause => const { &[plain(Key::Space)] },
+            Self::Step => const { &[plain(Key::Period)] },
+            Self::Reset => const { &[ctrl(Key::R)] },
+            Self::ReleasePins => const { &[ctrl_shift(Key::P)] },
+            Self::Frame => const { &[plain(Key::F)] },
+            Self::XRay => const { &[KeyboardShortcut::new(Modifiers::ALT, Key::Z)] },
+            Self::Particles => const { &[KeyboardShortcut::new(Modifiers::ALT, Key::P)] },
+            Self::Theme => const { &[KeyboardShortcut::new(Modifiers::ALT, Key::T)] },
+            Self::Palette => const { &[ctrl(Key::P)] },
+            Self::Help => const { &[plain(Key::F1)] },
+        }
+    }
+}
+
+/// Gestures of the pointer and single keys that are no actions, for the help.
+pub const GESTURES: [(&str, &str); 11] = [
+    ("Left drag in a drawing view", "draws a stroke"),
+    ("Escape", "takes the last stroke back"),
+    ("Left drag on a body in the result view", "pulls it"),
+    ("P while pulling", "leaves the point pinned where it is"),
+    ("Middle drag, Alt + left drag", "turns the result view, moves a drawing view"),
+    ("Shift + middle drag, Alt + middle drag", "moves the view"),
+    ("Wheel, Alt + right drag", "moves nearer or further"),
+    ("1, 3, 7", "shows the result from the front, the side, the top"),
+    ("Ctrl + 1, 3, 7", "shows it from the other side"),
+    ("5", "changes between parallel and perspective"),
+    ("Drop a file on the window", "opens it"),
+];

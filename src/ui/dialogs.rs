@@ -1,0 +1,204 @@
+//! What opens over the window: the palette, the help, the request for a path.
+
+use super::action::{Action, GESTURES, Menu};
+use super::app::App;
+use super::theme::GRID;
+use egui::{Context, Id, Key, Modal, RichText, ScrollArea, TextEdit, Ui};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, channel};
+
+/// What a path is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PathPurpose {
+    /// To open a scene.
+    Open,
+    /// To save the scene.
+    Save,
+}
+
+/// What is open over the window.
+pub enum Dialog {
+    /// Finds an action by its name.
+    Palette {
+        /// What has been typed.
+        text: String,
+        /// Which of the matches would be taken.
+        chosen: usize,
+    },
+    /// Lists keys and gestures.
+    Help,
+    /// Asks for a path.
+    Path {
+        /// What for.
+        purpose: PathPurpose,
+        /// What has been typed.
+        text: String,
+        /// The desktop's own dialog, when it is open.
+        browsing: Option<Receiver<Option<PathBuf>>>,
+    },
+}
+
+impl Dialog {
+    pub(super) fn palette() -> Self {
+        Self::Palette { text: String::new(), chosen: 0 }
+    }
+
+    pub(super) fn path(purpose: PathPurpose, present: Option<&Path>) -> Self {
+        let text = present.map_or_else(|| "scene.json".to_owned(), |path| path.display().to_string());
+        Self::Path { purpose, text, browsing: None }
+    }
+}
+
+/// What a dialog came to in a frame.
+enum Answer {
+    /// It stays open.
+    None,
+    /// It is closed.
+    Closed,
+    /// An action was chosen.
+    Do(Action),
+    /// A path was given.
+    Path(PathPurpose, PathBuf),
+}
+
+impl App {
+    pub(super) fn dialogs(&mut self, ctx: &Context) {
+        let Some(mut dialog) = self.dialog.take() else { return };
+        let modal = Modal::new(Id::unique("dialog")).show(ctx, |ui| match &mut dialog {
+            Dialog::Palette { text, chosen } => palette(ui, text, chosen, |action| self.can(action)),
+            Dialog::Help => help(ui),
+            Dialog::Path { purpose, text, browsing } => ask_path(ui, *purpose, text, browsing),
+        });
+        let answer = match modal.inner {
+            Answer::None if modal.should_close() => Answer::Closed,
+            answer => answer,
+        };
+        match answer {
+            Answer::None => self.dialog = Some(dialog),
+            Answer::Closed => {}
+            Answer::Do(action) => self.perform(ctx, action),
+            Answer::Path(PathPurpose::Open, path) => self.open(&path),
+            Answer::Path(PathPurpose::Save, path) => self.save(&path),
+        }
+    }
+}
+
+fn palette(ui: &mut Ui, text: &mut String, chosen: &mut usize, can: impl Fn(Action) -> bool) -> Answer {
+    ui.set_width(360.0);
+    let typed = ui.add(TextEdit::singleline(text).hint_text("Type a command").desired_width(f32::INFINITY));
+    typed.request_focus();
+    if typed.changed() {
+        *chosen = 0;
+    }
+    let wanted = text.to_lowercase();
+    let matches: Vec<Action> =
+        Action::ALL.into_iter().filter(|action| action.name().to_lowercase().contains(&wanted)).collect();
+    let (up, down, enter) = ui.input(|input| {
+        (input.key_pressed(Key::ArrowUp), input.key_pressed(Key::ArrowDown), input.key_pressed(Key::Enter))
+    });
+    if down {
+        *chosen += 1;
+    }
+    if up {
+        *chosen = chosen.saturating_sub(1);
+    }
+    *chosen = (*chosen).min(matches.len().saturating_sub(1));
+    let mut answer = Answer::None;
+    ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
+        if matches.is_empty() {
+            ui.label("No command of that name");
+        }
+        for (k, &action) in matches.iter().enumerate() {
+            let key =
+                action.shortcuts().first().map_or_else(String::new, |shortcut| ui.ctx().format_shortcut(shortcut));
+            let button = egui::Button::selectable(k == *chosen, action.name())
+                .shortcut_text(key)
+                .min_size(egui::vec2(340.0, 0.0));
+            let clicked = ui.add_enabled(can(action), button).on_hover_text(action.tooltip()).clicked();
+            if clicked || (enter && k == *chosen && can(action)) {
+                answer = Answer::Do(action);
+            }
+        }
+    });
+    answer
+}
+
+fn help(ui: &mut Ui) -> Answer {
+    ui.set_width(520.0);
+    ui.heading("Keys and gestures");
+    ScrollArea::vertical().max_height(0.7 * ui.ctx().content_rect().height()).show(ui, |ui| {
+        egui::Grid::new("gestures").num_columns(2).spacing([6.0 * GRID, GRID]).show(ui, |ui| {
+            for (gesture, effect) in GESTURES {
+                ui.label(gesture);
+                ui.label(RichText::new(effect).weak());
+                ui.end_row();
+            }
+            for menu in Menu::ALL {
+                ui.label(RichText::new(menu.title()).strong());
+                ui.end_row();
+                for action in Action::ALL.into_iter().filter(|action| action.menu() == menu) {
+                    let keys: Vec<String> = action.shortcuts().iter().map(|s| ui.ctx().format_shortcut(s)).collect();
+                    ui.label(format!("{}  {}", action.name(), keys.join(", ")));
+                    ui.label(RichText::new(action.tooltip()).weak());
+                    ui.end_row();
+                }
+            }
+        });
+    });
+    if ui.button("Close").clicked() { Answer::Closed } else { Answer::None }
+}
+
+fn ask_path(
+    ui: &mut Ui,
+    purpose: PathPurpose,
+    text: &mut String,
+    browsing: &mut Option<Receiver<Option<PathBuf>>>,
+) -> Answer {
+    ui.set_width(460.0);
+    let (title, verb) = match purpose {
+        PathPurpose::Open => ("Open a scene", "Open"),
+        PathPurpose::Save => ("Save the scene", "Save"),
+    };
+    ui.heading(title);
+    let typed = ui.add(TextEdit::singleline(text).hint_text("Path of a .json file").desired_width(f32::INFINITY));
+    if browsing.is_none() && ui.memory(|memory| memory.focused().is_none()) {
+        typed.request_focus();
+    }
+    // Without a desktop's portal there is no dialog: the typed path always works.
+    if let Some(Ok(picked)) = browsing.as_ref().map(Receiver::try_recv) {
+        *browsing = None;
+        if let Some(path) = picked {
+            return Answer::Path(purpose, path);
+        }
+    }
+    let entered = typed.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    let mut answer = Answer::None;
+    ui.horizontal(|ui| {
+        if (ui.button(verb).clicked() || entered) && !text.trim().is_empty() {
+            answer = Answer::Path(purpose, PathBuf::from(text.trim()));
+        }
+        if ui.add_enabled(browsing.is_none(), egui::Button::new("Browse…")).clicked() {
+            *browsing = Some(browse(purpose, ui.ctx().clone()));
+        }
+        if ui.button("Cancel").clicked() {
+            answer = Answer::Closed;
+        }
+    });
+    answer
+}
+
+/// Opens the desktop's file dialog without holding the window up.
+fn browse(purpose: PathPurpose, ctx: Context) -> Receiver<Option<PathBuf>> {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || {
+        let dialog = rfd::FileDialog::new().add_filter("sinew scene", &["json"]);
+        let picked = match purpose {
+            PathPurpose::Open => dialog.pick_file(),
+            PathPurpose::Save => dialog.set_file_name("scene.json").save_file(),
+        };
+        // The window may be gone by now.
+        let _ = sender.send(picked);
+        ctx.request_repaint();
+    });
+    receiver
+}

@@ -1,0 +1,69 @@
+//! The window: sketch in two views, watch and pull in the third.
+//!
+//! It reads the document and the newest snapshot; what a person does leaves through two doors only, a
+//! [`crate::edit::Command`] for the document and a [`crate::sim::SimCommand`] for the running world.
+
+mod action;
+mod app;
+mod dialogs;
+mod pane;
+mod panels;
+mod picture;
+mod sketch_tool;
+pub mod theme;
+
+pub use action::{Action, Menu};
+pub use app::{App, Document};
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use thiserror::Error;
+
+/// Why there is no window.
+#[derive(Debug, Error)]
+#[error(
+    "no window could be opened ({problem}); it needs a screen (DISPLAY or WAYLAND_DISPLAY) and a graphics driver, on \
+     Debian: apt install libx11-6 libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0 libvulkan1 mesa-vulkan-drivers; \
+     `sinew simulate` does the same work without one"
+)]
+pub struct NoWindow {
+    problem: String,
+}
+
+/// Opens the window on a document and returns when it is closed.
+///
+/// # Errors
+/// [`NoWindow`] where there is no screen, no driver or a library is missing.
+pub fn run(document: Document) -> Result<(), NoWindow> {
+    let options = eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default()
+            .with_title("sinew")
+            .with_inner_size([1280.0, 800.0])
+            .with_min_inner_size([640.0, 400.0])
+            .with_drag_and_drop(true),
+        ..eframe::NativeOptions::default()
+    };
+    // A missing library makes a dependency panic; that is a sentence for the person, not a crash.
+    let hook = std::panic::take_hook();
+    std::panic::set_hook(Box::new(|_| {}));
+    let outcome = catch_unwind(AssertUnwindSafe(move || {
+        eframe::run_native(
+            "sinew",
+            options,
+            Box::new(move |creation| {
+                std::panic::set_hook(hook);
+                Ok(Box::new(App::new(&creation.egui_ctx, creation.wgpu_render_state.clone(), document)))
+            }),
+        )
+    }));
+    let problem = match outcome {
+        Ok(Ok(())) => return Ok(()),
+        Ok(Err(error)) => error.to_string(),
+        Err(panic) => panic
+            .downcast_ref::<String>()
+            .cloned()
+            .or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()))
+            .unwrap_or_else(|| "the window system failed".to_owned()),
+    };
+    let problem = problem.lines().next().unwrap_or_default().trim_end_matches('.').to_owned();
+    Err(NoWindow { problem })
+}

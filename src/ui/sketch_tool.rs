@@ -1,0 +1,237 @@
+//! Drawing a fibre by a stroke in each of two views. Knows strokes and pixels, but no window.
+
+use crate::scene::{Extra, Mismatch, StrokePair, ViewStroke};
+use crate::sketch::{Follow, Guides, LiftOptions, Lifted, SketchError, Stroke, View, follow, guides, lift};
+use glam::DVec2;
+
+/// Pointer travel between two samples [pixels].
+const SAMPLE_EVERY: f64 = 2.0;
+
+/// Strokes shorter than this are taken for a slip [pixels].
+pub const SHORTEST_STROKE: f64 = 12.0;
+
+/// Where the drawing of a fibre stands.
+#[derive(Clone, Debug, Default)]
+pub enum Stage {
+    /// Nothing is drawn.
+    #[default]
+    Empty,
+    /// The pointer draws; the first stroke is there already when this is the second.
+    Drawing {
+        /// What has been drawn so far.
+        stroke: Stroke,
+        /// Travel of the pointer [pixels].
+        length: f64,
+        /// Last sample [pixels].
+        last: DVec2,
+        /// The first stroke, when this is the second.
+        first: Option<Stroke>,
+    },
+    /// The first stroke is drawn and waits for the second.
+    Waiting {
+        /// The first stroke.
+        first: Stroke,
+    },
+    /// Both strokes are drawn but do not make a fibre as they are.
+    Refused {
+        /// The first stroke.
+        first: Stroke,
+        /// The second stroke.
+        second: Stroke,
+    },
+}
+
+/// What a released stroke has led to.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// It was too short to be meant [pixels].
+    Slip(f64),
+    /// The first stroke is there; the second goes into another view.
+    First,
+    /// The pair cannot be used as it is.
+    Refused(SketchError),
+    /// The pair makes a curve.
+    Pair {
+        /// The raw strokes and how they were taken.
+        strokes: StrokePair,
+        /// The curve and what is to be said about it.
+        lifted: Box<Lifted>,
+    },
+}
+
+/// The tool.
+#[derive(Clone, Debug, Default)]
+pub struct SketchTool {
+    stage: Stage,
+}
+
+impl SketchTool {
+    /// Where the drawing stands.
+    pub fn stage(&self) -> &Stage {
+        &self.stage
+    }
+
+    /// Whether a stroke is being drawn in `view`.
+    pub fn draws_in(&self, view: View) -> bool {
+        matches!(&self.stage, Stage::Drawing { stroke, .. } if stroke.view == view)
+    }
+
+    /// The first stroke, once it is finished.
+    pub fn first(&self) -> Option<&Stroke> {
+        match &self.stage {
+            Stage::Empty => None,
+            Stage::Drawing { first, .. } => first.as_ref(),
+            Stage::Waiting { first } | Stage::Refused { first, .. } => Some(first),
+        }
+    }
+
+    /// Starts a stroke at a pixel and the point [m] that it shows. In the view of the first stroke it takes that one's
+    /// place.
+    pub fn press(&mut self, view: View, pixel: DVec2, point: DVec2) {
+        let first = self.first().filter(|first| first.view != view).cloned();
+        self.stage = Stage::Drawing { stroke: Stroke { view, points: vec![point] }, length: 0.0, last: pixel, first };
+    }
+
+    /// Takes a pointer sample of the stroke that is being drawn.
+    pub fn drag(&mut self, pixel: DVec2, point: DVec2) {
+        if let Stage::Drawing { stroke, length, last, .. } = &mut self.stage {
+            let travel = pixel.distance(*last);
+            if travel >= SAMPLE_EVERY {
+                stroke.points.push(point);
+                *length += travel;
+                *last = pixel;
+            }
+        }
+    }
+
+    /// Ends the stroke; `model_diagonal` [m] is that of the body that is drawn into.
+    pub fn release(&mut self, model_diagonal: f64) -> Option<Outcome> {
+        let Stage::Drawing { stroke, length, first, .. } = std::mem::take(&mut self.stage) else { return None };
+        if length < SHORTEST_STROKE {
+            self.stage = first.map_or(Stage::Empty, |first| Stage::Waiting { first });
+            return Some(Outcome::Slip(length));
+        }
+        let Some(first) = first else {
+            self.stage = Stage::Waiting { first: stroke };
+            return Some(Outcome::First);
+        };
+        Some(self.pair(first, stroke, model_diagonal, Mismatch::Clip))
+    }
+
+    /// Takes a refused pair by stretching the second stroke onto the first.
+    pub fn stretch(&mut self, model_diagonal: f64) -> Option<Outcome> {
+        let Stage::Refused { first, second } = std::mem::take(&mut self.stage) else { return None };
+        Some(self.pair(first, second, model_diagonal, Mismatch::Stretch))
+    }
+
+    fn pair(&mut self, first: Stroke, second: Stroke, model_diagonal: f64, mismatch: Mismatch) -> Outcome {
+        let options = LiftOptions { flip_second: false, stretch: mismatch == Mismatch::Stretch, model_diagonal };
+        match lift(&first, &second, &options) {
+            Ok(lifted) => {
+                let strokes = StrokePair {
+                    first: drawn(&first),
+                    second: drawn(&second),
+                    flip_second: false,
+                    mismatch,
+                    extra: Extra::new(),
+                };
+                Outcome::Pair { strokes, lifted: Box::new(lifted) }
+            }
+            Err(error) => {
+                self.stage = Stage::Refused { first, second };
+                Outcome::Refused(error)
+            }
+        }
+    }
+
+    /// Throws away the stroke that is being drawn, or else what has been drawn so far; false if there was nothing.
+    pub fn cancel(&mut self) -> bool {
+        match std::mem::take(&mut self.stage) {
+            Stage::Empty => false,
+            Stage::Drawing { first: Some(first), .. } | Stage::Refused { first, .. } => {
+                self.stage = Stage::Waiting { first };
+                true
+            }
+            Stage::Drawing { first: None, .. } | Stage::Waiting { .. } => true,
+        }
+    }
+
+    /// What helps to draw the second stroke in `view`; none before the first one is there.
+    pub fn guides(&self, view: View, model_diagonal: f64) -> Option<Guides> {
+        guides(self.first()?, view, model_diagonal).ok()
+    }
+
+    /// The curve that the strokes make so far, while the second one is being drawn.
+    pub fn preview(&self, model_diagonal: f64) -> Option<Follow> {
+        match &self.stage {
+            Stage::Drawing { stroke, first: Some(first), .. } => follow(first, stroke, model_diagonal).ok(),
+            _ => None,
+        }
+    }
+}
+
+fn drawn(stroke: &Stroke) -> ViewStroke {
+    ViewStroke { view: stroke.view, points: stroke.points.iter().map(DVec2::to_array).collect(), extra: Extra::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn draw(tool: &mut SketchTool, view: View, points: &[(f64, f64)]) -> Option<Outcome> {
+        let at = |(x, y): (f64, f64)| DVec2::new(x, y);
+        tool.press(view, at(points[0]) * 4000.0, at(points[0]));
+        for pair in points.windows(2) {
+            for k in 1..=20 {
+                let point = at(pair[0]).lerp(at(pair[1]), f64::from(k) / 20.0);
+                tool.drag(point * 4000.0, point);
+            }
+        }
+        tool.release(0.1)
+    }
+
+    #[test]
+    fn two_strokes_make_a_pair() {
+        let mut tool = SketchTool::default();
+        assert!(matches!(draw(&mut tool, View::Front, &[(0.0, 0.0), (0.02, 0.07)]), Some(Outcome::First)));
+        assert!(tool.guides(View::Side, 0.1).is_some());
+        let Some(Outcome::Pair { strokes, lifted }) = draw(&mut tool, View::Side, &[(0.01, 0.0), (-0.01, 0.07)]) else {
+            panic!("no pair")
+        };
+        assert_eq!((strokes.first.view, strokes.second.view), (View::Front, View::Side));
+        let end = lifted.curve[lifted.curve.len() - 1];
+        assert!(end.distance(glam::DVec3::new(0.02, 0.07, -0.01)) < 1e-3, "{end}");
+        assert!(matches!(tool.stage(), Stage::Empty));
+    }
+
+    #[test]
+    fn slips_are_refused_and_keep_the_first_stroke() {
+        let mut tool = SketchTool::default();
+        assert!(matches!(draw(&mut tool, View::Front, &[(0.0, 0.0), (0.001, 0.001)]), Some(Outcome::Slip(_))));
+        assert!(tool.first().is_none());
+        draw(&mut tool, View::Front, &[(0.0, 0.0), (0.02, 0.07)]);
+        assert!(matches!(draw(&mut tool, View::Side, &[(0.0, 0.0), (0.001, 0.001)]), Some(Outcome::Slip(_))));
+        assert!(tool.first().is_some());
+    }
+
+    #[test]
+    fn a_stroke_in_the_first_ones_view_takes_its_place_and_escape_goes_back() {
+        let mut tool = SketchTool::default();
+        draw(&mut tool, View::Front, &[(0.0, 0.0), (0.02, 0.07)]);
+        assert!(matches!(draw(&mut tool, View::Front, &[(0.0, 0.0), (0.0, 0.07)]), Some(Outcome::First)));
+        assert!(tool.first().is_some_and(|first| first.points.iter().all(|point| point.x == 0.0)));
+        tool.press(View::Side, DVec2::ZERO, DVec2::ZERO);
+        assert!(tool.cancel() && tool.first().is_some());
+        assert!(tool.cancel() && tool.first().is_none());
+        assert!(!tool.cancel());
+    }
+
+    #[test]
+    fn strokes_of_different_ranges_can_be_stretched() {
+        let mut tool = SketchTool::default();
+        draw(&mut tool, View::Front, &[(0.0, 0.0), (0.02, 0.07)]);
+        let refused = draw(&mut tool, View::Side, &[(0.0, 0.0), (0.01, 0.03)]);
+        assert!(matches!(refused, Some(Outcome::Refused(SketchError::Overlap { .. }))), "{refused:?}");
+        assert!(matches!(tool.stretch(0.1), Some(Outcome::Pair { .. })));
+    }
+}

@@ -1,0 +1,4 @@
+//! Models: import, check, fill, skin.
+
+mod filling;
+mod shapes;

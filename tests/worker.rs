@@ -1,0 +1,95 @@
+//! The simulation thread: requests in, pictures out.
+
+use glam::DVec3;
+use sinew::io::scene_from_json;
+use sinew::scene::Scene;
+use sinew::sim::{Published, SimCommand, Worker};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+fn scene(extra: &str) -> Arc<Scene> {
+    let text = format!(
+        r#"{{"version": 1, "gravity": [0, 0, 0], {extra} "bodies": [{{
+            "id": "cube", "shape": {{"box": {{"size": [0.03, 0.03, 0.03]}}}},
+            "initial": {{"velocity": [0.1, 0, 0]}},
+            "material": {{"young_modulus": 1e5, "mass": {{"per_particle": 4e-4}}, "support_radius": 0.015}}
+        }}]}}"#
+    );
+    Arc::new(scene_from_json(&text).expect("a scene"))
+}
+
+/// Waits for a picture that satisfies a condition.
+fn until(worker: &Worker, wanted: impl Fn(&Published) -> bool) -> Arc<Published> {
+    let start = Instant::now();
+    loop {
+        if let Some(published) = worker.take()
+            && wanted(&published)
+        {
+            return published;
+        }
+        assert!(start.elapsed() < Duration::from_mins(1), "the picture never came");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+fn center(published: &Published) -> DVec3 {
+    let particles = &published.snapshot.bodies[0].particles;
+    particles.iter().sum::<DVec3>() / particles.len() as f64
+}
+
+#[test]
+fn plays_pauses_steps_and_resets() {
+    let worker = Worker::start(scene(""), Arc::default(), false, || {});
+    let first = until(&worker, |_| true);
+    assert_eq!(first.status.time, 0.0);
+    assert!(worker.send(SimCommand::Step));
+    let stepped = until(&worker, |p| p.status.time > 0.0);
+    assert!((stepped.status.time - 1.0 / 60.0).abs() < 1e-12 && !stepped.status.playing);
+    assert!(worker.send(SimCommand::Play));
+    until(&worker, |p| p.status.time > 0.1);
+    assert!(worker.send(SimCommand::Pause));
+    let paused = until(&worker, |p| !p.status.playing);
+    assert!(worker.send(SimCommand::Reset));
+    let reset = until(&worker, |p| p.status.time == 0.0);
+    assert_eq!(reset.snapshot, first.snapshot);
+    assert!((center(&paused).x - 0.1 * paused.status.time).abs() < 1e-9);
+}
+
+#[test]
+fn an_edit_goes_on_from_the_present_motion_and_a_bad_one_keeps_the_old_world() {
+    let worker = Worker::start(scene(""), Arc::default(), true, || {});
+    until(&worker, |p| p.status.time > 0.05);
+    let mut edited = (*scene("")).clone();
+    edited.bodies[0].material.young_modulus = 2e5;
+    assert!(worker.send(SimCommand::Edit(Arc::new(edited.clone()))));
+    let after = until(&worker, |p| p.status.edits == 1);
+    assert!(after.status.time > 0.05 && after.status.failure.is_none());
+    assert!((center(&after).x - 0.1 * after.status.time).abs() < 1e-9, "{}", center(&after));
+    edited.bodies[0].material.poisson_ratio = 0.7;
+    assert!(worker.send(SimCommand::Edit(Arc::new(edited))));
+    let refused = until(&worker, |p| p.status.edits == 2);
+    assert!(refused.status.failure.as_deref().is_some_and(|text| text.contains("poisson_ratio")));
+    until(&worker, |p| p.status.time > refused.status.time);
+}
+
+#[test]
+fn a_grab_pulls_the_body_to_the_pointer_and_a_pin_keeps_it() {
+    let worker = Worker::start(scene(r#""description": "","#), Arc::default(), true, || {});
+    until(&worker, |p| p.status.time > 0.0);
+    let target = DVec3::new(0.0, 0.1, 0.0);
+    assert!(worker.send(SimCommand::Grab { body: 0, vertex: 0, target }));
+    let vertex = |p: &Published| p.snapshot.bodies[0].skin[0];
+    until(&worker, |p| vertex(p).distance(target) < 2e-3 && p.status.time > 0.5);
+    let moved = DVec3::new(0.05, 0.1, 0.0);
+    assert!(worker.send(SimCommand::MoveGrab(moved)));
+    assert!(worker.send(SimCommand::PinGrab));
+    until(&worker, |p| vertex(p).distance(moved) < 2e-3 && p.status.time > 1.0);
+    assert!(worker.send(SimCommand::ReleaseAll));
+}
+
+#[test]
+fn runs_in_real_time_when_it_can() {
+    let worker = Worker::start(scene(""), Arc::default(), true, || {});
+    let published = until(&worker, |p| p.status.real_time_factor > 0.0 && p.status.time > 0.8);
+    assert!(published.status.real_time_factor < 1.3, "{}", published.status.real_time_factor);
+}

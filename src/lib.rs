@@ -7,6 +7,8 @@
 //!
 //! ```text
 //! strokes --sketch--> curve --scene--> Scene --bake--> World --sim--> frames --> Snapshot, Report --io--> files
+//!                                                                         |
+//!                                                                         +--draw--> DrawList --render--> pixels
 //! ```
 //!
 //! # Rooms
@@ -23,11 +25,15 @@
 //!   world.
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports; whoever runs a scene runs it through this.
 //! - [`io`]: the only file access. Scene JSON and its schema, OBJ sequences, atomic writes.
+//! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
+//!   themes. Knows no graphics interface.
+//! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,
+//!   pictures without a window. Its shaders are beside it as WGSL files.
 //! - [`cli`]: the command line, one file a command.
 //!
-//! What a room may import: geometry nothing; sketch geometry; scene geometry and sketch; edit scene; solver geometry; bake scene,
-//! sketch, geometry and solver; io scene, geometry and the solver's snapshot; sim scene, bake and solver; cli all. A
-//! test holds the code to this.
+//! What a room may import: geometry nothing; sketch geometry; scene geometry and sketch; edit scene; solver geometry;
+//! bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot; sim scene, bake and solver;
+//! draw scene, geometry and the solver's snapshot; render draw and geometry; cli all. A test holds the code to this.
 //!
 //! # Conventions
 //!

@@ -85,14 +85,11 @@ pub enum CliError {
     Output(#[source] io::Error),
 }
 
+#[cfg(feature = "render")]
 impl CliError {
     /// Whether a graphics driver is what is missing.
     pub(super) fn is_no_driver(&self) -> bool {
-        #[cfg(feature = "render")]
-        if let Self::Render(error) = self {
-            return matches!(error, crate::render::RenderError::NoDriver(_));
-        }
-        false
+        matches!(self, Self::Render(crate::render::RenderError::NoDriver(_)))
     }
 }
 

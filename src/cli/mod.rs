@@ -74,6 +74,7 @@ pub enum Outcome {
 
 const BAD_INPUT: u8 = 2;
 const DIVERGED: u8 = 3;
+#[cfg(feature = "render")]
 const NO_DRIVER: u8 = 4;
 
 /// Runs a command, says what is to be said and gives the exit code.
@@ -92,7 +93,11 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Ok(Outcome::Diverged) => ExitCode::from(DIVERGED),
         Err(error) => {
             console.error(&error);
-            ExitCode::from(if error.is_no_driver() { NO_DRIVER } else { BAD_INPUT })
+            #[cfg(feature = "render")]
+            if error.is_no_driver() {
+                return ExitCode::from(NO_DRIVER);
+            }
+            ExitCode::from(BAD_INPUT)
         }
     }
 }

@@ -4,17 +4,18 @@ use super::CliError;
 use crate::scene::Scene;
 use crate::solver::snapshot::Snapshot;
 use clap::{Args, ValueEnum};
+use std::fmt;
 use std::str::FromStr;
 
 /// What pictures show, and how.
-#[derive(Clone, Copy, Debug, Args)]
+#[derive(Clone, Copy, Debug, Default, Args)]
 #[command(next_help_heading = "Pictures")]
 pub struct Look {
     /// From where
-    #[arg(long, value_name = "VIEW", default_value = "persp")]
+    #[arg(long, value_name = "VIEW", default_value_t, value_enum)]
     view: View,
     /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x800")]
+    #[arg(long, value_name = "WxH", default_value_t)]
     size: PixelSize,
     /// Show the inside: skins see-through, fibres as tubes
     #[arg(long)]
@@ -23,12 +24,12 @@ pub struct Look {
     #[arg(long, conflicts_with = "x_ray")]
     particles: bool,
     /// Colours
-    #[arg(long, value_name = "THEME", default_value = "light")]
+    #[arg(long, value_name = "THEME", default_value_t, value_enum)]
     theme: ThemeName,
 }
 
 /// Points of view.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum View {
     /// From the front, parallel: X right, Y up
     Front,
@@ -37,13 +38,15 @@ enum View {
     /// From above, parallel: X right, Z down
     Top,
     /// In perspective, from the front, right and above
+    #[default]
     Persp,
 }
 
 /// Themes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum ThemeName {
     /// For bright surroundings
+    #[default]
     Light,
     /// For dark surroundings
     Dark,
@@ -55,6 +58,18 @@ const LARGEST: u32 = 16384;
 /// Width and height [pixels].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct PixelSize([u32; 2]);
+
+impl Default for PixelSize {
+    fn default() -> Self {
+        Self([1280, 800])
+    }
+}
+
+impl fmt::Display for PixelSize {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.0[0], self.0[1])
+    }
+}
 
 impl FromStr for PixelSize {
     type Err = String;

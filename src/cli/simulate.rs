@@ -1,12 +1,13 @@
 //! `sinew simulate`: one run of a scene, and what it shows.
 
 use super::drive::{Drive, End, drive};
+use super::picture::{Look, Studio};
 use super::prepare::{Sets, Span, load, notes, on_threads, put_together, source_name, tell, word};
 use super::series::Series;
 use super::summary::summary;
 use super::table::figures;
 use super::{CliError, Console, Outcome, output};
-use crate::io::ObjSequence;
+use crate::io::{FrameFolder, write_obj};
 use crate::scene::Scene;
 use crate::sim::{Report, Runner};
 use clap::Args;
@@ -33,6 +34,11 @@ pub struct Simulate {
     /// Write the shape in every frame as an OBJ file in this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Write a picture of every frame as a PNG file in this folder
+    #[arg(long, value_name = "DIR")]
+    png: Option<PathBuf>,
+    #[command(flatten)]
+    look: Look,
 }
 
 impl Simulate {
@@ -59,7 +65,7 @@ fn simulate(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError>
     output::check(args.scene.as_ref(), &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
 
     let mut runner = Runner::new(baked);
-    let mut records = Records::new(args, &runner)?;
+    let mut records = Records::new(args, &scene, &runner)?;
     let ran = watch(args, &scene, &mut runner, &mut records, console)?;
     let lines = notes.iter().map(|note| format!("{}: {note}", word(note))).collect();
     let report = Report::new(&scene, &runner, ran.wall_seconds, lines);
@@ -90,7 +96,7 @@ fn watch(
             }
         }
         console.progress(runner.world().frame(), frames, pieces);
-        records.push(runner)
+        records.push(scene, runner)
     });
     console.end();
     let ran = ran?;
@@ -106,22 +112,31 @@ fn watch(
 /// What is kept of every frame.
 struct Records {
     series: Option<Series>,
-    frames: Option<ObjSequence>,
+    shapes: Option<FrameFolder>,
+    pictures: Option<(Studio, FrameFolder)>,
 }
 
 impl Records {
-    fn new(args: &Simulate, runner: &Runner) -> Result<Self, CliError> {
+    fn new(args: &Simulate, scene: &Scene, runner: &Runner) -> Result<Self, CliError> {
+        // A driver may be missing: that is found out before a folder is made.
+        let studio = args.png.as_ref().map(|_| Studio::open(&args.look, scene, &runner.snapshot())).transpose()?;
         let series = args.series.as_ref().map(|_| Series::new(runner.world())).transpose()?;
-        let frames = args.out.as_deref().map(ObjSequence::create).transpose()?;
-        Ok(Self { series, frames })
+        let folder = |path: Option<&PathBuf>, extension| path.map(|path| FrameFolder::create(path, extension));
+        let shapes = folder(args.out.as_ref(), "obj").transpose()?;
+        let pictures = studio.zip(folder(args.png.as_ref(), "png").transpose()?);
+        Ok(Self { series, shapes, pictures })
     }
 
-    fn push(&mut self, runner: &Runner) -> Result<(), CliError> {
+    fn push(&mut self, scene: &Scene, runner: &Runner) -> Result<(), CliError> {
         if let Some(series) = &mut self.series {
             series.push(runner)?;
         }
-        if let Some(frames) = &mut self.frames {
-            frames.push(&runner.snapshot())?;
+        if let Some(shapes) = &mut self.shapes {
+            shapes.push(|out| write_obj(out, &runner.snapshot()))?;
+        }
+        if let Some((studio, pictures)) = &mut self.pictures {
+            let picture = studio.picture(scene, &runner.snapshot())?;
+            pictures.push(|out| out.write_all(&picture))?;
         }
         Ok(())
     }
@@ -137,8 +152,9 @@ impl Records {
             output::write_bytes(path, &series.into_bytes()?)?;
             text += &output::wrote("series", path);
         }
-        if let Some(frames) = &self.frames {
-            text += &output::wrote(&format!("{} OBJ files", frames.frames()), frames.folder());
+        let pictures = self.pictures.as_ref().map(|(_, pictures)| ("pictures", pictures));
+        for (what, frames) in self.shapes.as_ref().map(|shapes| ("OBJ files", shapes)).into_iter().chain(pictures) {
+            text += &output::wrote(&format!("{} {what}", frames.frames()), frames.folder());
             let left_over = frames.left_over();
             if left_over > 0 {
                 console.warn(&format!(

@@ -3,6 +3,7 @@
 use super::list::{DrawList, Line, Mesh, PickId, PickKind, Points, Size, Surface, Vertex};
 use super::normals::smooth_normals;
 use super::options::{Display, SkinStyle};
+use super::rounding::rounded;
 use super::surroundings;
 use super::tube::tube;
 use super::{Bounds, Theme};
@@ -60,13 +61,11 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
 
 /// Particle spacing D [m]; for a body that the document does not have (any more), what its particles fill.
 fn spacing(scene: &Scene, index: usize, body: &BodySnapshot) -> f64 {
-    scene.bodies.get(index).map_or_else(
-        || {
-            let radius = Bounds::of(body.particles.iter().copied()).map_or(1.0, |bounds| bounds.radius());
-            radius / (body.particles.len().max(1) as f64).cbrt()
-        },
-        |body| body.material.spacing(),
-    )
+    if let Some(body) = scene.bodies.get(index) {
+        return body.material.spacing();
+    }
+    let radius = Bounds::of(body.particles.iter().copied()).map_or(1.0, |bounds| bounds.radius());
+    radius / (body.particles.len().max(1) as f64).cbrt()
 }
 
 /// The skin of a body as a mesh that nothing picks; none where it has none or is no longer made of numbers.
@@ -78,10 +77,11 @@ fn skin_mesh(list: &DrawList, body: &BodySnapshot, surface: Surface) -> Option<M
         return None;
     }
     let positions: Vec<Vec3> = body.skin.iter().map(|&point| list.local(point)).collect();
-    let normals = smooth_normals(&positions, &body.triangles);
+    let (positions, triangles) = rounded(positions, &body.triangles);
+    let normals = smooth_normals(&positions, &triangles);
     Some(Mesh {
         vertices: positions.into_iter().zip(normals).map(|(position, normal)| Vertex { position, normal }).collect(),
-        indices: body.triangles.iter().flatten().copied().collect(),
+        indices: triangles.into_iter().flatten().collect(),
         colour: list.theme.skin,
         surface,
         casts_shadow: true,
@@ -99,16 +99,16 @@ struct Pen<'a> {
 
 impl Pen<'_> {
     fn body(&self, body: &BodySnapshot, list: &mut DrawList, hue: &mut usize) {
-        for (index, fibre) in body.fibres.iter().enumerate() {
-            self.fibre(index as u32, &fibre.vertices, *hue, list);
-            *hue += 1;
-        }
         let mut has_skin = false;
         let surface = if self.display.skin == SkinStyle::XRay { Surface::XRay } else { Surface::Solid };
         if let (true, Some(mut mesh)) = (self.display.skin != SkinStyle::Hidden, skin_mesh(list, body, surface)) {
             mesh.pick = self.number(PickKind::Skin, 1, list);
             list.meshes.push(mesh);
             has_skin = true;
+        }
+        for (index, fibre) in body.fibres.iter().enumerate() {
+            self.fibre(index as u32, &fibre.vertices, *hue, has_skin, list);
+            *hue += 1;
         }
         // A body without a skin shows what it is made of instead.
         if self.display.particles || (!has_skin && self.display.skin != SkinStyle::Hidden) {
@@ -117,16 +117,18 @@ impl Pen<'_> {
         }
     }
 
-    fn fibre(&self, index: u32, vertices: &[DVec3], hue: usize, list: &mut DrawList) {
+    fn fibre(&self, index: u32, vertices: &[DVec3], hue: usize, has_skin: bool, list: &mut DrawList) {
         let points: Vec<Vec3> = vertices.iter().filter(|v| v.is_finite()).map(|&v| list.local(v)).collect();
         let selected = self.display.selected.contains(&[self.index, index]);
-        if self.display.fibres {
+        // Inside an opaque skin there is nothing to see of them but ends that stick out.
+        let inside = self.display.skin == SkinStyle::Shaded && has_skin;
+        if self.display.fibres && !inside {
             let radius = self.spacing * if selected { SELECTED_RADIUS } else { FIBRE_RADIUS };
             let (vertices, indices) = tube(&points, radius as f32);
             if !indices.is_empty() {
                 let pick = list.register(PickId { body: self.index, kind: PickKind::Fibre, index }, 1);
                 let colour = self.theme.fibre(hue);
-                let casts_shadow = self.display.skin != SkinStyle::Shaded;
+                let casts_shadow = !has_skin;
                 list.meshes.push(Mesh { vertices, indices, colour, surface: Surface::Solid, casts_shadow, pick });
             }
         }
@@ -148,5 +150,105 @@ impl Pen<'_> {
 
     fn number(&self, kind: PickKind, count: usize, list: &mut DrawList) -> u32 {
         list.register(PickId { body: self.index, kind, index: 0 }, count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solver::snapshot::FibreSnapshot;
+
+    /// A tetrahedron with two fibres and three particles, far from home.
+    fn snapshot() -> Snapshot {
+        let at = DVec3::new(1e4, 0.5, -1e4);
+        let body = BodySnapshot {
+            name: "body".to_owned(),
+            particles: vec![at, at + DVec3::X, at + DVec3::Y],
+            fibres: ["a", "b"]
+                .map(|id| FibreSnapshot { id: id.to_owned(), vertices: vec![at, at + 0.5 * DVec3::Y, at + DVec3::Y] })
+                .to_vec(),
+            skin: vec![at, at + DVec3::X, at + DVec3::Y, at + DVec3::Z],
+            triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+        };
+        Snapshot { time: 0.0, bodies: vec![body], panels: Vec::new() }
+    }
+
+    fn drawn(snapshot: &Snapshot, display: &Display) -> DrawList {
+        let scene = Scene::default();
+        draw(&Subject { scene: &scene, snapshot, ghost: None }, display, &Theme::light())
+    }
+
+    fn picked(list: &DrawList, number: u32) -> Option<PickKind> {
+        list.picks.find(number).map(|id| id.kind)
+    }
+
+    #[test]
+    fn an_opaque_skin_hides_its_fibres_and_a_clear_one_shows_them() {
+        let list = drawn(&snapshot(), &Display::default());
+        assert_eq!((list.meshes.len(), list.meshes[0].surface), (1, Surface::Solid));
+        assert_eq!(picked(&list, list.meshes[0].pick), Some(PickKind::Skin));
+        let list = drawn(&snapshot(), &Display::x_ray());
+        assert_eq!(list.meshes.iter().filter(|mesh| mesh.surface == Surface::XRay).count(), 1);
+        let fibres: Vec<&Mesh> =
+            list.meshes.iter().filter(|mesh| picked(&list, mesh.pick) == Some(PickKind::Fibre)).collect();
+        assert_eq!(fibres.len(), 2);
+        assert_ne!(fibres[0].colour, fibres[1].colour);
+        assert!(list.points.is_empty());
+    }
+
+    #[test]
+    fn figure_three_has_cool_particles_and_warm_structure_and_no_skin() {
+        let list = drawn(&snapshot(), &Display::particles());
+        assert!(list.meshes.iter().all(|mesh| picked(&list, mesh.pick) == Some(PickKind::Fibre)));
+        let kinds: Vec<_> = list.points.iter().map(|set| picked(&list, set.pick + 1)).collect();
+        let structure = |fibre| Some(PickKind::StructureVertex { fibre });
+        assert_eq!(kinds, [structure(0), structure(1), Some(PickKind::Particle)]);
+        let [warm, cool] = [list.points[0].colour, list.points[2].colour];
+        assert!(warm.red > warm.blue && cool.blue > cool.red);
+    }
+
+    #[test]
+    fn a_body_without_a_skin_shows_its_particles_and_a_broken_one_does_no_harm() {
+        let mut bare = snapshot();
+        bare.bodies[0].triangles.clear();
+        assert_eq!(drawn(&bare, &Display::default()).points.len(), 1);
+        let mut broken = snapshot();
+        broken.bodies[0].skin.fill(DVec3::NAN);
+        broken.bodies[0].particles.fill(DVec3::NAN);
+        broken.bodies[0].fibres[0].vertices.fill(DVec3::INFINITY);
+        let list = drawn(&broken, &Display::x_ray());
+        assert_eq!(list.bounds, None);
+        assert!(list.meshes.iter().flat_map(|mesh| &mesh.vertices).all(|vertex| vertex.position.is_finite()));
+        assert_eq!(drawn(&Snapshot::default(), &Display::default()).bounds, None);
+    }
+
+    #[test]
+    fn positions_are_as_fine_far_away_as_at_home() {
+        let list = drawn(&snapshot(), &Display::default());
+        let reach = list.meshes[0].vertices.iter().map(|vertex| vertex.position.length()).fold(0.0, f32::max);
+        assert!(reach < 1.0, "{reach}");
+        assert!(list.bounds.unwrap().center().distance(list.origin) < 1e-6);
+    }
+
+    #[test]
+    fn what_is_selected_is_thicker_and_marked() {
+        let width = |selected: Vec<[u32; 2]>| {
+            let list = drawn(&snapshot(), &Display { selected, ..Display::x_ray() });
+            let fibre = list.meshes.iter().find(|mesh| picked(&list, mesh.pick) == Some(PickKind::Fibre)).unwrap();
+            let low = fibre.vertices.iter().map(|vertex| vertex.position.x).fold(f32::INFINITY, f32::min);
+            let high = fibre.vertices.iter().map(|vertex| vertex.position.x).fold(f32::NEG_INFINITY, f32::max);
+            (high - low, list.lines.len())
+        };
+        let (plain, chosen) = (width(vec![]), width(vec![[0, 0]]));
+        assert!(chosen.0 > 1.3 * plain.0 && (plain.1, chosen.1) == (0, 1));
+    }
+
+    #[test]
+    fn a_ghost_is_pale_and_cannot_be_picked() {
+        let (scene, snapshot) = (Scene::default(), snapshot());
+        let subject = Subject { scene: &scene, snapshot: &snapshot, ghost: Some(&snapshot) };
+        let list = draw(&subject, &Display::default(), &Theme::dark());
+        let ghost = list.meshes.iter().find(|mesh| mesh.surface == Surface::Faint).unwrap();
+        assert_eq!((ghost.colour.alpha, ghost.pick, ghost.casts_shadow), (0.25, 0, false));
     }
 }

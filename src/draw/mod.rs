@@ -10,6 +10,7 @@ mod colour;
 mod list;
 mod normals;
 mod options;
+mod rounding;
 mod surroundings;
 mod theme;
 mod tube;

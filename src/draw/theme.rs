@@ -60,7 +60,7 @@ pub struct Theme {
 /// Turn from one fibre's hue to the next's [turns]: the golden angle keeps any number of neighbours apart.
 const HUE_STEP: f32 = 0.381_966;
 /// Hue of the first fibre [turns]: warm, against the cool material.
-const FIRST_HUE: f32 = 0.11;
+const FIRST_HUE: f32 = 0.05;
 
 impl Theme {
     /// For bright surroundings.
@@ -86,11 +86,11 @@ impl Theme {
             key_strength: 0.92,
             sky: Colour::hex(0xe9_f1ff),
             bounce: Colour::hex(0xd8_d2cc),
-            fill_strength: 0.50,
+            fill_strength: 0.56,
             rim: Colour::hex(0xff_ffff),
-            rim_strength: 0.30,
+            rim_strength: 0.16,
             shadow: 0.55,
-            fibre_tone: [0.64, 0.19],
+            fibre_tone: [0.67, 0.20],
         }
     }
 
@@ -100,7 +100,7 @@ impl Theme {
             background_top: Colour::hex(0x2a_2d33),
             background_bottom: Colour::hex(0x1a_1c20),
             floor: Colour::hex(0x2c_2f35),
-            grid: Colour::hex(0xa8_b2c2).with_alpha(0.30),
+            grid: Colour::hex(0xa8_b2c2).with_alpha(0.24),
             axes: [Colour::hex(0xe8_5a5a), Colour::hex(0x6c_c05f), Colour::hex(0x5b_94f0)],
             skin: Colour::hex(0x86_aee2),
             material: Colour::hex(0x5b_a0e0),

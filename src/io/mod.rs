@@ -1,9 +1,10 @@
-//! The only file access: scene files in and out, their published schema, models in and out, sequences of meshes out,
+//! The only file access: scene files in and out, their published schema, models in and out, sequences of files out,
 //! writes that happen wholly or not at all.
 
 mod assets;
 mod atomic;
 mod error;
+mod frames;
 mod glb;
 mod json;
 mod model;
@@ -16,9 +17,10 @@ mod schema;
 pub use assets::{complete_assets, load_assets};
 pub use atomic::{check_writable, make_folder, write_atomically};
 pub use error::IoError;
+pub use frames::FrameFolder;
 pub use glb::write_glb;
 pub use model::{MAX_MODEL_BYTES, is_model, load_model};
-pub use obj::{ObjSequence, write_obj};
+pub use obj::write_obj;
 pub use pointer::{apply_sets, set_pointer};
 pub use scene::{MAX_SCENE_BYTES, load_scene, save_scene, scene_from_json, scene_to_json};
 pub use schema::{scene_schema, unknown_fields};

@@ -1,11 +1,8 @@
-//! Wavefront OBJ: the shape of a world at one time, and sequences of them, one file a frame.
+//! Wavefront OBJ: the shape of a world at one time.
 
-use super::{IoError, make_folder, write_atomically};
 use crate::solver::snapshot::{BodySnapshot, Snapshot};
 use glam::DVec3;
-use std::fs;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
 
 /// Writes a snapshot as OBJ text: of each body its skin (or, where it has none, its particles as points), then its
 /// fibres as polylines, every one an object of its own. Coordinates are in metres, world axes, Y up, to the nanometre.
@@ -65,54 +62,6 @@ fn write_element(out: &mut dyn Write, kind: &str, vertices: std::ops::Range<usiz
 /// A name as one word: many readers end a name at the first space, all do at the end of the line.
 fn object_name(name: &str) -> String {
     name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect()
-}
-
-/// A folder that takes one OBJ file a frame, `frame_000000.obj` and on.
-#[derive(Clone, Debug)]
-pub struct ObjSequence {
-    folder: PathBuf,
-    frames: u64,
-}
-
-impl ObjSequence {
-    /// An empty sequence; makes the folder unless it is there.
-    ///
-    /// # Errors
-    /// As [`make_folder`].
-    pub fn create(folder: &Path) -> Result<Self, IoError> {
-        make_folder(folder)?;
-        Ok(Self { folder: folder.to_owned(), frames: 0 })
-    }
-
-    /// Writes the next frame.
-    ///
-    /// # Errors
-    /// As [`write_atomically`].
-    pub fn push(&mut self, snapshot: &Snapshot) -> Result<(), IoError> {
-        let path = self.folder.join(format!("frame_{:06}.obj", self.frames));
-        write_atomically(&path, |out| write_obj(out, snapshot))?;
-        self.frames += 1;
-        Ok(())
-    }
-
-    /// Frames written.
-    pub fn frames(&self) -> u64 {
-        self.frames
-    }
-
-    /// The folder.
-    pub fn folder(&self) -> &Path {
-        &self.folder
-    }
-
-    /// How many frames of a longer, earlier sequence lie in the folder behind those of this one.
-    pub fn left_over(&self) -> usize {
-        let index = |name: &str| name.strip_prefix("frame_")?.strip_suffix(".obj")?.parse::<u64>().ok();
-        let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
-        entries
-            .filter(|entry| entry.file_name().to_str().and_then(index).is_some_and(|index| index >= self.frames))
-            .count()
-    }
 }
 
 #[cfg(test)]

@@ -2,10 +2,13 @@
 
 use glam::Vec2;
 
-/// Width of a letter's box and step from one to the next, in letter heights.
-const ADVANCE: f32 = 0.80;
+/// Space between letters, and the width of one that has no strokes, in letter heights.
+const GAP: f32 = 0.30;
+const BLANK: f32 = 0.35;
+/// Steps of the grid a letter height.
+const GRID: f32 = 6.0;
 
-/// Polylines of a letter on a grid four wide and six high; each pair of digits is a point, right and up.
+/// Polylines of a letter on a grid six high; each pair of digits is a point, right and up.
 fn strokes(letter: char) -> &'static str {
     match letter {
         '0' => "1030414536160501 0110",
@@ -18,7 +21,7 @@ fn strokes(letter: char) -> &'static str {
         '7' => "064610",
         '8' => "13040516364544331302011030414233",
         '9' => "0110304145361605041343",
-        'm' => "0004 0314233020 23344330 4340",
+        'm' => "0004 031424333330 334454636360",
         'c' => "4334140301103041",
         'k' => "0006 0134 1240",
         'n' => "0004 03143443 4340",
@@ -32,30 +35,26 @@ fn strokes(letter: char) -> &'static str {
     }
 }
 
-/// A text as polylines: its lower left corner at the origin, one unit high. What has no strokes leaves a space.
-pub(super) fn text(text: &str) -> Vec<Vec<Vec2>> {
-    (0_u16..)
-        .zip(text.chars())
-        .flat_map(|(place, letter)| {
-            strokes(letter).split(' ').map(move |line| {
-                let digits: Vec<u8> = line.bytes().collect();
-                digits
-                    .chunks_exact(2)
-                    .map(|pair| {
-                        // What hangs below the line is written with a minus.
-                        let at = |digit: u8| if digit == b'-' { -1.5 } else { f32::from(digit - b'0') };
-                        Vec2::new(at(pair[0]) / 6.0 + f32::from(place) * ADVANCE, at(pair[1]) / 6.0)
-                    })
-                    .collect()
-            })
-        })
-        .filter(|line: &Vec<Vec2>| line.len() > 1)
-        .collect()
+/// A text as polylines and its width: its lower left corner at the origin, one unit high. What has no strokes leaves a
+/// space.
+pub(super) fn text(text: &str) -> (Vec<Vec<Vec2>>, f32) {
+    let (mut lines, mut right) = (Vec::new(), 0.0_f32);
+    for (place, letter) in text.chars().enumerate() {
+        let left = if place > 0 { right + GAP } else { 0.0 };
+        let letter = strokes_of(letter);
+        let width = letter.iter().flatten().map(|point| point.x).reduce(f32::max).unwrap_or(BLANK);
+        lines.extend(letter.into_iter().map(|line| line.into_iter().map(|at| at + Vec2::X * left).collect()));
+        right = left + width;
+    }
+    (lines, right)
 }
 
-/// Width of a text in letter heights.
-pub(super) fn width(text: &str) -> f32 {
-    (text.chars().count() as f32 - 1.0).max(0.0) * ADVANCE + 4.0 / 6.0
+fn strokes_of(letter: char) -> Vec<Vec<Vec2>> {
+    // What hangs below the line is written with a minus.
+    let at = |digit: u8| if digit == b'-' { -0.25 } else { f32::from(digit.saturating_sub(b'0')) / GRID };
+    let point = |pair: &[u8]| Vec2::new(at(pair[0]), at(pair[1]));
+    let line = |digits: &str| digits.as_bytes().chunks_exact(2).map(point).collect();
+    strokes(letter).split_terminator(' ').map(line).collect()
 }
 
 #[cfg(test)]
@@ -65,13 +64,14 @@ mod tests {
     #[test]
     fn every_letter_of_scales_and_axes_has_strokes_within_its_box() {
         for letter in "0123456789mcknµXYZ.-".chars() {
-            let lines = text(&letter.to_string());
+            let (lines, width) = text(&letter.to_string());
             assert!(!lines.is_empty(), "{letter}");
             for point in lines.iter().flatten() {
-                assert!((0.0..=0.67).contains(&point.x) && (-0.26..=1.0).contains(&point.y), "{letter} {point}");
+                assert!((0.0..=width).contains(&point.x) && (-0.26..=1.0).contains(&point.y), "{letter} {point}");
             }
         }
-        assert!(text("? ").is_empty());
-        assert!((width("12") - (ADVANCE + 0.667)).abs() < 1e-3);
+        assert!(text("? ").0.is_empty());
+        let [one, two] = ["1", "11"].map(|letters| text(letters).1);
+        assert!((two - 2.0 * one - GAP).abs() < 1e-6);
     }
 }

@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3, Vec2, Vec3};
 /// Distances from the picture's edges, and extents [points].
 const MARGIN: f32 = 18.0;
 const ARM: f32 = 26.0;
-const LETTER: f32 = 8.0;
+const LETTER: f32 = 9.0;
 const LETTER_WIDTH: f32 = 1.3;
 const LONGEST_BAR: f64 = 140.0;
 const TICK: f32 = 4.0;
@@ -55,7 +55,7 @@ impl Pen {
     }
 
     fn text(&mut self, text: &str, at: Vec2, colour: Colour) {
-        for line in glyphs::text(text) {
+        for line in glyphs::text(text).0 {
             let points: Vec<Vec2> = line.iter().map(|point| at + *point * LETTER * self.scale).collect();
             self.line(&points, LETTER_WIDTH, colour);
         }
@@ -82,7 +82,7 @@ impl Pen {
             let tip = centre + flat * ARM * self.scale;
             self.line(&[centre, tip], 2.0, colour);
             let letter = tip + flat.normalize_or_zero() * 0.95 * LETTER * self.scale;
-            let half = 0.5 * Vec2::new(glyphs::width(name), 1.0) * LETTER * self.scale;
+            let half = 0.5 * Vec2::new(glyphs::text(name).1, 1.0) * LETTER * self.scale;
             self.text(name, letter - half, colour);
         }
     }
@@ -98,7 +98,7 @@ impl Pen {
         let end = Vec2::new(end.x, start.y);
         self.line(&[start + tick, start, end, end + tick], 1.5, list.theme.text);
         let middle = 0.5 * (start + end);
-        let left = middle - Vec2::X * 0.5 * glyphs::width(&name) * LETTER * self.scale;
+        let left = middle - Vec2::X * 0.5 * glyphs::text(&name).1 * LETTER * self.scale;
         self.text(&name, left + Vec2::Y * 7.0 * self.scale, list.theme.text);
     }
 }

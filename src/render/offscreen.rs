@@ -52,18 +52,26 @@ pub struct Offscreen {
 }
 
 impl Offscreen {
-    /// For pictures of `size` [pixels].
+    /// For pictures of `size` [pixels], as good as the driver draws them at all.
     ///
     /// # Errors
     /// [`RenderError::NoDriver`] and [`RenderError::TooLarge`].
     pub fn new(size: [u32; 2]) -> Result<Self, RenderError> {
+        Self::with(size, Options::best_for_adapter)
+    }
+
+    /// For pictures of `size` [pixels], with options chosen for the adapter.
+    ///
+    /// # Errors
+    /// As [`Offscreen::new`].
+    pub fn with(size: [u32; 2], options: impl FnOnce(&wgpu::Adapter) -> Options) -> Result<Self, RenderError> {
         let (adapter, device, queue) = open_device()?;
         let largest = device.limits().max_texture_dimension_2d;
         let [width, height] = size;
         if width > largest || height > largest {
             return Err(RenderError::TooLarge { width, height, largest });
         }
-        let renderer = Renderer::new(&device, &queue, Options::best_for_adapter(&adapter));
+        let renderer = Renderer::new(&device, &queue, options(&adapter));
         let content = Content::new(&renderer);
         let viewport = Viewport::new(&renderer, size, 1.0);
         let software = adapter.get_info().device_type == wgpu::DeviceType::Cpu;

@@ -16,12 +16,15 @@ struct Meets {
     depth: CompareFunction,
     writes: bool,
     blend: bool,
+    /// Edges by samples, where there are some, in place of blending: right whatever is drawn behind later.
+    covers: bool,
     cull: Option<Face>,
 }
 
 const OPAQUE: Meets =
-    Meets { depth: CompareFunction::GreaterEqual, writes: true, blend: false, cull: Some(Face::Back) };
-const CLEAR: Meets = Meets { depth: CompareFunction::GreaterEqual, writes: false, blend: true, cull: None };
+    Meets { depth: CompareFunction::GreaterEqual, writes: true, blend: false, covers: false, cull: Some(Face::Back) };
+const CLEAR: Meets =
+    Meets { depth: CompareFunction::GreaterEqual, writes: false, blend: true, covers: false, cull: None };
 /// Where something is in front: depth is reversed.
 const BEHIND: Meets = Meets { depth: CompareFunction::Less, ..CLEAR };
 const ANYWHERE: Meets = Meets { depth: CompareFunction::Always, ..CLEAR };
@@ -125,7 +128,7 @@ impl Pipelines {
             ..picture
         };
         let solid_pick = Meets { blend: false, ..OPAQUE };
-        let lowest = Meets { depth: CompareFunction::Less, writes: true, blend: false, cull: None };
+        let lowest = Meets { depth: CompareFunction::Less, writes: true, blend: false, covers: false, cull: None };
         Self {
             background: picture.make(&background, ["vs_background", "fs_background"], Rows::None, ANYWHERE),
             paper: picture.make(&ground, ["vs_ground", "fs_ground"], Rows::None, ANYWHERE),
@@ -145,7 +148,12 @@ impl Pipelines {
                 Meets { cull: Some(Face::Back), ..CLEAR },
             ),
             faint: picture.make(&mesh, ["vs_mesh", "fs_faint"], Rows::Mesh, CLEAR),
-            points: picture.make(&point, ["vs_point", "fs_point"], Rows::Points, Meets { writes: true, ..CLEAR }),
+            points: picture.make(
+                &point,
+                ["vs_point", "fs_point"],
+                Rows::Points,
+                Meets { writes: true, covers: true, ..CLEAR },
+            ),
             points_through: picture.make(&point, ["vs_point", "fs_point_through"], Rows::Points, BEHIND),
             lines: picture.make(&line, ["vs_line", "fs_line"], Rows::Segments, CLEAR),
             lines_through: picture.make(&line, ["vs_line", "fs_line_through"], Rows::Segments, BEHIND),
@@ -227,9 +235,10 @@ struct Maker<'a> {
 impl Maker<'_> {
     fn make(&self, module: &wgpu::ShaderModule, entries: [&str; 2], rows: Rows, meets: Meets) -> wgpu::RenderPipeline {
         let [vertex, fragment] = entries;
+        let covers = meets.covers && self.samples > 1;
         let targets = [self.colour.map(|format| wgpu::ColorTargetState {
             format,
-            blend: meets.blend.then_some(BlendState::ALPHA_BLENDING),
+            blend: (meets.blend && !covers).then_some(BlendState::ALPHA_BLENDING),
             write_mask: wgpu::ColorWrites::ALL,
         })];
         let compilation_options = wgpu::PipelineCompilationOptions::default();
@@ -254,7 +263,11 @@ impl Maker<'_> {
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),
-            multisample: wgpu::MultisampleState { count: self.samples, ..wgpu::MultisampleState::default() },
+            multisample: wgpu::MultisampleState {
+                count: self.samples,
+                alpha_to_coverage_enabled: covers,
+                ..wgpu::MultisampleState::default()
+            },
             fragment: self.colour.map(|_| wgpu::FragmentState {
                 module,
                 entry_point: Some(fragment),

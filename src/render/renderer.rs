@@ -111,7 +111,7 @@ impl Renderer {
         let pipelines = &self.pipelines;
         pass.set_pipeline(&pipelines.background);
         pass.draw(0..3, 0..1);
-        if frame.on_paper() || !frame.looks_up() {
+        if frame.on_paper() || !frame.ground_in_front() {
             let ground = match (frame.on_paper(), content.list.ground.solid) {
                 (true, _) => &pipelines.paper,
                 (false, true) => &pipelines.floor,
@@ -125,7 +125,7 @@ impl Renderer {
         meshes(&mut pass, &pipelines.x_ray_back, content, Surface::XRay);
         meshes(&mut pass, &pipelines.x_ray_front, content, Surface::XRay);
         meshes(&mut pass, &pipelines.faint, content, Surface::Faint);
-        if frame.looks_up() {
+        if frame.ground_in_front() {
             pass.set_pipeline(&pipelines.grid);
             pass.draw(0..4, 0..1);
         }

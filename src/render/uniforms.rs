@@ -127,7 +127,7 @@ impl Frame {
     }
 
     /// Whether the ground lies between the eye and what stands on it.
-    pub(super) fn looks_up(&self) -> bool {
+    pub(super) fn ground_in_front(&self) -> bool {
         self.eye.w > 0.5 && !self.on_paper()
     }
 

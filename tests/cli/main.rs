@@ -2,6 +2,7 @@
 
 mod check;
 mod errors;
+mod pictures;
 mod simulate;
 mod sweep;
 
@@ -162,7 +163,7 @@ fn asked_for_nothing_it_opens_its_window_or_says_what_is_missing() {
     }
     let help = said(program().arg("--help"));
     assert_eq!(help.code, Some(0));
-    for command in ["simulate", "sweep", "check", "schema"] {
+    for command in ["simulate", "render", "sweep", "check", "schema"] {
         assert!(help.out.contains(command), "{}", help.out);
     }
     assert_eq!(said(program().args(["simulate", "--frames"])).code, Some(2));

@@ -91,7 +91,7 @@ fn lit(albedo: vec3f, normal: vec3f, local: vec3f) -> vec3f {
     let fall = clamp((facing + wrap) / (1.0 + wrap), 0.0, 1.0);
     let key = fall * fall * (3.0 - 2.0 * fall) * frame.key_direction.w;
     let up = 0.5 + 0.5 * normal.y;
-    let fill = mix(frame.bounce.rgb, frame.sky.rgb, up) * frame.sky.w * mix(0.62, 1.0, up);
+    let fill = mix(frame.bounce.rgb, frame.sky.rgb, up) * frame.sky.w * mix(0.72, 1.0, up);
     // Light that entered elsewhere comes out warmer and deeper where the key light fades.
     let depth = fall * (1.0 - fall) * 4.0;
     let inner = mix(albedo, albedo * albedo * 1.25, 0.35 * depth);
@@ -100,7 +100,9 @@ fn lit(albedo: vec3f, normal: vec3f, local: vec3f) -> vec3f {
         let height = clamp((local.y - frame.steps.w) / frame.ground.z, 0.0, 1.0);
         above = mix(mix(0.50, 0.80, up), 1.0, sqrt(height));
     }
-    var colour = inner * (frame.key.rgb * key + fill * above);
+    // A faint cool light from the other side keeps the shape of what the key light leaves.
+    let other = clamp(dot(normal, normalize(vec3f(0.75, 0.25, 0.55))), 0.0, 1.0) * 0.30 * frame.sky.w;
+    var colour = inner * (frame.key.rgb * key + fill * above + frame.sky.rgb * other);
     let half_way = normalize(frame.key_direction.xyz + eye);
     let sheen = pow(max(dot(normal, half_way), 0.0), 26.0) * 0.10 + pow(max(dot(normal, half_way), 0.0), 6.0) * 0.05;
     colour += frame.key.rgb * sheen * smoothstep(0.0, 0.3, facing + 0.2);

@@ -20,7 +20,7 @@ fn lines(at: vec2f, step: f32, pixel: vec2f, width: f32) -> f32 {
     let distance = abs(fract(at / step - 0.5) - 0.5) * step / pixel;
     let cover = clamp(0.5 * width + 0.5 - distance, vec2f(0.0), vec2f(1.0));
     // Lines that come closer than a few pixels fade instead of becoming a moiré.
-    let open = 1.0 - smoothstep(vec2f(0.10), vec2f(0.40), pixel / step);
+    let open = 1.0 - smoothstep(vec2f(0.06), vec2f(0.30), pixel / step);
     let seen = cover * open;
     return max(seen.x, seen.y);
 }
@@ -31,14 +31,14 @@ fn grid(in: GroundOut, pixel: vec2f) -> vec4f {
     }
     let at = in.plane + frame.plane_offset.xy;
     let thin = frame.size.z;
-    let minor = lines(at, frame.steps.x, pixel, thin) * frame.steps.y * 0.45;
+    let minor = lines(at, frame.steps.x, pixel, thin) * frame.steps.y * 0.38;
     let major = lines(at, frame.steps.z, pixel, thin);
     var colour = vec4f(frame.grid.rgb, frame.grid.a * max(minor, major));
     // The axes themselves: u runs where v is zero.
     let own = abs(in.plane + frame.plane_offset.zw) / pixel;
     let axis = clamp(0.75 * thin + 0.5 - own, vec2f(0.0), vec2f(1.0));
-    colour = mix(colour, vec4f(frame.axis_u.rgb, 0.75), axis.y);
-    colour = mix(colour, vec4f(frame.axis_v.rgb, 0.75), axis.x);
+    colour = mix(colour, vec4f(frame.axis_u.rgb, 0.65), axis.y);
+    colour = mix(colour, vec4f(frame.axis_v.rgb, 0.65), axis.x);
     return colour;
 }
 
@@ -69,7 +69,13 @@ fn fs_ground(in: GroundOut) -> @location(0) vec4f {
         var floor = frame.floor.rgb;
         if frame.ground.w > 0.5 {
             let uv = (in.local.xz - frame.shadow.xy) / frame.shadow.z * 0.5 + 0.5;
-            let shade = textureSampleLevel(shadow_map, shadow_sampler, uv, 0.0).rg;
+            // Four taps smooth what is left of the shadow's texels.
+            let texel = 0.75 / vec2f(textureDimensions(shadow_map));
+            var shade = vec2f(0.0);
+            for (var k = 0u; k < 4u; k++) {
+                let corner = (vec2f(f32(k & 1u), f32(k >> 1u)) * 2.0 - 1.0) * texel;
+                shade += 0.25 * textureSampleLevel(shadow_map, shadow_sampler, uv + corner, 0.0).rg;
+            }
             let light = (1.0 - frame.ground.y * shade.r) * (1.0 - 0.75 * frame.ground.y * shade.g);
             floor *= light;
             lines.a *= mix(0.5, 1.0, light);

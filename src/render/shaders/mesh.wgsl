@@ -2,8 +2,9 @@
 
 struct MeshOut {
     @builtin(position) clip: vec4f,
-    @location(0) local: vec3f,
-    @location(1) normal: vec3f,
+    // Within the triangle: what is extrapolated beyond its edge makes bright specks along outlines.
+    @location(0) @interpolate(perspective, centroid) local: vec3f,
+    @location(1) @interpolate(perspective, centroid) normal: vec3f,
     @location(2) @interpolate(flat) colour: vec4f,
     @location(3) @interpolate(flat) pick: u32,
 }
@@ -29,7 +30,7 @@ fn fs_x_ray(in: MeshOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let normal = normalize(in.normal);
     let eye = toward_eye(in.local);
     let slant = 1.0 - abs(dot(normal, eye));
-    let density = mix(0.17, 0.72, pow(slant, 2.2)) * select(0.55, 1.0, front);
+    let density = mix(0.13, 0.70, pow(slant, 2.2)) * select(0.55, 1.0, front);
     let colour = lit(in.colour.rgb, select(-normal, normal, dot(normal, eye) > 0.0), in.local);
     return out_colour(colour, density, in.clip.xy);
 }

@@ -9,6 +9,8 @@ struct PointOut {
     @location(3) @interpolate(flat) radius: vec2f,
     @location(4) @interpolate(flat) pick: u32,
     @location(5) @interpolate(flat) through: f32,
+    // Depth of the square.
+    @location(6) @interpolate(flat) flat_depth: f32,
 }
 
 @vertex
@@ -35,7 +37,7 @@ fn vs_point(
     if radius < 0.0 {
         out.z = nearer(out.z / out.w) * out.w;
     }
-    return PointOut(windowed(out), corner * reach / pixels, colour, centre, vec2f(pixels, metres), pick, through);
+    return PointOut(windowed(out), corner * reach / pixels, colour, centre, vec2f(pixels, metres), pick, through, out.z / out.w);
 }
 
 // How much of a pixel at this distance from the centre, in radii, is covered.
@@ -43,41 +45,56 @@ fn cover(in: PointOut) -> f32 {
     return clamp((1.0 - length(in.corner)) * in.radius.x + 0.5, 0.0, 1.0);
 }
 
-fn ball(in: PointOut) -> vec3f {
-    let flat_part = min(dot(in.corner, in.corner), 1.0);
-    let toward = sqrt(1.0 - flat_part);
+// The direction from the ball's centre to what is seen of it here.
+fn bulge(in: PointOut) -> vec3f {
+    let toward = sqrt(max(1.0 - dot(in.corner, in.corner), 0.0));
     let axes = mat3x3f(frame.view_right.xyz, frame.view_up.xyz, frame.view_back.xyz);
-    let normal = axes * normalize(vec3f(in.corner, toward));
-    if in.radius.y > 0.0 {
-        return lit(in.colour.rgb, normal, in.centre + normal * in.radius.y);
-    }
-    return in.colour.rgb;
+    return axes * normalize(vec3f(in.corner, toward));
 }
 
-@fragment
-fn fs_point(in: PointOut) -> @location(0) vec4f {
-    let alpha = cover(in) * in.colour.a;
+struct PointSeen {
+    @location(0) colour: vec4f,
+    @builtin(frag_depth) depth: f32,
+}
+
+fn seen(in: PointOut, through: f32) -> PointSeen {
+    let alpha = cover(in) * in.colour.a * through;
     if alpha < 0.02 {
         discard;
     }
-    return out_colour(ball(in), alpha, in.clip.xy);
+    if in.radius.y <= 0.0 {
+        return PointSeen(out_colour(in.colour.rgb, alpha, in.clip.xy), in.clip.z);
+    }
+    let normal = bulge(in);
+    let local = in.centre + normal * in.radius.y;
+    let at = frame.clip_from_local * vec4f(local, 1.0);
+    return PointSeen(out_colour(lit(in.colour.rgb, normal, local), alpha, in.clip.xy), at.z / at.w);
+}
+
+@fragment
+fn fs_point(in: PointOut) -> PointSeen {
+    return seen(in, 1.0);
 }
 
 // Where something is in front.
 @fragment
-fn fs_point_through(in: PointOut) -> @location(0) vec4f {
-    let alpha = cover(in) * in.colour.a * in.through;
-    if alpha < 0.02 {
-        discard;
-    }
-    return out_colour(ball(in), alpha, in.clip.xy);
+fn fs_point_through(in: PointOut) -> PointSeen {
+    return seen(in, in.through);
+}
+
+struct PointPicked {
+    @location(0) pick: vec2u,
+    @builtin(frag_depth) depth: f32,
 }
 
 @fragment
-fn fs_point_pick(in: PointOut) -> @location(0) vec2u {
-    let rise = 1.0 - dot(in.corner, in.corner);
-    if rise < 0.0 {
+fn fs_point_pick(in: PointOut) -> PointPicked {
+    if dot(in.corner, in.corner) > 1.0 {
         discard;
     }
-    return vec2u(in.pick, bitcast<u32>(view_depth(in.centre) - in.radius.y * sqrt(rise)));
+    let local = in.centre + bulge(in) * in.radius.y;
+    let at = frame.clip_from_local * vec4f(local, 1.0);
+    // Depths of picks lie in the near half: see pick.rs.
+    let depth = 0.5 + 0.5 * select(in.flat_depth, at.z / at.w, in.radius.y > 0.0);
+    return PointPicked(vec2u(in.pick, bitcast<u32>(view_depth(local))), depth);
 }

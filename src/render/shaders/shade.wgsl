@@ -10,8 +10,8 @@ struct Caster {
 @group(0) @binding(1) var along_key: texture_depth_2d;
 @group(0) @binding(2) var from_above: texture_depth_2d;
 
-const SEARCH = 24u;
-const TAPS = 48u;
+const SEARCH = 32u;
+const TAPS = 64u;
 const GOLDEN = 2.39996323;
 
 @vertex
@@ -35,25 +35,30 @@ fn clamped(at: vec2f) -> vec2i {
 fn fs_shade(@builtin(position) at: vec4f) -> @location(0) vec2f {
     let texels = f32(textureDimensions(along_key).x);
     let texel = 2.0 * caster.window.z / texels;
-    // How high is what stands in the way, as far away as the highest could be seen?
+    // How high is what stands in the way, as far away as the highest could be seen? What is too low to be seen from
+    // here so far away counts less and less, so that the answer has no steps.
     let search = max(caster.soft.x * caster.slope.w / texel, 1.0);
     var height = 0.0;
     var found = 0.0;
     for (var k = 0u; k < SEARCH; k++) {
-        let depth = textureLoad(along_key, clamped(at.xy + spread(k, SEARCH) * search), 0);
-        // What is too low to be seen from here so far away does not count.
-        let near = depth < 1.0 && length(spread(k, SEARCH)) <= depth + 1.5 / search;
-        height += select(0.0, depth, near);
-        found += select(0.0, 1.0, near);
+        let offset = spread(k, SEARCH);
+        let depth = textureLoad(along_key, clamped(at.xy + offset * search), 0);
+        let near = clamp((depth - length(offset)) * 6.0 + 1.0 + 3.0 / search, 0.0, 1.0);
+        let weight = select(0.0, near, depth < 1.0);
+        height += depth * weight;
+        found += weight;
     }
-    height = height / max(found, 1.0);
-    let penumbra = max(search * height, 1.0);
+    let penumbra = max(search * height / max(found, 1e-4), 1.5);
     var hidden = 0.0;
+    var total = 0.0;
     for (var k = 0u; k < TAPS; k++) {
-        let depth = textureLoad(along_key, clamped(at.xy + spread(k, TAPS) * penumbra), 0);
-        hidden += select(0.0, 1.0, depth < 1.0);
+        let offset = spread(k, TAPS);
+        let weight = 1.0 - 0.85 * dot(offset, offset);
+        let depth = textureLoad(along_key, clamped(at.xy + offset * penumbra * 1.3), 0);
+        hidden += select(0.0, weight, depth < 1.0);
+        total += weight;
     }
-    hidden = hidden / f32(TAPS);
+    hidden = hidden / total * clamp(found * 4.0, 0.0, 1.0);
     // The sky is hidden most by what is low and near.
     let reach = caster.soft.y / texel;
     var closed = 0.0;

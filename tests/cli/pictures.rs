@@ -1,0 +1,106 @@
+//! Pictures from the command line.
+
+#[cfg(feature = "render")]
+use super::Said;
+use super::{Desk, pressed, program, said};
+use std::fs;
+
+/// The signature with which every PNG file starts, and the width and height that follow.
+#[cfg(feature = "render")]
+fn png_size(bytes: &[u8]) -> [u32; 2] {
+    assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
+    [16, 20].map(|at| u32::from_be_bytes(bytes[at..at + 4].try_into().expect("four bytes")))
+}
+
+/// Runs the program; none, and a word about it, where there is no graphics driver and none is required.
+#[cfg(feature = "render")]
+#[allow(clippy::print_stderr, reason = "what is skipped is said")]
+fn drawn(desk: &Desk, arguments: &str) -> Option<Said> {
+    let said = desk.run(arguments);
+    if said.code == Some(4) {
+        let required = std::env::var("SINEW_REQUIRE_GPU").is_ok_and(|value| value == "1");
+        assert!(!required, "a graphics driver is required: {said:?}");
+        eprintln!("skipped `{arguments}`: {}", said.err);
+        return None;
+    }
+    assert_eq!(said.code, Some(0), "{arguments}: {said:?}");
+    Some(said)
+}
+
+#[cfg(feature = "render")]
+#[test]
+fn a_picture_is_as_large_as_it_was_asked_to_be_and_shows_when_it_was_taken() {
+    let desk = Desk::new(&pressed());
+    let Some(said) = drawn(&desk, "render scene.json --at 0 --size 320x200 --out a.png") else { return };
+    assert_eq!(said.out, "picture written to a.png\n");
+    let picture = |name: &str| fs::read(desk.path(name)).expect("the picture is there");
+    assert_eq!(png_size(&picture("a.png")), [320, 200]);
+    for (name, options) in [
+        ("again.png", "--at 0"),
+        ("later.png", "--at 0.1"),
+        ("front.png", "--at 0 --view front"),
+        ("inside.png", "--at 0 --x-ray"),
+        ("particles.png", "--at 0 --particles"),
+        ("dark.png", "--at 0 --theme dark"),
+    ] {
+        drawn(&desk, &format!("render scene.json {options} --size 320x200 --out {name}"));
+        assert_eq!(picture("a.png") == picture(name), name == "again.png", "{name}");
+    }
+}
+
+#[cfg(feature = "render")]
+#[test]
+fn a_run_leaves_a_picture_of_every_frame() {
+    let desk = Desk::new(&pressed());
+    let run = "simulate scene.json --seconds 0.05 --png frames --size 160x120";
+    let Some(said) = drawn(&desk, run) else { return };
+    assert!(said.out.contains("4 pictures written to frames"), "{}", said.out);
+    assert_eq!(super::names(&desk.path("frames")), (0..4).map(|k| format!("frame_{k:06}.png")).collect::<Vec<_>>());
+    let said = desk.run("simulate scene.json --seconds 0 --png frames --size 160x120");
+    assert!(said.err.contains("3 more frames of an earlier"), "{}", said.err);
+}
+
+#[cfg(feature = "render")]
+#[test]
+fn without_a_driver_one_line_says_what_to_install() {
+    let desk = Desk::new(&pressed());
+    for arguments in ["render scene.json --out a.png", "simulate scene.json --png frames"] {
+        let mut program = program();
+        // Where the drivers are looked for, there is nothing.
+        for variable in ["VK_DRIVER_FILES", "VK_ICD_FILENAMES"] {
+            program.env(variable, "/nonexistent");
+        }
+        program.env("WGPU_BACKEND", "vulkan").args(arguments.split(' ')).current_dir(desk.path(""));
+        let Said { code, err, .. } = said(&mut program);
+        assert_eq!(code, Some(4), "{err}");
+        let lines: Vec<&str> = err.lines().filter(|line| line.contains("libvulkan1 mesa-vulkan-drivers")).collect();
+        assert!(lines.len() == 1 && lines[0].starts_with("error: ") && !err.contains("panicked"), "{err}");
+        assert_eq!(desk.files(), ["scene.json"]);
+    }
+}
+
+#[test]
+fn pictures_that_cannot_be_made_are_refused_before_anything_is_run() {
+    let desk = Desk::new(&pressed());
+    let error = desk.refused("render scene.json --at 100000 --out no/such/a.png");
+    assert!(error.contains("no/such/a.png"), "{error}");
+    let error = desk.refused("render scene.json --at 100000 --out ./scene.json");
+    assert!(error.contains("the same file"), "{error}");
+    for bad in ["--size 0x5", "--size big", "--view back", "--theme pink", "--at -1", "--x-ray --particles"] {
+        let said = desk.run(&format!("render scene.json {bad} --out a.png"));
+        assert_eq!((said.code, desk.files()), (Some(2), vec!["scene.json".to_owned()]), "{bad}: {said:?}");
+    }
+    let said = said(program().arg("render"));
+    assert_eq!(said.code, Some(2));
+    assert!(fs::metadata(desk.path("a.png")).is_err(), "nothing was written");
+}
+
+#[cfg(not(feature = "render"))]
+#[test]
+fn a_program_without_pictures_says_so() {
+    let desk = Desk::new(&pressed());
+    for arguments in ["render scene.json --out a.png", "simulate scene.json --png frames"] {
+        let error = desk.refused(arguments);
+        assert!(error.contains("built without pictures"), "{error}");
+    }
+}

@@ -55,7 +55,7 @@ pub(super) fn draft(
     if body.air_drag > 0.0 {
         forces.push(Box::new(AirDrag { rate: body.air_drag }));
     }
-    if let Some(drag) = &body.drag {
+    for drag in &body.drags {
         let target = DVec3::from_array(drag.target);
         forces.push(Box::new(DragSpring {
             particle: DragSpring::nearest(&state.positions[..model.outer], target),

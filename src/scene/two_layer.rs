@@ -75,9 +75,9 @@ pub struct TwoLayer {
     /// Regions whose motion is prescribed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pins: Vec<Pin>,
-    /// A point to which its nearest outer particle is dragged.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub drag: Option<Drag>,
+    /// Points to which its nearest outer particle is dragged.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drags: Vec<Drag>,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,

@@ -266,7 +266,7 @@ impl Loop {
     fn grab(&mut self, body: usize, vertex: usize, target: glam::DVec3) {
         let Some(held) = self.runner.as_mut().and_then(|runner| runner.body_mut(body)) else { return };
         let Some(point) = held.point(vertex) else { return };
-        let grab = Grab::scaled(point, target, held.state(), held.parts().dt);
+        let grab = Grab::on(held, point, target);
         held.grabs_mut().push(grab);
         self.grabbed = Some(body);
     }

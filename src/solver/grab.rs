@@ -1,5 +1,6 @@
 //! Pulling a body by a point: a damped spring of no rest length from the point to where the pointer is.
 
+use super::body::Body;
 use super::embedding::Stencil;
 use super::state::ParticleState;
 use glam::DVec3;
@@ -21,6 +22,14 @@ pub struct Grab {
 const FOLLOW: f64 = 25.0;
 
 impl Grab {
+    /// A pull on a body: by the paper's spring of a two-layer body, or [`Grab::scaled`] for others.
+    pub fn on(body: &Body, point: Stencil, target: DVec3) -> Self {
+        match &body.parts().layers {
+            Some(layers) => Self { point, target, stiffness: layers.drag[0], damping: layers.drag[1] },
+            None => Self::scaled(point, target, body.state(), body.parts().dt),
+        }
+    }
+
     /// A pull that moves every body alike: stiffness and damping scale with its `mass` [kg], and stay below what a step
     /// of `dt` [s] can take at the point.
     pub fn scaled(point: Stencil, target: DVec3, state: &ParticleState, dt: f64) -> Self {

@@ -1,6 +1,7 @@
 //! Force evaluations and stroke lifting, one thread: `cargo bench`.
 //!
-//! Divan prints times per evaluation; items per second are particles (matrix), or structure particles (fibres).
+//! Divan prints times per evaluation; items per second are particles (matrix), structure particles (fibres), springs or
+//! faces (two-layer bodies).
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -66,6 +67,38 @@ fn matrix(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
 fn four_fibres(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
     let (mut forces, state) = block(layers);
     evaluate(bencher, forces[1].as_mut(), &state, 4 * (layers[1] as usize + 1));
+}
+
+/// Springs of a two-layer ball of these subdivisions, 36 to 8,196 particles, a little out of shape and moving.
+#[divan::bench(args = [1, 2, 3, 4, 5])]
+fn springs(bencher: Bencher<'_, '_>, subdivisions: u32) {
+    let (mut force, state) = ball(subdivisions, 0);
+    // Twice the edges, a radius a vertex, two shears an edge.
+    let count = 48 * 4_usize.pow(subdivisions) + 4_usize.pow(subdivisions + 1) + 2;
+    evaluate(bencher, force.as_mut(), &state, count);
+}
+
+/// Gas of the same balls; items are faces.
+#[divan::bench(args = [1, 2, 3, 4, 5])]
+fn gas(bencher: Bencher<'_, '_>, subdivisions: u32) {
+    let (mut force, state) = ball(subdivisions, 1);
+    evaluate(bencher, force.as_mut(), &state, 8 * 4_usize.pow(subdivisions));
+}
+
+fn ball(subdivisions: u32, force: usize) -> (Box<dyn Force>, ParticleState) {
+    let scene = serde_json::json!({
+        "version": 1, "gravity": [0, 0, 0],
+        "two_layer": [{"id": "ball", "shape": {"ball": {"subdivisions": subdivisions}}}]
+    });
+    let scene: Scene = serde_json::from_value(scene).expect("a scene");
+    let baked = bake(&scene, &mut |_, _| {}).expect("a world");
+    let parts = baked.world.bodies()[0].parts();
+    let mut state = parts.state.clone();
+    for (x, v) in state.positions.iter_mut().zip(&mut state.velocities) {
+        *v = DVec3::new((3.0 * x.y).sin(), (2.0 * x.z).sin(), (2.5 * x.x).sin());
+        *x += 1e-2 * *v;
+    }
+    (parts.forces[force].clone(), state)
 }
 
 #[divan::bench]

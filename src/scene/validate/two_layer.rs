@@ -33,8 +33,9 @@ pub(super) fn two_layer(at: &At<'_>, all: &[TwoLayer], others: &[Body]) -> Check
         }
         impulses(&at, &body.impulses, &known)?;
         pins(&at, &body.pins, &known)?;
-        if let Some(drag) = &body.drag {
-            let at = at.field("drag");
+        for (index, drag) in body.drags.iter().enumerate() {
+            let at = at.field("drags");
+            let at = at.item(index);
             vector(&at.field("target"), &drag.target, "m")?;
             drag.until.map_or(Ok(()), |until| finite(&at.field("until"), until, "s"))?;
         }

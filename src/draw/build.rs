@@ -168,7 +168,8 @@ mod tests {
                 .map(|id| FibreSnapshot { id: id.to_owned(), vertices: vec![at, at + 0.5 * DVec3::Y, at + DVec3::Y] })
                 .to_vec(),
             skin: vec![at, at + DVec3::X, at + DVec3::Y, at + DVec3::Z],
-            triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+            triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].into(),
+            ..BodySnapshot::default()
         };
         Snapshot { time: 0.0, bodies: vec![body], panels: Vec::new() }
     }
@@ -210,7 +211,7 @@ mod tests {
     #[test]
     fn a_body_without_a_skin_shows_its_particles_and_a_broken_one_does_no_harm() {
         let mut bare = snapshot();
-        bare.bodies[0].triangles.clear();
+        bare.bodies[0].triangles = [].into();
         assert_eq!(drawn(&bare, &Display::default()).points.len(), 1);
         let mut broken = snapshot();
         broken.bodies[0].skin.fill(DVec3::NAN);

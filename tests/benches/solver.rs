@@ -91,7 +91,7 @@ fn ball(subdivisions: u32, force: usize) -> (Box<dyn Force>, ParticleState) {
         "two_layer": [{"id": "ball", "shape": {"ball": {"subdivisions": subdivisions}}}]
     });
     let scene: Scene = serde_json::from_value(scene).expect("a scene");
-    let baked = bake(&scene, &mut |_, _| {}).expect("a world");
+    let baked = bake(&scene, &Assets::default(), &mut |_, _| {}).expect("a world");
     let parts = baked.world.bodies()[0].parts();
     let mut state = parts.state.clone();
     for (x, v) in state.positions.iter_mut().zip(&mut state.velocities) {

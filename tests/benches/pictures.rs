@@ -33,7 +33,7 @@ fn fine_bar() -> (Scene, Snapshot) {
     let shape = Cuboid { center: DVec3::new(0.0, 0.066, 0.0), size: DVec3::new(0.042, 0.072, 0.042) };
     let skin = box_surface(&shape, 0.000_79);
     snapshot.bodies[0].skin = skin.positions;
-    snapshot.bodies[0].triangles = skin.triangles;
+    snapshot.bodies[0].triangles = skin.triangles.into();
     (scene, snapshot)
 }
 

@@ -56,6 +56,21 @@ pub enum BakeError {
         /// Support radius that would do [m].
         suggested: f64,
     },
+    /// Much of a mesh is thinner than two layers.
+    #[error(
+        "{path}: the shape is too thin for its particles ({flat} of {total} have too few others around them): {}",
+        remedy(*.suggested)
+    )]
+    MeshTooThin {
+        /// Pointer to the value that decides.
+        path: String,
+        /// Particles that nothing could hold in place.
+        flat: usize,
+        /// Lattice points inside.
+        total: usize,
+        /// Support radius that gives two layers [m], as was tried.
+        suggested: Option<f64>,
+    },
     /// Part of the shape is a single layer of particles.
     #[error("{path}: {source}")]
     TooThin {
@@ -92,6 +107,13 @@ pub enum BakeError {
         /// The region.
         region: String,
     },
+}
+
+fn remedy(suggested: Option<f64>) -> String {
+    match suggested {
+        Some(radius) => format!("a support radius of {radius:.3e} m gives two layers"),
+        None => "two layers would take more particles than are allowed; give it more thickness".to_owned(),
+    }
 }
 
 /// Something worth knowing that does not stop the scene.

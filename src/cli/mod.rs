@@ -5,6 +5,7 @@
 //! diverged (what was good until then is written all the same).
 
 mod check;
+mod check_model;
 mod console;
 mod drive;
 mod error;
@@ -42,7 +43,7 @@ pub enum Command {
     Simulate(simulate::Simulate),
     /// Run a scene once for every combination of some values
     Sweep(sweep::Sweep),
-    /// Look a scene over without running it
+    /// Look a scene or a model over without running it
     Check(check::Check),
     /// Print the JSON Schema of scene files
     Schema,

@@ -183,7 +183,7 @@ pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeS
         progress(name, BakeStage::Sampling);
         let matter = matter::matter(body, assets, &path, &mut notes)?;
         let body = matter.effective(body);
-        drafts.push(body::draft(scene, &body, matter, &path, &mut notes, progress)?);
+        drafts.push(body::draft(scene, &body, &matter, &path, &mut notes, progress)?);
     }
     let stable: Vec<f64> = drafts.iter().map(|draft| draft.parts.stable_dt).collect();
     let plan = plan(scene, &stable);

@@ -208,9 +208,9 @@ pub fn two_layer_spacing(solid: &Solid, spacing: f64, reach: f64, limit: f64) ->
     })
 }
 
-fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (i32, Lattice) {
+fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (u32, Lattice) {
     let shift = DVec3::from_array(quarters.map(|q| f64::from(q) / f64::from(SHIFTS)));
-    let askew = quarters.iter().filter(|&&q| 2 * q % SHIFTS != 0).count() as i32;
+    let askew = quarters.iter().filter(|&&q| 2 * q % SHIFTS != 0).count() as u32;
     (askew, Lattice { spacing, origin: 0.5 * (solid.min + solid.max) + spacing * shift })
 }
 
@@ -236,7 +236,7 @@ fn cells_along(stretches: &[[f64; 2]], lattice: &Lattice) -> impl Iterator<Item 
 }
 
 /// Positions of a lattice of this spacing: how many points fall inside, along how many axes it lies askew, the lattice.
-fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, i32, Lattice)> {
+fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, u32, Lattice)> {
     // Rows through a surface with holes cost more: they are tried at half spacings only.
     let (shifts, quarters) = if solid.report.closed { (SHIFTS, 1) } else { (SHIFTS / 2, 2) };
     (0..shifts * shifts)

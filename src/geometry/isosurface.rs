@@ -49,7 +49,7 @@ impl Net {
         let values = Self::sample(field, min, max, cell);
         // Corners in a fixed order, so that vertices are numbered the same in every run.
         let mut corners: Vec<IVec3> = values.keys().copied().collect();
-        corners.par_sort_unstable_by_key(|at| at.to_array());
+        corners.par_sort_unstable_by_key(IVec3::to_array);
         // Vertices by their cells and the edges of those that they stand for.
         let mut index: HashMap<(IVec3, usize), u32> = HashMap::new();
         let mut this = Self { vertices: Vec::new(), quads: Vec::new() };

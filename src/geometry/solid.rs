@@ -44,11 +44,11 @@ const NO_VOLUME: f64 = 1e-9;
 
 /// Rows along each axis where the volume is counted instead of computed: of a surface with holes, and of one whose
 /// pieces overlap.
-const SAMPLES: usize = 64;
+const SAMPLES: usize = 48;
 const FINE_SAMPLES: usize = 384;
 
 /// Steps along the diagonal in which the rows through a surface with holes are looked at.
-const LOOKS: f64 = 48.0;
+const LOOKS: f64 = 24.0;
 
 /// Share of doubtful points from which on an open surface is refused.
 const TOO_DOUBTFUL: f64 = 0.2;

@@ -9,7 +9,7 @@ use sinew::solver::skin::{Skin, SkinShape};
 
 fn skinned(model: &Model, normals: &[Vec3]) -> (Skin, Vec<DVec3>, Vec<DVec3>) {
     let solid = solid(model);
-    let sample = fill(&solid, Fineness::Particles(1200), 2.5, 100_000).unwrap().sample;
+    let sample = fill(&solid, Fineness::Particles(1200), 2.5, 100_000).expect("a filling").sample;
     let shape = SkinShape {
         points: &solid.surface.points,
         point_of: &solid.surface.point_of,
@@ -17,7 +17,7 @@ fn skinned(model: &Model, normals: &[Vec3]) -> (Skin, Vec<DVec3>, Vec<DVec3>) {
         colours: &[],
         triangles: &solid.model.triangles,
     };
-    let skin = Skin::embed(&shape, &sample.points, Kernel::new(2.5 * sample.spacing), &mut |_, _| {}).unwrap();
+    let skin = Skin::embed(&shape, &sample.points, Kernel::new(2.5 * sample.spacing), &mut |_, _| {}).expect("a skin");
     (skin, sample.points, solid.model.positions)
 }
 

@@ -38,7 +38,7 @@ const REST_FORCE: f64 = 2e-7;
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
-    matter: Matter<'_>,
+    matter: &Matter<'_>,
     path: &str,
     notes: &mut Vec<Note>,
     progress: &mut dyn FnMut(&str, BakeStage),
@@ -50,7 +50,7 @@ pub(super) fn draft(
     let volume = spacing.powi(3);
 
     progress(name, BakeStage::Neighbours);
-    let Matter { sample, volume: shape_volume, size, .. } = &matter;
+    let Matter { sample, volume: shape_volume, size, .. } = matter;
     let neighbourhood = Neighbourhood::on_lattice(sample, kernel, volume)
         .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);

@@ -2,7 +2,7 @@
 
 use super::body::turn;
 use super::{BakeError, Note};
-use crate::geometry::fill::{FillError, Filling, Fineness, fill};
+use crate::geometry::fill::{FEW, FillError, Filling, Fineness, fill, two_layer_spacing};
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box};
 use crate::geometry::mesh::box_surface;
@@ -88,13 +88,18 @@ fn fill_mesh_shape<'a>(
                 suggested: spacing / ratio,
             }
         }
-        FillError::Empty { spacing } => BakeError::Empty { path: at.clone(), body: path.to_owned(), spacing },
+        FillError::TooThin { flat, total, suggested, .. } => BakeError::MeshTooThin {
+            path: format!("{path}/material/support_radius"),
+            flat,
+            total,
+            suggested: suggested.map(|spacing| spacing / ratio),
+        },
     })?;
-    note_filling(&filling, body, shape, path, notes);
+    note_filling(&filling, solid, body, shape, path, notes);
     Ok(Matter { sample: filling.sample, volume: solid.volume, size: solid.size(), source: Source::Mesh(solid) })
 }
 
-fn note_filling(filling: &Filling, body: &Body, shape: &MeshShape, path: &str, notes: &mut Vec<Note>) {
+fn note_filling(filling: &Filling, solid: &Solid, body: &Body, shape: &MeshShape, path: &str, notes: &mut Vec<Note>) {
     let mut note = |field: &str, warning: bool, text: String| {
         notes.push(Note { path: format!("{path}/{field}"), text, warning });
     };
@@ -114,14 +119,18 @@ fn note_filling(filling: &Filling, body: &Body, shape: &MeshShape, path: &str, n
         note("shape/mesh", false, text);
     }
     let thin = &filling.thinness;
-    if thin.single > 0 {
+    if thin.single as f64 > FEW * total as f64 {
         let at = thin.first.and_then(|index| filling.sample.points.get(index)).copied().unwrap_or_default();
+        let ratio = body.material.spacing_ratio;
+        let remedy = match two_layer_spacing(solid, filling.sample.spacing, ratio.recip(), MAX_PARTICLES as f64) {
+            Some(spacing) => format!("a support radius of {:.3e} m gives two layers", spacing / ratio),
+            None => "two layers would take more particles than are allowed".to_owned(),
+        };
         let text = format!(
             "{} of {total} particles lie in parts hardly more than one layer thick (the first at {:.4?} m), which \
-             bend too easily; about {:.3e} m would give two layers there",
+             bend too easily: {remedy}",
             thin.single,
             at.to_array(),
-            0.5 * radius
         );
         note("material/support_radius", true, text);
     }

@@ -59,6 +59,21 @@ pub enum BakeError {
         /// Support radius that would do [m].
         suggested: f64,
     },
+    /// Much of a mesh is thinner than two layers.
+    #[error(
+        "{path}: the shape is too thin for its particles ({flat} of {total} have too few others around them): {}",
+        remedy(*.suggested)
+    )]
+    MeshTooThin {
+        /// Pointer to the value that decides.
+        path: String,
+        /// Particles that nothing could hold in place.
+        flat: usize,
+        /// Lattice points inside.
+        total: usize,
+        /// Support radius that gives two layers [m], as was tried.
+        suggested: Option<f64>,
+    },
     /// Part of the shape is a single layer of particles.
     #[error("{path}: {source}")]
     TooThin {
@@ -132,6 +147,13 @@ pub enum BakeError {
     },
 }
 
+fn remedy(suggested: Option<f64>) -> String {
+    match suggested {
+        Some(radius) => format!("a support radius of {radius:.3e} m gives two layers"),
+        None => "two layers would take more particles than are allowed; give it more thickness".to_owned(),
+    }
+}
+
 /// Something worth knowing that does not stop the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
@@ -199,7 +221,7 @@ pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeS
         progress(name, BakeStage::Sampling);
         let matter = matter::matter(body, assets, &path, &mut notes)?;
         let body = matter.effective(body);
-        drafts.push(body::draft(scene, &body, matter, &path, &mut notes, progress)?);
+        drafts.push(body::draft(scene, &body, &matter, &path, &mut notes, progress)?);
     }
     for (index, body) in scene.two_layer.iter().enumerate() {
         drafts.push(two_layer::draft(scene, body, &format!("/two_layer/{index}"), progress)?);

@@ -1,11 +1,13 @@
-//! `sinew check`: what a scene holds and what is odd about it, without running it.
+//! `sinew check`: what a scene or a model holds and what is odd about it, without running it.
 
+use super::check_model::{ModelOptions, check_model};
 use super::error::printable;
 use super::prepare::{Sets, load, notes, put_together, tell};
 use super::series::labels;
 use super::table::{Align, Table, figures};
 use super::{CliError, Console, Outcome};
 use crate::bake::Baked;
+use crate::io::is_model;
 use crate::scene::{Scene, one_line};
 use crate::solver::body::Body;
 use crate::solver::world::World;
@@ -16,10 +18,12 @@ use std::path::PathBuf;
 /// Arguments of `sinew check`.
 #[derive(Debug, Args)]
 pub struct Check {
-    /// Scene file
+    /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB
     scene: PathBuf,
     #[command(flatten)]
     sets: Sets,
+    #[command(flatten)]
+    model: ModelOptions,
 }
 
 /// Puts the scene together and prints what is there.
@@ -27,6 +31,9 @@ pub struct Check {
 /// # Errors
 /// A scene or a set that cannot be used.
 pub fn run(args: &Check, console: &mut Console) -> Result<Outcome, CliError> {
+    if is_model(&args.scene) {
+        return check_model(&args.scene, &args.model, console);
+    }
     let source = printable(&args.scene);
     let scene = load(Some(&args.scene), &args.sets, None)?;
     let baked = put_together(&scene, Some(&args.scene), console)?;

@@ -5,6 +5,7 @@
 //! (what was good until then is written all the same) and 4 when there is no graphics driver to make a picture with.
 
 mod check;
+mod check_model;
 mod compare;
 mod console;
 mod drive;
@@ -55,6 +56,7 @@ pub enum Command {
     /// Run a scene under several integrators, each with several steps
     Compare(compare::Compare),
     /// Look a scene over without running it
+    /// Look a scene or a model over without running it
     Check(check::Check),
     /// Print the JSON Schema of scene files
     Schema,

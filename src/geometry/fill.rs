@@ -44,12 +44,26 @@ pub enum FillError {
         /// Greatest number.
         limit: f64,
     },
-    /// No lattice point inside.
-    #[error("no particle fits in at a spacing of {spacing:.3e} m")]
-    Empty {
+    /// The solid, or much of it, is thinner than two layers.
+    #[error(
+        "{flat} of {total} lattice points inside have too few others around them at a spacing of {spacing:.3e} m{}",
+        two_layers(*.suggested)
+    )]
+    TooThin {
+        /// Points that nothing could hold in place.
+        flat: usize,
+        /// Points inside.
+        total: usize,
         /// Spacing [m].
         spacing: f64,
+        /// Spacing at which every part has two layers or nearly so [m], as was tried; none where that would take too
+        /// many particles.
+        suggested: Option<f64>,
     },
+}
+
+fn two_layers(suggested: Option<f64>) -> String {
+    suggested.map_or_else(String::new, |spacing| format!("; {spacing:.3e} m gives two layers"))
 }
 
 /// Least and greatest change of the spacing that is tried, and by how much they are stepped through.
@@ -66,8 +80,9 @@ const CHANGE: f64 = 0.5;
 /// Cost of a lattice that does not lie symmetrically to the solid's extents.
 const ASKEW: f64 = 5e-4;
 
-/// Cost below which the search ends.
+/// Cost below which the search ends, for a closed surface and for one with holes.
 const GOOD: f64 = 1.5e-3;
+const GOOD_ENOUGH: f64 = 1e-2;
 
 /// Candidates whose thin parts are compared.
 const FINALISTS: usize = 6;
@@ -77,6 +92,16 @@ const THIN: f64 = 1.0;
 
 /// Lattice points of the bounding box that are looked at for one particle that is allowed, at most.
 const BOX_SHARE: f64 = 50.0;
+
+/// Share of the points inside that may be left out at tips.
+const MOST_PRUNED: f64 = 0.05;
+
+/// Share of the particles that may lie in single layers without a word: rims and tips.
+pub const FEW: f64 = 0.01;
+
+/// Steps in which finer spacings are tried, and how many.
+const FINER: f64 = 0.9;
+const FINER_TRIES: i32 = 24;
 
 /// A lattice: its spacing [m] and the position of one of its points [m].
 #[derive(Clone, Copy, Debug)]
@@ -125,7 +150,8 @@ pub fn fill(solid: &Solid, fineness: Fineness, reach: f64, limit: usize) -> Resu
                 .filter(|(count, ..)| *count > 0)
                 .map(|(count, askew, lattice)| (cost(count, &lattice) + ASKEW * f64::from(askew), lattice)),
         );
-        if candidates.iter().any(|(cost, _)| *cost < GOOD) {
+        let good = if solid.report.closed { GOOD } else { GOOD_ENOUGH };
+        if candidates.iter().any(|(cost, _)| *cost < good) {
             break;
         }
     }
@@ -147,17 +173,44 @@ pub fn fill(solid: &Solid, fineness: Fineness, reach: f64, limit: usize) -> Resu
             break;
         }
     }
-    best.map(|(_, filling)| filling).ok_or(FillError::Empty { spacing })
+    match best {
+        Some((_, filling)) if !is_flat(&filling) => Ok(filling),
+        best => {
+            let (flat, total) = best.map_or((0, 0), |(_, f)| (f.pruned, f.pruned + f.sample.points.len()));
+            Err(FillError::TooThin { flat, total, spacing, suggested: two_layer_spacing(solid, spacing, reach, limit) })
+        }
+    }
 }
 
-/// Positions of a lattice of this spacing: how many points fall inside, along how many axes it lies askew, the lattice.
-fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, i32, Lattice)> {
-    if solid.report.closed { placements_by_rows(solid, spacing) } else { placements_by_winding(solid, spacing) }
+/// Whether so many points had to be left out that the shape is no longer there.
+fn is_flat(filling: &Filling) -> bool {
+    let total = filling.pruned + filling.sample.points.len();
+    filling.sample.points.is_empty() || filling.pruned as f64 > MOST_PRUNED * total as f64
 }
 
-fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (i32, Lattice) {
+/// The first of ever finer spacings at which hardly a particle lies in a single layer; none if that would take more than
+/// `limit` particles.
+pub fn two_layer_spacing(solid: &Solid, spacing: f64, reach: f64, limit: f64) -> Option<f64> {
+    let finer = (1..=FINER_TRIES).map(|k| spacing * FINER.powi(k));
+    let affordable = finer.take_while(|spacing| {
+        let in_box = (solid.size() / *spacing + 1.0).element_product();
+        solid.volume / spacing.powi(3) <= limit && in_box <= BOX_SHARE * limit
+    });
+    affordable.into_iter().find(|&spacing| {
+        let lattices = placements(solid, spacing);
+        let error = |count: usize| (count as f64 * spacing.powi(3) / solid.volume - 1.0).abs();
+        let best = lattices.into_iter().min_by(|a, b| error(a.0).total_cmp(&error(b.0)));
+        best.is_some_and(|(_, _, lattice)| {
+            let filling = prune(solid, collect(solid, lattice), reach);
+            let thin = filling.pruned + filling.thinness.single;
+            !filling.sample.points.is_empty() && thin as f64 <= FEW * filling.sample.points.len() as f64
+        })
+    })
+}
+
+fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (u32, Lattice) {
     let shift = DVec3::from_array(quarters.map(|q| f64::from(q) / f64::from(SHIFTS)));
-    let askew = quarters.iter().filter(|&&q| 2 * q % SHIFTS != 0).count() as i32;
+    let askew = quarters.iter().filter(|&&q| 2 * q % SHIFTS != 0).count() as u32;
     (askew, Lattice { spacing, origin: 0.5 * (solid.min + solid.max) + spacing * shift })
 }
 
@@ -182,12 +235,15 @@ fn cells_along(stretches: &[[f64; 2]], lattice: &Lattice) -> impl Iterator<Item 
     })
 }
 
-fn placements_by_rows(solid: &Solid, spacing: f64) -> Vec<(usize, i32, Lattice)> {
-    (0..SHIFTS * SHIFTS)
+/// Positions of a lattice of this spacing: how many points fall inside, along how many axes it lies askew, the lattice.
+fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, u32, Lattice)> {
+    // Rows through a surface with holes cost more: they are tried at half spacings only.
+    let (shifts, quarters) = if solid.report.closed { (SHIFTS, 1) } else { (SHIFTS / 2, 2) };
+    (0..shifts * shifts)
         .into_par_iter()
         .flat_map_iter(|k| {
-            let lattices: Vec<_> =
-                (0..SHIFTS).map(|x| lattice_at(solid, spacing, [x, k % SHIFTS, k / SHIFTS])).collect();
+            let (y, z) = (quarters * (k % shifts), quarters * (k / shifts));
+            let lattices: Vec<_> = (0..SHIFTS).map(|x| lattice_at(solid, spacing, [x, y, z])).collect();
             let mut counts = vec![0; lattices.len()];
             // Rows are shared by the lattices that differ along x only.
             let [first, last] = layers(solid, &lattices[0].1);
@@ -205,34 +261,16 @@ fn placements_by_rows(solid: &Solid, spacing: f64) -> Vec<(usize, i32, Lattice)>
         .collect()
 }
 
-fn placements_by_winding(solid: &Solid, spacing: f64) -> Vec<(usize, i32, Lattice)> {
-    // Half spacings only: a winding number costs more than a row.
-    (0..8)
-        .map(|k| {
-            let (askew, lattice) = lattice_at(solid, spacing, [k % 2, k / 2 % 2, k / 4].map(|half| half * SHIFTS / 2));
-            (collect(solid, lattice).points.len(), askew, lattice)
-        })
-        .collect()
-}
-
 fn collect(solid: &Solid, lattice: Lattice) -> LatticeSample {
     let [first, last] = layers(solid, &lattice);
     let Lattice { spacing, origin } = lattice;
-    let winding = (!solid.report.closed).then(|| solid.winding());
     let rows: Vec<Vec<IVec3>> = (first.z..=last.z)
         .into_par_iter()
         .map(|z| {
             let mut cells = Vec::new();
             for y in first.y..=last.y {
-                let at = |x: i32| origin + spacing * IVec3::new(x, y, z).as_dvec3();
-                match &winding {
-                    Some(winding) => cells
-                        .extend((first.x..=last.x).filter(|&x| winding.at(at(x)) > 0.5).map(|x| IVec3::new(x, y, z))),
-                    None => {
-                        let row = solid.row(at(0).y, at(0).z);
-                        cells.extend(cells_along(&row, &lattice).flatten().map(|x| IVec3::new(x, y, z)));
-                    }
-                }
+                let row = solid.row(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
+                cells.extend(cells_along(&row, &lattice).flatten().map(|x| IVec3::new(x, y, z)));
             }
             cells
         })

@@ -49,20 +49,19 @@ impl Net {
         let values = Self::sample(field, min, max, cell);
         // Corners in a fixed order, so that vertices are numbered the same in every run.
         let mut corners: Vec<IVec3> = values.keys().copied().collect();
-        corners.par_sort_unstable_by_key(|at| at.to_array());
-        let mut index: HashMap<IVec3, u32> = HashMap::new();
+        corners.par_sort_unstable_by_key(IVec3::to_array);
+        // Vertices by their cells and the edges of those that they stand for.
+        let mut index: HashMap<(IVec3, usize), u32> = HashMap::new();
         let mut this = Self { vertices: Vec::new(), quads: Vec::new() };
         for &at in &corners {
-            let crossings: Vec<DVec3> = cell_edges()
-                .filter_map(|(a, b)| {
-                    let [va, vb] = [values.get(&(at + a))?, values.get(&(at + b))?];
-                    let cut = (*va < 0.0) != (*vb < 0.0);
-                    cut.then(|| corner(at + a).lerp(corner(at + b), va / (va - vb)))
-                })
-                .collect();
-            if !crossings.is_empty() {
-                index.insert(at, this.vertices.len() as u32);
-                this.vertices.push(crossings.iter().sum::<DVec3>() / crossings.len() as f64);
+            for sheet in sheets(|k| values.get(&(at + CORNERS[k])).copied()) {
+                let crossing = |&(edge, share): &(usize, f64)| {
+                    let [a, b] = cell_edge(edge).map(|k| corner(at + CORNERS[k]));
+                    a.lerp(b, share)
+                };
+                let sum: DVec3 = sheet.iter().map(crossing).sum();
+                index.extend(sheet.iter().map(|(edge, _)| ((at, *edge), this.vertices.len() as u32)));
+                this.vertices.push(sum / sheet.len() as f64);
             }
         }
         for &at in &corners {
@@ -72,7 +71,9 @@ impl Net {
                 if (*va < 0.0) == (*vb < 0.0) {
                     continue;
                 }
-                let around = [at - u - v, at - v, at, at - u].map(|cell| index.get(&cell).copied());
+                // The edge is another one in each of the cells around it.
+                let around = [(at - u - v, 3), (at - v, 2), (at, 0), (at - u, 1)]
+                    .map(|(cell, side)| index.get(&(cell, 4 * axis + side)).copied());
                 if let [Some(a), Some(b), Some(c), Some(d)] = around {
                     this.quads.push(if *va < 0.0 { [a, b, c, d] } else { [d, c, b, a] });
                 }
@@ -141,14 +142,63 @@ impl Net {
     }
 }
 
-/// The edges of a cell, by the corners at their ends.
-fn cell_edges() -> impl Iterator<Item = (IVec3, IVec3)> {
-    (0..12).map(|k: usize| {
-        let (axis, side) = (k / 4, k % 4);
-        let (u, v) = (IVec3::AXES[(axis + 1) % 3], IVec3::AXES[(axis + 2) % 3]);
-        let from = (side % 2) as i32 * u + (side / 2) as i32 * v;
-        (from, from + IVec3::AXES[axis])
-    })
+/// The corners of a cell.
+const CORNERS: [IVec3; 8] = [
+    IVec3::new(0, 0, 0),
+    IVec3::new(1, 0, 0),
+    IVec3::new(0, 1, 0),
+    IVec3::new(1, 1, 0),
+    IVec3::new(0, 0, 1),
+    IVec3::new(1, 0, 1),
+    IVec3::new(0, 1, 1),
+    IVec3::new(1, 1, 1),
+];
+
+/// The corners at the ends of an edge of a cell: four edges along each axis, the side given by the two bits of the
+/// other axes in turn.
+fn cell_edge(edge: usize) -> [usize; 2] {
+    let (axis, side) = (edge / 4, edge % 4);
+    let from = (side % 2) << ((axis + 1) % 3) | (side / 2) << ((axis + 2) % 3);
+    [from, from | 1 << axis]
+}
+
+/// The sheets of the surface within a cell, each by the edges that it cuts and where. Two sheets that pass through one
+/// cell get a vertex each, so that they do not grow together.
+fn sheets(value: impl Fn(usize) -> Option<f64>) -> Vec<Vec<(usize, f64)>> {
+    let mut values = [0.0; 8];
+    for (k, place) in values.iter_mut().enumerate() {
+        let Some(value) = value(k) else { return Vec::new() };
+        *place = value;
+    }
+    let inside = values.map(|value| value < 0.0);
+    if inside == [true; 8] || inside == [false; 8] {
+        return Vec::new();
+    }
+    // Corners on the same side that are connected along edges.
+    let mut group = [0, 1, 2, 3, 4, 5, 6, 7];
+    for _ in 0..7 {
+        for [a, b] in (0..12).map(cell_edge) {
+            if inside[a] == inside[b] {
+                let least = group[a].min(group[b]);
+                (group[a], group[b]) = (least, least);
+            }
+        }
+    }
+    let mut found: Vec<(usize, Vec<(usize, f64)>)> = Vec::new();
+    for edge in 0..12 {
+        let [a, b] = cell_edge(edge);
+        if inside[a] == inside[b] {
+            continue;
+        }
+        let crossing = (edge, values[a] / (values[a] - values[b]));
+        // By their inside corners, in every cell: cells that share a face must agree on who belongs to whom there.
+        let label = group[if inside[a] { a } else { b }];
+        match found.iter_mut().find(|(other, _)| *other == label) {
+            Some((_, sheet)) => sheet.push(crossing),
+            None => found.push((label, vec![crossing])),
+        }
+    }
+    found.into_iter().map(|(_, sheet)| sheet).collect()
 }
 
 /// Slope of a field by central differences.

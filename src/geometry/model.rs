@@ -93,26 +93,25 @@ impl Model {
         }
     }
 
-    /// Leaves out faces that `keep` refuses and vertices that no face uses any more.
+    /// Leaves out faces that `keep` refuses and vertices that no face uses any more; the rest stay in their order.
     #[must_use]
     pub fn retain(&self, keep: impl Fn(&[u32; 3]) -> bool) -> Self {
+        let mut used = vec![false; self.positions.len()];
+        for &vertex in self.triangles.iter().filter(|t| keep(t)).flatten() {
+            used[vertex as usize] = true;
+        }
         let mut kept = Self::default();
-        let mut new_index = vec![u32::MAX; self.positions.len()];
+        let mut new_index = vec![0; self.positions.len()];
+        for (old, _) in used.iter().enumerate().filter(|(_, used)| **used) {
+            new_index[old] = kept.positions.len() as u32;
+            kept.positions.push(self.positions[old]);
+            kept.normals.extend(self.normals.get(old));
+            kept.colours.extend(self.colours.get(old));
+        }
         for part in &self.parts {
             let first = kept.triangles.len();
-            for triangle in self.triangles[part.triangles.clone()].iter().filter(|t| keep(t)) {
-                let triangle = triangle.map(|old| {
-                    let new = &mut new_index[old as usize];
-                    if *new == u32::MAX {
-                        *new = kept.positions.len() as u32;
-                        kept.positions.push(self.positions[old as usize]);
-                        kept.normals.extend(self.normals.get(old as usize));
-                        kept.colours.extend(self.colours.get(old as usize));
-                    }
-                    *new
-                });
-                kept.triangles.push(triangle);
-            }
+            let triangles = self.triangles[part.triangles.clone()].iter().filter(|t| keep(t));
+            kept.triangles.extend(triangles.map(|t| t.map(|old| new_index[old as usize])));
             kept.parts.push(Part { name: part.name.clone(), triangles: first..kept.triangles.len() });
         }
         kept

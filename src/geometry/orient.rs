@@ -98,7 +98,9 @@ fn agree(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges) -> Orientation {
             patch.iter().filter(|&&face| found.flipped[face] == turned).map(|&face| area(points, faces[face])).sum()
         };
         if area(true) > area(false) {
-            patch.iter().for_each(|&face| found.flipped[face] ^= true);
+            for &face in &patch {
+                found.flipped[face] ^= true;
+            }
         }
     }
     // Every twisted edge was met from both sides.

@@ -6,21 +6,28 @@
 //! even along its edges and through its corners.
 
 use super::bvh::Bvh;
+use super::winding::Winding;
 use glam::DVec3;
 
-/// The stretches of the row through (y, z) along x that lie inside, in order: where the surface turns around it at
-/// least once. Points are those of an oriented, closed surface, sorted as [`super::weld::Welded`] sorts them.
-pub fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64, z: f64) -> Vec<[f64; 2]> {
-    let mut crossings: Vec<(f64, i32)> = Vec::new();
+/// Places where the row through (y, z) along x passes through faces, in order, each with +1 where it enters and -1
+/// where it leaves. Points are those of an oriented surface, sorted as [`super::weld::Welded`] sorts them.
+fn crossings(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64, z: f64) -> Vec<(f64, i32)> {
+    let mut found = Vec::new();
     bvh.visit(
         |node| node.min.y <= y && y <= node.max.y && node.min.z <= z && z <= node.max.z,
-        |face| crossings.extend(crossing(points, faces[face as usize], y, z)),
+        |face| found.extend(crossing(points, faces[face as usize], y, z)),
     );
     // Entries before exits at the same place, so that faces which touch leave no gap.
-    crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+    found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+    found
+}
+
+/// The stretches of the row through (y, z) along x that lie inside a closed surface, in order: where it turns around
+/// the row at least once.
+pub fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64, z: f64) -> Vec<[f64; 2]> {
     let mut stretches: Vec<[f64; 2]> = Vec::new();
     let mut depth = 0;
-    for (x, step) in crossings {
+    for (x, step) in crossings(points, faces, bvh, y, z) {
         if depth <= 0 && depth + step > 0 {
             stretches.push([x, x]);
         }
@@ -35,6 +42,78 @@ pub fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64,
     // Nothing is filled where the surface turns out not to be closed.
     stretches.retain(|[from, to]| from < to);
     stretches
+}
+
+/// A row through a surface with holes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct OpenRow {
+    /// Stretches where the winding number is above one half, in order [m].
+    pub inside: Vec<[f64; 2]>,
+    /// Length where it is within a quarter of one half [m]: there the surface does not say clearly.
+    pub doubtful: f64,
+}
+
+impl OpenRow {
+    /// Adds a stretch behind the others, or to the last where they touch: no place is inside twice.
+    fn fill(&mut self, [from, to]: [f64; 2]) {
+        match self.inside.last_mut() {
+            Some(last) if last[1] >= from => last[1] = to,
+            _ => self.inside.push([from, to]),
+        }
+    }
+}
+
+/// Halvings that find where a winding number passes one half.
+const HALVINGS: usize = 24;
+
+/// Winding numbers this close to one half are doubtful.
+const DOUBT: f64 = 0.25;
+
+/// The row through (y, z) along x, from `from` to `to` [m], through a surface with holes.
+///
+/// Between two faces the winding number changes smoothly. It is looked at thrice there and, where the way is long,
+/// every `step` [m]; where it passes one half the place is found by halving.
+pub fn open_row(
+    (points, faces, bvh): (&[DVec3], &[[u32; 3]], &Bvh),
+    winding: &Winding<'_>,
+    [from, to]: [f64; 2],
+    step: f64,
+    [y, z]: [f64; 2],
+) -> OpenRow {
+    let mut places = vec![from];
+    places.extend(crossings(points, faces, bvh, y, z).into_iter().map(|(x, _)| x.clamp(from, to)));
+    places.push(to);
+    let at = |x: f64| winding.at(DVec3::new(x, y, z));
+    let mut row = OpenRow::default();
+    for ends in places.windows(2) {
+        let length = ends[1] - ends[0];
+        if length <= 0.0 {
+            continue;
+        }
+        let count = 3.0_f64.max((length / step).ceil());
+        let samples: Vec<(f64, f64)> =
+            (0..count as usize).map(|k| ends[0] + length * (k as f64 + 0.5) / count).map(|x| (x, at(x))).collect();
+        row.doubtful += samples.iter().filter(|(_, w)| (w - 0.5).abs() < DOUBT).count() as f64 * length / count;
+        let mut begin = (samples[0].1 > 0.5).then_some(ends[0]);
+        for pair in samples.windows(2) {
+            let [(mut low, before), (mut high, after)] = [pair[0], pair[1]];
+            if (before > 0.5) == (after > 0.5) {
+                continue;
+            }
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if (at(middle) > 0.5) == (before > 0.5) { low = middle } else { high = middle }
+            }
+            match begin.take() {
+                Some(start) => row.fill([start, low]),
+                None => begin = Some(high),
+            }
+        }
+        if let Some(start) = begin {
+            row.fill([start, ends[1]]);
+        }
+    }
+    row
 }
 
 /// Where a row enters (+1) or leaves (-1) through a face.

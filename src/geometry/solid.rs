@@ -6,9 +6,9 @@ use super::edges::{Edges, count_loops};
 use super::model::Model;
 use super::orient::{area, orientation};
 use super::report::{Refusal, Report};
-use super::rows::inside_stretches;
+use super::rows::{OpenRow, inside_stretches, open_row};
 use super::weld::Welded;
-use super::winding::Winding;
+use super::winding::{Far, Winding, far_fields};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -28,6 +28,8 @@ pub struct Solid {
     /// Volume inside [m³]; what lies in several pieces counts once.
     pub volume: f64,
     bvh: Bvh,
+    /// Far fields of the tree's nodes; none for a closed surface, which needs none.
+    far: Vec<Far>,
 }
 
 /// Coordinates beyond this are taken for damage [m]: their cubes, and sums of those, must stay far from the greatest
@@ -40,11 +42,13 @@ const GAP: f64 = 1e-5;
 /// Volume below this share of what a surface could enclose counts as none.
 const NO_VOLUME: f64 = 1e-9;
 
-/// Samples along each axis where the volume is counted instead of computed.
-const SAMPLES: usize = 96;
+/// Rows along each axis where the volume is counted instead of computed: of a surface with holes, and of one whose
+/// pieces overlap.
+const SAMPLES: usize = 48;
+const FINE_SAMPLES: usize = 384;
 
-/// Winding numbers this close to one half are doubtful.
-const DOUBT: f64 = 0.25;
+/// Steps along the diagonal in which the rows through a surface with holes are looked at.
+const LOOKS: f64 = 24.0;
 
 /// Share of doubtful points from which on an open surface is refused.
 const TOO_DOUBTFUL: f64 = 0.2;
@@ -92,28 +96,35 @@ impl Solid {
         report.points = surface.points.len();
         report.faces = surface.faces.len();
         report.collapsed_faces = surface.collapsed;
-        let mut this = Self { model, surface, report, min, max, volume: 0.0, bvh };
+        let far = if report.closed { Vec::new() } else { far_fields(&surface.points, &surface.faces, &bvh) };
+        let mut this = Self { model, surface, report, min, max, volume: 0.0, bvh, far };
         this.measure()?;
         Ok(this)
     }
 
-    /// Stretches of the row through (y, z) along x that lie inside, where the surface is closed.
+    /// Stretches of the row through (y, z) along x that lie inside [m].
     pub fn row(&self, y: f64, z: f64) -> Vec<[f64; 2]> {
-        inside_stretches(&self.surface.points, &self.surface.faces, &self.bvh, y, z)
+        if self.report.closed {
+            inside_stretches(&self.surface.points, &self.surface.faces, &self.bvh, y, z)
+        } else {
+            self.open_row(y, z).inside
+        }
     }
 
-    /// Queries of the winding number, for surfaces that are not closed.
-    pub fn winding(&self) -> Winding<'_> {
-        Winding::new(&self.surface.points, &self.surface.faces, &self.bvh)
+    fn open_row(&self, y: f64, z: f64) -> OpenRow {
+        let surface = (self.surface.points.as_slice(), self.surface.faces.as_slice(), &self.bvh);
+        let step = self.size().length() / LOOKS;
+        open_row(surface, &self.winding(), [self.min.x, self.max.x], step, [y, z])
+    }
+
+    /// Queries of the winding number of a surface with holes. That of a closed surface follows from its rows.
+    fn winding(&self) -> Winding<'_> {
+        Winding::new(&self.surface.points, &self.surface.faces, &self.bvh, &self.far)
     }
 
     /// Whether a point lies inside.
     pub fn contains(&self, point: DVec3) -> bool {
-        if self.report.closed {
-            self.row(point.y, point.z).iter().any(|[from, to]| (*from..=*to).contains(&point.x))
-        } else {
-            self.winding().at(point) > 0.5
-        }
+        self.row(point.y, point.z).iter().any(|[from, to]| (*from..=*to).contains(&point.x))
     }
 
     /// Extents [m].
@@ -125,13 +136,18 @@ impl Solid {
         let Report { open_edges, holes, .. } = self.report;
         let diagonal = self.size().length();
         if !self.report.closed {
-            let (volume, doubtful) = self.count_winding();
+            let [volume, doubtful] = self.count_rows(SAMPLES, |y, z| {
+                let row = self.open_row(y, z);
+                [row.inside.iter().map(|[from, to]| to - from).sum(), row.doubtful]
+            });
+            let doubtful = if volume > 0.0 { doubtful / volume } else { 1.0 };
             (self.volume, self.report.doubtful) = (volume, doubtful);
             if volume > 0.0 && doubtful > TOO_DOUBTFUL {
                 return Err(Refusal::TooOpen { open_edges, holes, doubtful });
             }
         } else if self.report.crossings + self.report.nested_pieces + self.report.crowded_edges > 0 {
-            self.volume = self.count_rows();
+            let length = |y, z| [self.row(y, z).iter().map(|[from, to]| to - from).sum(), 0.0];
+            [self.volume, _] = self.count_rows(FINE_SAMPLES, length);
         } else {
             self.volume = signed_volume(&self.surface, self.min);
         }
@@ -141,44 +157,20 @@ impl Solid {
         Err(Refusal::NothingInside { open_edges, holes })
     }
 
-    /// Volume by the lengths of many rows.
-    fn count_rows(&self) -> f64 {
+    /// Volumes by two lengths of each of many rows.
+    fn count_rows(&self, count: usize, lengths: impl Fn(f64, f64) -> [f64; 2] + Sync) -> [f64; 2] {
         let size = self.size();
-        let count = 4 * SAMPLES;
         let step = [size.y / count as f64, size.z / count as f64];
-        let lengths: Vec<f64> = (0..count * count)
+        let lengths: Vec<[f64; 2]> = (0..count * count)
             .into_par_iter()
             .map(|k| {
                 let y = self.min.y + step[0] * ((k % count) as f64 + 0.5);
                 let z = self.min.z + step[1] * ((k / count) as f64 + 0.5);
-                self.row(y, z).iter().map(|[from, to]| to - from).sum()
+                lengths(y, z)
             })
             .collect();
-        lengths.iter().sum::<f64>() * step[0] * step[1]
-    }
-
-    /// Volume by the winding number at many points, and the share of them that is doubtful.
-    fn count_winding(&self) -> (f64, f64) {
-        // Cubes as large as fit SAMPLES of them into the longest side: long thin models need fewer.
-        let size = self.size();
-        let counts = (size / size.max_element() * SAMPLES as f64).ceil().max(DVec3::splat(8.0)).as_usizevec3();
-        let step = size / counts.as_dvec3();
-        let winding = self.winding();
-        let found: Vec<[usize; 2]> = (0..counts.z)
-            .into_par_iter()
-            .map(|z| {
-                let mut found = [0, 0];
-                for k in 0..counts.x * counts.y {
-                    let cell = glam::USizeVec3::new(k % counts.x, k / counts.x, z);
-                    let number = winding.at(self.min + step * (cell.as_dvec3() + 0.5));
-                    found[0] += usize::from(number > 0.5);
-                    found[1] += usize::from((number - 0.5).abs() < DOUBT);
-                }
-                found
-            })
-            .collect();
-        let [inside, doubtful] = found.iter().fold([0, 0], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
-        (inside as f64 * step.element_product(), doubtful as f64 / inside.max(1) as f64)
+        let sum = lengths.iter().fold([0.0, 0.0], |sum, row| [sum[0] + row[0], sum[1] + row[1]]);
+        sum.map(|sum| sum * step[0] * step[1])
     }
 }
 

@@ -48,7 +48,7 @@ pub fn thinness(cells: &[IVec3], reach: f64) -> (Thinness, Vec<bool>) {
     let thinness = Thinness {
         single: found.iter().filter(|one| single(one)).count(),
         double: found.iter().filter(|&&(variance, _)| (SINGLE..DOUBLE).contains(&variance)).count(),
-        first: found.iter().position(|one| single(one)),
+        first: found.iter().position(single),
     };
     let stray = found.iter().map(|&(variance, count)| variance < STRAY.0 || count < STRAY.1).collect();
     (thinness, stray)

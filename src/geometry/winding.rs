@@ -10,17 +10,17 @@ use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// A surface with its far fields.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Winding<'a> {
     points: &'a [DVec3],
     faces: &'a [[u32; 3]],
     bvh: &'a Bvh,
-    far: Vec<Far>,
+    far: &'a [Far],
 }
 
 /// What a group of triangles looks like from afar.
 #[derive(Clone, Copy, Debug)]
-struct Far {
+pub struct Far {
     center: DVec3,
     /// Sum of the triangles' area vectors [m²].
     area: DVec3,
@@ -34,9 +34,8 @@ struct Far {
 const FAR: f64 = 3.0;
 
 impl<'a> Winding<'a> {
-    /// Prepares queries against triangles and the tree over them.
-    pub fn new(points: &'a [DVec3], faces: &'a [[u32; 3]], bvh: &'a Bvh) -> Self {
-        let far = (0..bvh.nodes().len()).into_par_iter().map(|node| far_field(points, faces, bvh, node)).collect();
+    /// Queries against triangles, the tree over them and the far fields of that.
+    pub fn new(points: &'a [DVec3], faces: &'a [[u32; 3]], bvh: &'a Bvh, far: &'a [Far]) -> Self {
         Self { points, faces, bvh, far }
     }
 
@@ -65,6 +64,11 @@ impl<'a> Winding<'a> {
         }
         sum / (4.0 * PI)
     }
+}
+
+/// The far fields of the nodes of a tree over triangles.
+pub fn far_fields(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> Vec<Far> {
+    (0..bvh.nodes().len()).into_par_iter().map(|node| far_field(points, faces, bvh, node)).collect()
 }
 
 /// The far field of a node's triangles. All are summed, at every level: a logarithm of additions a triangle, and no
@@ -113,7 +117,8 @@ mod tests {
         // Open on one side.
         mesh.triangles.retain(|t| t.iter().any(|&i| mesh.positions[i as usize].y < 1.19));
         let bvh = Bvh::new(&mesh.positions, &mesh.triangles);
-        let winding = Winding::new(&mesh.positions, &mesh.triangles, &bvh);
+        let far = far_fields(&mesh.positions, &mesh.triangles, &bvh);
+        let winding = Winding::new(&mesh.positions, &mesh.triangles, &bvh, &far);
         for k in 0..200 {
             let t = f64::from(k);
             let point = DVec3::new((t * 0.37).sin(), 1.5 * (t * 0.73).cos(), (t * 1.1).sin()) + 0.2;

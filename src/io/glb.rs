@@ -1,8 +1,9 @@
-//! Models out, as GLB: one part, smooth normals, one colour.
+//! Models out, as GLB: one part, one colour.
 
 use super::{IoError, write_atomically};
 use crate::geometry::model::Model;
-use serde_json::json;
+use glam::Vec3;
+use serde_json::{Value, json};
 use std::path::Path;
 
 /// Writes a model as GLB, wholly or not at all. Numbers are single precision, as the format has them; indices take two
@@ -15,20 +16,40 @@ pub fn write_glb(path: &Path, model: &Model, name: &str) -> Result<(), IoError> 
     write_atomically(path, |out| out.write_all(&bytes))
 }
 
+// The format's numbers for types and uses of data.
 const FLOAT: u32 = 5126;
 const SHORT: u32 = 5123;
 const INT: u32 = 5125;
+const VERTICES: u32 = 34962;
+const FACES: u32 = 34963;
+
+/// The binary part of a file, and what the document says of its pieces.
+#[derive(Default)]
+struct Parts {
+    bin: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+}
+
+impl Parts {
+    /// Adds a piece; returns its number. `accessor` says what it is made of.
+    fn add(&mut self, bytes: impl Iterator<Item = u8>, target: u32, accessor: &Value) -> usize {
+        let start = self.bin.len();
+        self.bin.extend(bytes);
+        let length = self.bin.len() - start;
+        // Pieces begin at multiples of four bytes.
+        self.bin.resize(self.bin.len().next_multiple_of(4), 0);
+        let index = self.accessors.len();
+        self.views.push(json!({"buffer": 0, "byteOffset": start, "byteLength": length, "target": target}));
+        let mut accessor = accessor.clone();
+        accessor["bufferView"] = json!(index);
+        self.accessors.push(accessor);
+        index
+    }
+}
 
 fn to_glb(model: &Model, name: &str) -> Vec<u8> {
-    let mut bin: Vec<u8> = Vec::new();
-    let mut views = Vec::new();
-    let mut close = |bin: &mut Vec<u8>, target: u32| {
-        let start = views.iter().map(|view: &serde_json::Value| view["end"].as_u64().unwrap_or(0)).max().unwrap_or(0);
-        let length = bin.len() as u64 - start;
-        // Views begin at multiples of four bytes.
-        bin.resize(bin.len().next_multiple_of(4), 0);
-        views.push(json!({"start": start, "length": length, "end": bin.len(), "target": target}));
-    };
+    let mut parts = Parts::default();
     let positions: Vec<[f32; 3]> = model.positions.iter().map(|p| p.as_vec3().to_array()).collect();
     let (mut min, mut max) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for p in &positions {
@@ -37,45 +58,36 @@ fn to_glb(model: &Model, name: &str) -> Vec<u8> {
             max[k] = max[k].max(p[k]);
         }
     }
-    bin.extend(positions.iter().flatten().flat_map(|c| c.to_le_bytes()));
-    close(&mut bin, 34962);
-    bin.extend(model.normals.iter().flat_map(|n| n.to_array()).flat_map(f32::to_le_bytes));
-    close(&mut bin, 34962);
     let indices = model.triangles.iter().flatten();
-    let short = positions.len() <= usize::from(u16::MAX);
-    if short {
-        bin.extend(indices.flat_map(|&i| (i as u16).to_le_bytes()));
+    let count = 3 * model.triangles.len();
+    let indices = if u16::try_from(positions.len()).is_ok() {
+        let bytes = indices.flat_map(|&i| (i as u16).to_le_bytes());
+        parts.add(bytes, FACES, &json!({"componentType": SHORT, "count": count, "type": "SCALAR"}))
     } else {
-        bin.extend(indices.flat_map(|&i| i.to_le_bytes()));
-    }
-    close(&mut bin, 34963);
-
-    let mut attributes = json!({"POSITION": 0});
+        let bytes = indices.flat_map(|&i| i.to_le_bytes());
+        parts.add(bytes, FACES, &json!({"componentType": INT, "count": count, "type": "SCALAR"}))
+    };
+    let vectors = json!({"componentType": FLOAT, "count": positions.len(), "type": "VEC3"});
+    let mut bounded = vectors.clone();
+    (bounded["min"], bounded["max"]) = (json!(min), json!(max));
+    let bytes = positions.iter().flatten().flat_map(|c| c.to_le_bytes());
+    let mut attributes = json!({"POSITION": parts.add(bytes, VERTICES, &bounded)});
     if !model.normals.is_empty() {
-        attributes["NORMAL"] = json!(1);
+        let bytes = model.normals.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes);
+        attributes["NORMAL"] = json!(parts.add(bytes, VERTICES, &vectors));
     }
     let colour = model.colours.first().copied().unwrap_or([1.0; 4]);
-    let views: Vec<_> = views
-        .iter()
-        .map(|view| {
-            json!({"buffer": 0, "byteOffset": view["start"], "byteLength": view["length"], "target": view["target"]})
-        })
-        .collect();
-    let kind = if short { SHORT } else { INT };
+    let Parts { bin, views, accessors } = parts;
     let document = json!({
         "asset": {"version": "2.0", "generator": "sinew"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "name": name}],
-        "meshes": [{"name": name, "primitives": [{"attributes": attributes, "indices": 2, "material": 0}]}],
+        "meshes": [{"name": name, "primitives": [{"attributes": attributes, "indices": indices, "material": 0}]}],
         "materials": [{"pbrMetallicRoughness": {
             "baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.55
         }}],
-        "accessors": [
-            {"bufferView": 0, "componentType": FLOAT, "count": positions.len(), "type": "VEC3", "min": min, "max": max},
-            {"bufferView": 1, "componentType": FLOAT, "count": model.normals.len(), "type": "VEC3"},
-            {"bufferView": 2, "componentType": kind, "count": 3 * model.triangles.len(), "type": "SCALAR"}
-        ],
+        "accessors": accessors,
         "bufferViews": views,
         "buffers": [{"byteLength": bin.len()}]
     });

@@ -47,7 +47,7 @@ const WILD: f64 = 6.0;
 
 /// Growth of the support radius from try to try, and number of tries.
 const GROWTH: f64 = 1.5;
-const TRIES: i32 = 8;
+const TRIES: usize = 8;
 
 /// Points embedded before it is said how far the work has come.
 const CHUNK: usize = 16_384;
@@ -61,6 +61,7 @@ impl Skin {
         kernel: Kernel,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Option<Self> {
+        let mut radius = kernel.support_radius;
         let mut embedders = vec![Embedder::new(particles, kernel)];
         let mut skin = Self {
             starts: vec![0],
@@ -77,9 +78,9 @@ impl Skin {
             let mut stencils: Vec<Option<Stencil>> = chunk.par_iter().map(|&at| first.stencil(at)).collect();
             for (&at, stencil) in chunk.iter().zip(&mut stencils) {
                 let mut wider = 1;
-                while !stencil.as_ref().is_some_and(tame) && wider <= TRIES as usize {
+                while !stencil.as_ref().is_some_and(tame) && wider <= TRIES {
                     if embedders.len() == wider {
-                        let radius = kernel.support_radius * GROWTH.powi(wider as i32);
+                        radius *= GROWTH;
                         embedders.push(Embedder::new(particles, Kernel::new(radius)));
                     }
                     let other = embedders[wider].stencil(at);

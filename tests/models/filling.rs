@@ -1,6 +1,6 @@
 //! Particles inside a mesh: as much volume, none outside, the same for every order of the file.
 
-use crate::shapes::{shuffled, solid, sphere, torus, turned};
+use crate::shapes::{shuffled, single, solid, sphere, torus, turned};
 use glam::{DMat3, DVec3};
 use sinew::geometry::fill::{Fineness, fill};
 use sinew::geometry::solid::Solid;
@@ -36,14 +36,15 @@ fn volumes_agree_within_two_per_cent() {
 #[test]
 fn particles_do_not_depend_on_the_order_of_the_file() {
     // A torus turned inside out here and there, one with a hole, and one as it should be.
-    let whole = torus(40, 20, 0.05, 0.02);
+    let whole = torus(24, 12, 0.05, 0.02);
     let mut muddled = whole.clone();
     muddled.triangles.iter_mut().step_by(7).for_each(|t| t.swap(1, 2));
-    let mut open = whole.clone();
-    open.triangles.drain(100..106);
+    let mut faces = whole.triangles.clone();
+    faces.drain(100..106);
+    let open = single(whole.positions.clone(), faces);
     for model in [whole, muddled, open] {
         let expected = filled(&solid(&model), Fineness::Spacing(0.006));
-        for seed in 1..6 {
+        for seed in 1..4 {
             let again = filled(&solid(&shuffled(&model, seed)), Fineness::Spacing(0.006));
             let same = expected.len() == again.len()
                 && expected

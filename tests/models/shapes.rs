@@ -95,3 +95,18 @@ pub fn turned(model: &Model, rotation: DMat3) -> Model {
 pub fn solid(model: &Model) -> Solid {
     Solid::new(model).expect("a solid")
 }
+
+/// Several models as one, a part each.
+pub fn joined(models: &[&Model]) -> Model {
+    let mut all = Model::default();
+    for model in models {
+        all.add(Piece { positions: model.positions.clone(), triangles: model.triangles.clone(), ..Piece::default() });
+    }
+    all
+}
+
+pub fn moved(model: &Model, by: DVec3) -> Model {
+    let mut model = model.clone();
+    model.positions.iter_mut().for_each(|p| *p += by);
+    model
+}

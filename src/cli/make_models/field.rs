@@ -8,32 +8,51 @@ pub fn smooth_union(a: f64, b: f64, k: f64) -> f64 {
     a.min(b) - h * h * k / 4.0
 }
 
-/// A stalk: a tube along a smooth curve, with a radius that changes from end to end.
-#[derive(Clone, Debug)]
-pub struct Stalk {
-    nodes: Vec<(DVec3, f64)>,
+/// What both shapes have in common, with a rounding of about `k` [m] where they meet.
+pub fn smooth_intersection(a: f64, b: f64, k: f64) -> f64 {
+    -smooth_union(-a, -b, k)
 }
 
-/// Straight pieces that a curved stalk is made of.
-const PIECES: usize = 16;
+/// A stalk: a tube along a smooth curve, with a radius that changes from end to end.
+#[derive(Clone, Debug)]
+pub struct Stalk<C, R> {
+    curve: C,
+    radius: R,
+}
 
-impl Stalk {
-    /// Along `curve`, with `radius`, both over [0, 1].
-    pub fn new(curve: impl Fn(f64) -> DVec3, radius: impl Fn(f64) -> f64) -> Self {
-        let nodes = (0..=PIECES).map(|k| k as f64 / PIECES as f64).map(|t| (curve(t), radius(t)));
-        Self { nodes: nodes.collect() }
+/// Places along a stalk that are looked at before the nearest is searched for in between.
+const PLACES: usize = 8;
+
+/// Steps of that search.
+const STEPS: usize = 3;
+
+impl<C: Fn(f64) -> DVec3, R: Fn(f64) -> f64> Stalk<C, R> {
+    /// Along `curve`, with `radius` [m], both over [0, 1].
+    pub fn new(curve: C, radius: R) -> Self {
+        Self { curve, radius }
     }
 
     /// Distance to its surface.
     pub fn distance(&self, p: DVec3) -> f64 {
-        let pieces = self.nodes.windows(2).map(|pair| {
-            let [(a, ra), (b, rb)] = [pair[0], pair[1]];
-            let along = b - a;
-            let t = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-            p.distance(a + t * along) - (ra + t * (rb - ra))
-        });
-        // Neighbouring pieces meet at an angle: a little fillet hides it.
-        pieces.reduce(|a, b| smooth_union(a, b, 1e-3)).unwrap_or(f64::INFINITY)
+        let at = |t: f64| p.distance((self.curve)(t)) - (self.radius)(t);
+        let mut step = 1.0 / PLACES as f64;
+        let places = (0..=PLACES).map(|k| k as f64 * step).map(|t| (t, at(t)));
+        let Some((mut t, mut least)) = places.reduce(|a, b| if b.1 < a.1 { b } else { a }) else { return 0.0 };
+        for _ in 0..STEPS {
+            // To the foot of the parabola through three places.
+            let middle = t.clamp(step, 1.0 - step);
+            let [before, here, after] = [middle - step, middle, middle + step].map(at);
+            let bend = before + after - 2.0 * here;
+            if bend > 0.0 {
+                let to = (middle + 0.5 * step * (before - after) / bend).clamp(0.0, 1.0);
+                let there = at(to);
+                if there < least {
+                    (t, least) = (to, there);
+                }
+            }
+            step *= 0.3;
+        }
+        least
     }
 }
 
@@ -54,48 +73,76 @@ pub struct Blade {
     pub wave: [f64; 2],
 }
 
-/// Where along a blade it is widest.
-const WIDEST: f64 = 0.38;
+/// Powers with which the outline leaves the foot and reaches the tip, and what brings its greatest width to one.
+const FOOT: f64 = 0.62;
+const TIP: f64 = 1.02;
+const WIDEST: f64 = FOOT / (FOOT + TIP);
+
+/// Roundness of the tip [m]: a sharp one would be finer than the mesh.
+const TIP_ROUND: f64 = 6e-3;
+
+/// Share of the length over which the outline turns at its foot.
+const EASE: f64 = 0.025;
+
+/// Half width of the midrib's groove [m], its depth, and the height of the side veins.
+const GROOVE: f64 = 4.5e-3;
+const GROOVE_DEPTH: f64 = 1.8e-3;
+const VEIN: f64 = 6e-4;
+
+/// Side veins over the length of a blade, and how steeply they run forward.
+const VEINS: f64 = 7.0;
+const SLANT: f64 = 1.6;
 
 impl Blade {
     /// Half width at `s` in [0, 1]: a rounded foot, a pointed tip. Beyond its ends it goes on below zero.
     fn outline(&self, s: f64) -> f64 {
-        // A cubic easing to the widest place from either side, and a straight line out of each end.
-        let bulge = |t: f64| 1.0 - (1.0 - t).powi(2);
-        if s <= 0.0 {
-            return self.half_width * 2.0 * s / WIDEST;
+        if s >= 1.0 {
+            return self.half_width * 3.0 * (1.0 - s);
         }
-        if s < WIDEST {
-            return self.half_width * bulge(s / WIDEST).powf(0.8);
-        }
-        let t = (1.0 - s) / (1.0 - WIDEST);
-        // Drawn out to a point: the outline leaves the tip with a slope of its own.
-        self.half_width * if t < 0.0 { 1.2 * t } else { (1.2 * t + 1.2 * t * t - 1.4 * t * t * t).max(0.0) }
+        // `s` that bends away before it reaches zero: the foot is round instead of blunt.
+        let eased = 0.5 * (s + s.hypot(2.0 * EASE));
+        let widest = WIDEST.powf(FOOT) * (1.0 - WIDEST).powf(TIP);
+        self.half_width * (eased.powf(FOOT) * (1.0 - s).powf(TIP) / widest - 3.0 * (eased - s))
     }
 
     /// Height of the middle surface.
     fn height(&self, s: f64, z: f64) -> f64 {
         let bend = -self.droop * s * s.abs();
-        let across = (z * z + 1e-5).sqrt() - 1e-5_f64.sqrt();
+        let across = z.hypot(4e-3) - 4e-3;
         let edge = (z / self.half_width).powi(2).min(1.5);
         bend + self.fold * across + self.wave[0] * edge * (9.0 * s + self.wave[1]).sin()
+    }
+
+    /// Half thickness above or below the middle surface: a groove along the midrib and ridges of veins above, the
+    /// midrib itself below.
+    fn half_thickness(&self, s: f64, z: f64, above: bool) -> f64 {
+        let [at_edge, at_rib] = self.half_thickness;
+        let rib = at_rib * (-(z / (0.25 * self.half_width)).powi(2)).exp();
+        let thinner = 1.0 - 0.08 * s.clamp(0.0, 1.0).powi(2);
+        if !above {
+            return (at_edge + 1.6 * rib) * thinner;
+        }
+        let fade = (s * 6.0).clamp(0.0, 1.0) * ((1.0 - s) * 4.0).clamp(0.0, 1.0);
+        let groove = GROOVE_DEPTH * (-(z / GROOVE).powi(2)).exp();
+        let phase = VEINS * (s - SLANT * z.abs() / self.length);
+        let inner = (1.0 - (z / self.outline(s).max(1e-3)).powi(2)).max(0.0);
+        let vein = inner * VEIN * (2.0 * (std::f64::consts::PI * phase).cos().powi(4) - 1.0);
+        (at_edge + 0.6 * rib) * thinner + fade * (vein * (1.0 - (-(z / GROOVE).powi(2)).exp()) - groove)
     }
 
     /// Distance to its surface, nearly.
     pub fn distance(&self, p: DVec3) -> f64 {
         let s = p.x / self.length;
-        let across = (p.z * p.z + 4e-6).sqrt() - 2e-3;
+        let across = p.z.hypot(TIP_ROUND) - TIP_ROUND;
         let step = 1e-4;
         let widening = (self.outline(s + step) - self.outline(s - step)) / (2.0 * step * self.length);
-        let beside = (across - self.outline(s)) / (1.0 + widening * widening).sqrt();
-        let [at_edge, at_rib] = self.half_thickness;
-        let rib = at_rib * (-(p.z / (0.25 * self.half_width)).powi(2)).exp();
-        let swell = (at_edge + rib) * (1.0 - 0.25 * s.clamp(0.0, 1.0).powi(2));
+        let beside = (across - self.outline(s)) / 1.0_f64.hypot(widening);
+        let height = p.y - self.height(s, p.z);
         let tilt = (self.height(s + step, p.z) - self.height(s - step, p.z)) / (2.0 * step * self.length);
-        let above = (p.y - self.height(s, p.z)).abs() / (1.0 + tilt * tilt + self.fold * self.fold).sqrt();
-        // A slab with round edges of the radius of its half thickness at the edge.
-        let round = 0.9 * at_edge;
-        let q = DVec2::new(beside + round, above - swell + round);
+        let above = height.abs() / (1.0 + tilt * tilt + self.fold * self.fold).sqrt();
+        // A slab with round edges.
+        let round = 0.9 * self.half_thickness[0];
+        let q = DVec2::new(beside + round, above - self.half_thickness(s, p.z, height > 0.0) + round);
         q.max_element().min(0.0) + q.max(DVec2::ZERO).length() - round
     }
 }

@@ -1,6 +1,6 @@
 //! A plant and a leaf, as fields of signed distance that are meshed.
 
-use super::field::{Blade, Frame, Stalk, smooth_union};
+use super::field::{Blade, Frame, Stalk, smooth_intersection, smooth_union};
 use crate::geometry::isosurface::isosurface;
 use crate::geometry::model::Model;
 use glam::DVec3;
@@ -9,15 +9,15 @@ use std::f64::consts::{PI, TAU};
 /// A leaf that lies on its side along x: its stalk begins at the origin, where a person holds it.
 pub fn leaf() -> Model {
     let blade = Blade {
-        length: 0.225,
-        half_width: 0.056,
+        length: 0.235,
+        half_width: 0.053,
         half_thickness: [5.6e-3, 1.6e-3],
-        droop: 0.03,
-        fold: 0.12,
-        wave: [2.5e-3, 0.6],
+        droop: 0.045,
+        fold: 0.2,
+        wave: [4e-3, 0.6],
     };
     let foot = DVec3::new(0.074, 0.021, 0.0);
-    let frame = Frame::new(foot, DVec3::new(1.0, 0.16, 0.0), 0.0);
+    let frame = Frame::new(foot, DVec3::new(1.0, 0.24, 0.0), 0.0);
     let stalk = Stalk::new(
         |t| DVec3::new(0.092 * t, 0.025 * t * (1.45 - 0.45 * t), 2e-3 * (PI * t).sin()),
         |t| 8.2e-3 - 1.4e-3 * t,
@@ -27,8 +27,8 @@ pub fn leaf() -> Model {
 }
 
 /// Sizes of the cells on which the fields are meshed [m]: what gives the vertices of the paper's Table 1.
-const LEAF_CELL: f64 = 3.74e-3;
-const PLANT_CELL: f64 = 2.44e-3;
+const LEAF_CELL: f64 = 4.08e-3;
+const PLANT_CELL: f64 = 2.55e-3;
 
 /// Leaves of the plant.
 const LEAVES: usize = 5;
@@ -51,31 +51,32 @@ pub fn plant(seed: u64) -> Model {
     let mut leaves = Vec::new();
     for k in 0..LEAVES {
         let share = k as f64 / (LEAVES - 1) as f64;
-        let from = stem_at(0.34 + 0.6 * share);
+        let from = stem_at(0.32 + 0.68 * share);
         let angle = 0.4 + GOLDEN * k as f64 + random.around(0.12);
         let size = 1.0 - 0.3 * share + random.around(0.04);
         let out = DVec3::new(angle.cos(), 0.0, angle.sin());
-        let rise = 0.55 + 0.5 * share + random.around(0.08);
-        let foot = from + 0.05 * size * (out + DVec3::Y * 0.8).normalize_or(DVec3::Y);
+        let rise = 0.55 + 0.8 * share + random.around(0.08);
+        let foot = from + 0.058 * size * (out + DVec3::Y * 0.8).normalize_or(DVec3::Y);
         let petiole = Stalk::new(
             move |t| from.lerp(foot + 0.02 * size * (out + DVec3::Y * rise), t) - DVec3::Y * 4e-3 * (PI * t).sin(),
             |_| 7.2e-3,
         );
         let blade = Blade {
             length: 0.165 * size,
-            half_width: 0.041 * size,
-            half_thickness: [5.6e-3, 1.2e-3],
+            half_width: 0.038 * size,
+            half_thickness: [6e-3, 1.2e-3],
             droop: 0.075 * size + random.around(0.01),
             fold: 0.2,
-            wave: [2.5e-3, random.around(3.0)],
+            wave: [3e-3, random.around(3.0)],
         };
         leaves.push((petiole, blade, Frame::new(foot, out + DVec3::Y * rise, random.around(0.2))));
     }
     let field = |p: DVec3| {
-        leaves.iter().fold(stem.distance(p), |nearest, (petiole, blade, frame)| {
+        let foot = smooth_intersection(stem.distance(p), -p.y, 0.008);
+        leaves.iter().fold(foot, |nearest, (petiole, blade, frame)| {
             // A leaf too far away to change anything is not looked at.
             let ball = frame.origin + frame.axes * DVec3::new(0.4 * blade.length, 0.0, 0.0);
-            if p.distance(ball) - 0.75 * blade.length > nearest + FILLET {
+            if p.distance(ball) - blade.length > nearest + FILLET {
                 return nearest;
             }
             let leaf = smooth_union(petiole.distance(p), blade.distance(frame.local(p)), 0.01);

@@ -30,19 +30,19 @@ fn buffers(file: &Gltf, folder: &Path) -> Result<Vec<Vec<u8>>, Failure> {
     file.buffers()
         .map(|buffer| match buffer.source() {
             buffer::Source::Bin => file.blob.clone().ok_or_else(|| Failure::new("its binary part is missing")),
-            buffer::Source::Uri(uri) => match uri.strip_prefix("data:") {
-                Some(data) => {
-                    let (_, text) =
-                        data.split_once(";base64,").ok_or_else(|| Failure::new("its data is not base64"))?;
-                    decode_base64(text).ok_or_else(|| Failure::new("its base64 data is damaged"))
-                }
-                None => {
-                    let path = folder.join(decode_percent(uri));
-                    read_bytes(&path, MAX_MODEL_BYTES).map_err(|error| Failure::Other(error.within(&path)))
-                }
-            },
+            buffer::Source::Uri(uri) => from_uri(uri, folder),
         })
         .collect()
+}
+
+/// Data in the document itself or in a file beside it.
+fn from_uri(uri: &str, folder: &Path) -> Result<Vec<u8>, Failure> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        let (_, text) = data.split_once(";base64,").ok_or_else(|| Failure::new("its data is not base64"))?;
+        return decode_base64(text).ok_or_else(|| Failure::new("its base64 data is damaged"));
+    }
+    let path = folder.join(decode_percent(uri));
+    read_bytes(&path, MAX_MODEL_BYTES).map_err(|error| Failure::Other(error.within(&path)))
 }
 
 struct Reader<'a> {
@@ -96,7 +96,9 @@ impl Reader<'_> {
         let mut triangles = triangles_of(&indices, primitive.mode());
         // A mirroring node turns faces inside out.
         if DMat3::from_mat4(place).determinant() < 0.0 {
-            triangles.iter_mut().for_each(|t| t.swap(1, 2));
+            for t in &mut triangles {
+                t.swap(1, 2);
+            }
         }
         Piece { name: name.to_owned(), positions, normals, colours, triangles }
     }
@@ -145,16 +147,9 @@ fn decode_percent(text: &str) -> String {
     let mut rest = text.as_bytes();
     while let [first, behind @ ..] = rest {
         let code = behind.get(..2).and_then(|two| std::str::from_utf8(two).ok());
-        match (first, code.and_then(|code| u8::from_str_radix(code, 16).ok())) {
-            (b'%', Some(byte)) => {
-                bytes.push(byte);
-                rest = &behind[2..];
-            }
-            _ => {
-                bytes.push(*first);
-                rest = behind;
-            }
-        }
+        let byte = code.filter(|_| *first == b'%').and_then(|code| u8::from_str_radix(code, 16).ok());
+        bytes.push(byte.unwrap_or(*first));
+        rest = if byte.is_some() { &behind[2..] } else { behind };
     }
     String::from_utf8_lossy(&bytes).into_owned()
 }

@@ -1,0 +1,146 @@
+//! `sinew check MODEL`: whether a model has an inside, and how many particles it takes to fill it.
+
+use super::error::printable;
+use super::table::{Align, Table, figures};
+use super::{CliError, Console, Outcome};
+use crate::geometry::fill::{FillError, Fineness, fill};
+use crate::geometry::solid::Solid;
+use crate::io::{IoError, load_model};
+use crate::scene::{Axis, Extra, MAX_PARTICLES, MeshShape, one_line};
+use clap::{Args, ValueEnum};
+use std::path::Path;
+
+/// What a scene would say about a model.
+#[derive(Clone, Debug, Args)]
+pub struct ModelOptions {
+    /// Of a model: metres to a unit of the file
+    #[arg(long, value_name = "M", default_value_t = 1.0, value_parser = positive)]
+    scale: f64,
+    /// Of a model: the file's axis that points up
+    #[arg(long, value_enum, default_value_t = Up::Y)]
+    up: Up,
+    /// Of a model: fill it at this support radius [m]
+    #[arg(long, value_name = "M", value_parser = positive, conflicts_with = "particles")]
+    support_radius: Option<f64>,
+    /// Of a model: fill it with about so many particles
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=2_000_000))]
+    particles: Option<u32>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Up {
+    X,
+    Y,
+    Z,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
+        _ => Err("give a number above 0".to_owned()),
+    }
+}
+
+/// Support radius over spacing, as in the fibre paper.
+const REACH: f64 = 2.5;
+
+/// Numbers of particles that are tried when none is asked for.
+const USUAL: [u32; 3] = [500, 2000, 8000];
+
+/// Reads a model, checks it and fills it.
+///
+/// # Errors
+/// A file that cannot be read or whose surface has no inside.
+pub fn check_model(path: &Path, options: &ModelOptions, console: &mut Console) -> Result<Outcome, CliError> {
+    let up = match options.up {
+        Up::X => Axis::X,
+        Up::Y => Axis::Y,
+        Up::Z => Axis::Z,
+    };
+    let shape = MeshShape { path: String::new(), scale: options.scale, up, particles: None, extra: Extra::new() };
+    console.begin();
+    console.stage(&"reading");
+    let mut model = load_model(path)?;
+    model.stand_up(shape.up_axis(), shape.scale);
+    console.stage(&"looking for an inside");
+    let refused = |refusal| IoError::InFile { file: path.to_owned(), error: Box::new(IoError::Refused(refusal)) };
+    let solid = Solid::new(&model).map_err(refused)?;
+    console.stage(&"filling it with particles");
+    let asked = match (options.support_radius, options.particles) {
+        (Some(radius), _) => vec![Fineness::Spacing(radius / REACH)],
+        (None, Some(count)) => vec![Fineness::Particles(count)],
+        (None, None) => USUAL.map(Fineness::Particles).to_vec(),
+    };
+    let particles = particles(&solid, &asked);
+    console.end();
+    for finding in solid.report.findings() {
+        console.say(if finding.warning { "warning" } else { "note" }, &finding);
+    }
+    console.print(&format!("{}\n{}\n{}", contents(&solid, path), parts(&solid).render(), particles.render()))?;
+    Ok(Outcome::Done)
+}
+
+fn contents(solid: &Solid, path: &Path) -> String {
+    let report = &solid.report;
+    let extent = solid.size().to_array().map(figures).join(" x ");
+    let state = if report.closed { "closed" } else { "not closed" };
+    format!(
+        "{}: {} vertices at {} points, {} faces; {state}, pieces: {}\nextent [m]: {extent}\nvolume [m³]: {}\n",
+        printable(path),
+        report.vertices,
+        report.points,
+        report.faces,
+        report.pieces,
+        figures(solid.volume),
+    )
+}
+
+fn parts(solid: &Solid) -> Table {
+    let mut table = Table::new([("part", Align::Left), ("faces", Align::Right)]);
+    for part in &solid.model.parts {
+        let name = if part.name.is_empty() { "(no name)".to_owned() } else { one_line(&part.name) };
+        table.push([name, part.triangles.len().to_string()]);
+    }
+    table
+}
+
+fn particles(solid: &Solid, asked: &[Fineness]) -> Table {
+    let mut table = Table::new([
+        ("particles", Align::Right),
+        ("support radius [m]", Align::Right),
+        ("volume error [%]", Align::Right),
+        ("pieces", Align::Right),
+        ("in one layer", Align::Right),
+        ("in two layers", Align::Right),
+        ("", Align::Left),
+    ]);
+    for &fineness in asked {
+        table.push(match fill(solid, fineness, REACH, MAX_PARTICLES) {
+            Ok(filling) => [
+                filling.sample.points.len().to_string(),
+                figures(REACH * filling.sample.spacing),
+                figures(100.0 * filling.volume_error),
+                filling.sample.pieces().1.to_string(),
+                filling.thinness.single.to_string(),
+                filling.thinness.double.to_string(),
+                String::new(),
+            ],
+            Err(error) => {
+                let wanted = match fineness {
+                    Fineness::Particles(count) => [count.to_string(), "-".to_owned()],
+                    Fineness::Spacing(spacing) => ["-".to_owned(), figures(REACH * spacing)],
+                };
+                let [count, radius] = wanted;
+                let dash = || "-".to_owned();
+                let why = match error {
+                    FillError::TooThin { suggested: Some(spacing), .. } => {
+                        format!("too thin; {} m gives two layers", figures(REACH * spacing))
+                    }
+                    other => other.to_string(),
+                };
+                [count, radius, dash(), dash(), dash(), dash(), why]
+            }
+        });
+    }
+    table
+}

@@ -1,0 +1,79 @@
+//! Models: load, fill, embed, skin, on all threads: `cargo bench --bench models`.
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use glam::DVec3;
+use sinew::geometry::fill::{Fineness, fill};
+use sinew::geometry::isosurface::isosurface;
+use sinew::geometry::kernel::Kernel;
+use sinew::geometry::model::Model;
+use sinew::geometry::solid::Solid;
+use sinew::io::{load_model, write_glb};
+use sinew::solver::skin::{Skin, SkinShape};
+use std::path::{Path, PathBuf};
+
+fn main() {
+    divan::main();
+}
+
+/// Particles and skin of a solid.
+fn filled(solid: &Solid, particles: u32) -> (Vec<DVec3>, Skin) {
+    let sample = fill(solid, Fineness::Particles(particles), 2.5, 2_000_000).expect("a filling").sample;
+    let shape = SkinShape {
+        points: &solid.surface.points,
+        point_of: &solid.surface.point_of,
+        normals: &solid.model.normals,
+        colours: &solid.model.colours,
+        triangles: &solid.model.triangles,
+    };
+    let kernel = Kernel::new(2.5 * sample.spacing);
+    let skin = Skin::embed(&shape, &sample.points, kernel, &mut |_, _| {}).expect("a skin");
+    (sample.points, skin)
+}
+
+/// From the file to a skin that can be moved.
+fn load_fill_embed(path: &Path, particles: u32) -> Skin {
+    let solid = Solid::new(&load_model(path).expect("a model")).expect("an inside");
+    filled(&solid, particles).1
+}
+
+fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("assets").join(name)
+}
+
+/// A bumpy ball of about `faces` faces.
+fn ball(faces: f64) -> Model {
+    let field = |p: DVec3| p.length() - 1.0 - 0.05 * (7.0 * p.x).sin() * (7.0 * p.y).sin() * (7.0 * p.z).sin();
+    // Cells that a unit sphere cuts: about 1.5 times its area over theirs, two faces each.
+    let cell = (2.0 * 1.5 * 4.0 * std::f64::consts::PI / faces).sqrt();
+    isosurface(&field, DVec3::splat(-1.2), DVec3::splat(1.2), cell)
+}
+
+/// The plant: 31.5k vertices, 2723 particles.
+#[divan::bench(sample_count = 10)]
+fn plant_load_fill_embed() -> Skin {
+    load_fill_embed(&shipped("plant.glb"), 2723)
+}
+
+/// 500k faces, 50 000 particles.
+#[divan::bench(sample_count = 3)]
+fn half_a_million_faces_load_fill_embed(bencher: Bencher<'_, '_>) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("ball.glb");
+    let model = ball(500_000.0);
+    assert!((450_000..600_000).contains(&model.triangles.len()), "{}", model.triangles.len());
+    write_glb(&path, &model, "ball").expect("a file");
+    bencher.bench_local(|| load_fill_embed(&path, 50_000));
+}
+
+/// 50k vertices over 2700 particles: positions and normals, once a frame.
+#[divan::bench(sample_count = 50)]
+fn skin_a_frame(bencher: Bencher<'_, '_>) {
+    let model = ball(100_000.0);
+    let (particles, skin) = filled(&Solid::new(&model).expect("an inside"), 2700);
+    bencher.counter(ItemsCount::new(skin.len())).bench_local(|| {
+        let positions = skin.positions(&particles);
+        let normals = skin.normals(&positions);
+        (positions, normals)
+    });
+}

@@ -1,6 +1,7 @@
 //! The program as a person or a script meets it: arguments in; words, files and an exit code out.
 
 mod check;
+mod compare;
 mod errors;
 mod simulate;
 mod sweep;
@@ -157,7 +158,7 @@ fn asked_for_nothing_it_runs_the_built_in_scene_and_says_what_else_it_can_do() {
     assert!(nothing.err.contains("sinew simulate") && nothing.err.contains("--help"), "{}", nothing.err);
     let help = said(program().arg("--help"));
     assert_eq!(help.code, Some(0));
-    for command in ["simulate", "sweep", "check", "schema"] {
+    for command in ["simulate", "sweep", "compare", "check", "schema"] {
         assert!(help.out.contains(command), "{}", help.out);
     }
     assert_eq!(said(program().args(["simulate", "--frames"])).code, Some(2));

@@ -160,7 +160,7 @@ impl Model {
         let outer = points.len();
         if let Some((outer_radius, inner_radius)) = radii {
             let unit = points.clone();
-            points.iter_mut().for_each(|x| *x *= outer_radius);
+            points = unit.iter().map(|&x| outer_radius * x).collect();
             points.extend(inner_radius.into_iter().flat_map(|radius| unit.iter().map(move |&x| radius * x)));
         }
         Self { points, outer, edges, faces, dimension: shape.dimension() }

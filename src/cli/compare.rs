@@ -130,11 +130,13 @@ fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
     let mut text = table(&report);
     if let Some(path) = &args.report {
         output::write_json(path, &report)?;
-        text += &format!("\n{}", output::wrote("report", path));
+        text.push('\n');
+        text += &output::wrote("report", path);
     }
     if let Some(path) = &args.plot {
         output::write_bytes(path, order_plot(&report.scene, &lines).as_bytes())?;
-        text += &format!("\n{}", output::wrote("plot", path));
+        text.push('\n');
+        text += &output::wrote("plot", path);
     }
     console.print(&text)?;
     Ok(Outcome::Done)
@@ -252,7 +254,8 @@ fn table(report: &CompareReport) -> String {
         for order in orders {
             table.push([word(order.integrator), or_dash(order.order)]);
         }
-        text += &format!("\n{}", table.render());
+        text.push('\n');
+        text += &table.render();
     }
     text
 }

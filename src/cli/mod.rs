@@ -55,7 +55,6 @@ pub enum Command {
     Sweep(sweep::Sweep),
     /// Run a scene under several integrators, each with several steps
     Compare(compare::Compare),
-    /// Look a scene over without running it
     /// Look a scene or a model over without running it
     Check(check::Check),
     /// Print the JSON Schema of scene files

@@ -131,14 +131,14 @@ struct Foot<const N: usize> {
 
 impl<const N: usize> Foot<N> {
     /// The nearer of two feet; of equal ones both normals count.
-    fn nearer(best: Option<Self>, next: Self) -> Option<Self> {
+    fn nearer(best: Option<Self>, next: Self) -> Self {
         match best {
-            Some(best) if best.distance_squared < next.distance_squared * (1.0 - SAME) => Some(best),
+            Some(best) if best.distance_squared < next.distance_squared * (1.0 - SAME) => best,
             Some(mut best) if best.distance_squared <= next.distance_squared * (1.0 + SAME) => {
                 best.outward += next.outward;
-                Some(best)
+                best
             }
-            _ => Some(next),
+            _ => next,
         }
     }
 }
@@ -206,7 +206,7 @@ fn nearest_on_faces(x: DVec3, positions: &[DVec3], faces: &[[u32; 3]]) -> Option
         let at = weights[0] * a + weights[1] * b + weights[2] * c;
         let outward = (b - a).cross(c - a).normalize_or_zero();
         let foot = Foot { particles: *face, weights, at, distance_squared: x.distance_squared(at), outward };
-        best = Foot::nearer(best, foot);
+        best = Some(Foot::nearer(best, foot));
     }
     best
 }
@@ -219,7 +219,7 @@ fn nearest_on_edges(x: DVec3, positions: &[DVec3], edges: &[[u32; 2]], normal: D
         let at = weights[0] * a + weights[1] * b;
         let outward = (b - a).cross(normal).normalize_or_zero();
         let foot = Foot { particles: *edge, weights, at, distance_squared: x.distance_squared(at), outward };
-        best = Foot::nearer(best, foot);
+        best = Some(Foot::nearer(best, foot));
     }
     best
 }

@@ -1,6 +1,7 @@
 //! The program as a person or a script meets it: arguments in; words, files and an exit code out.
 
 mod check;
+mod compare;
 mod errors;
 mod pictures;
 mod simulate;
@@ -163,7 +164,7 @@ fn asked_for_nothing_it_opens_its_window_or_says_what_is_missing() {
     }
     let help = said(program().arg("--help"));
     assert_eq!(help.code, Some(0));
-    for command in ["simulate", "render", "sweep", "check", "schema"] {
+    for command in ["simulate", "render", "sweep", "compare", "check", "schema"] {
         assert!(help.out.contains(command), "{}", help.out);
     }
     assert_eq!(said(program().args(["simulate", "--frames"])).code, Some(2));

@@ -25,7 +25,9 @@ fn every_scene_bakes_without_a_warning() {
         assert_eq!(unknown_fields(&scene), Vec::<String>::new(), "{}", path.display());
         let warnings: Vec<String> =
             baked(&scene).notes.iter().filter(|note| note.warning).map(ToString::to_string).collect();
-        assert!(warnings.is_empty(), "{}: {warnings:?}", path.display());
+        // Two figures are there to show bodies that blow up.
+        let blows_up = ["two_layer_figure_13.json", "two_layer_figure_14.json"].iter().any(|name| path.ends_with(name));
+        assert_eq!(!warnings.is_empty(), blows_up, "{}: {warnings:?}", path.display());
         seen += 1;
     }
     assert!(seen >= 5, "{seen} scenes");

@@ -1,0 +1,134 @@
+//! Forces of two-layer bodies against finite differences of their energies, and their derivatives against those of the
+//! forces.
+
+use crate::common::baked;
+use crate::two_layer::{ball, ring, two_layer, with};
+use glam::DVec3;
+use serde_json::json;
+use sinew::solver::energy::Energies;
+use sinew::solver::forces::{DragSpring, Force};
+use sinew::solver::state::ParticleState;
+
+fn wobble(k: usize, scale: f64) -> DVec3 {
+    let k = k as f64;
+    scale * DVec3::new((1.3 * k).sin(), (2.1 * k + 0.4).cos(), (0.7 * k + 1.0).sin())
+}
+
+/// A body's springs and gas, and its state out of shape, at rest or moving.
+fn body(index: usize, speed: f64) -> (Vec<Box<dyn Force>>, ParticleState) {
+    let bodies = [
+        ring(),
+        ball(1),
+        with(ring(), json!({"pressure_in": "annulus"})),
+        with(ball(1), json!({"pressure_in": "both"})),
+    ];
+    let baked = baked(&two_layer(&[bodies[index].clone()], json!({})));
+    let parts = baked.world.bodies()[0].parts();
+    let mut state = parts.state.clone();
+    let flat = if index % 2 == 0 { DVec3::new(1.0, 1.0, 0.0) } else { DVec3::ONE };
+    for i in 0..state.len() {
+        // Larger than at rest, so that every spring is stretched.
+        state.positions[i] = 1.2 * state.positions[i] + flat * wobble(i, 0.05);
+        state.velocities[i] = flat * wobble(i + 100, speed);
+    }
+    let mut forces = parts.forces.clone();
+    let target = DVec3::new(3.0, 1.0, 0.0);
+    forces.push(Box::new(DragSpring { particle: 1, target, stiffness: 150.0, damping: 25.0, until: 1.0 }));
+    (forces, state)
+}
+
+fn total(forces: &mut [Box<dyn Force>], state: &ParticleState) -> Vec<DVec3> {
+    let mut sum = vec![DVec3::ZERO; state.len()];
+    forces.iter_mut().for_each(|force| force.add_forces(0.0, state, &mut sum));
+    sum
+}
+
+fn energy(forces: &[Box<dyn Force>], state: &ParticleState) -> f64 {
+    let mut energies = Energies::default();
+    forces.iter().for_each(|force| force.add_energy(0.0, state, &mut energies));
+    energies.potential()
+}
+
+#[test]
+fn spring_and_gas_forces_are_the_gradient_of_their_energy() {
+    for index in 0..4 {
+        let (mut forces, mut state) = body(index, 0.0);
+        let exact = total(&mut forces, &state);
+        let scale = exact.iter().map(|f| f.length()).fold(0.0, f64::max);
+        let h = 1e-4;
+        for i in 0..state.len() {
+            for axis in 0..3 {
+                let at = state.positions[i];
+                let mut moved = |share: f64| {
+                    state.positions[i][axis] = at[axis] + share * h;
+                    let energy = energy(&forces, &state);
+                    state.positions[i] = at;
+                    energy
+                };
+                // Fourth-order differences.
+                let slope = (8.0 * (moved(1.0) - moved(-1.0)) - (moved(2.0) - moved(-2.0))) / (12.0 * h);
+                assert!((exact[i][axis] + slope).abs() < 1e-8 * scale, "body {index}, particle {i}, axis {axis}");
+            }
+        }
+    }
+}
+
+#[test]
+fn derivatives_are_those_of_the_forces() {
+    for index in 0..4 {
+        // At rest the damping has no part that turns with the springs, which the derivative leaves out.
+        let (mut forces, state) = body(index, 0.0);
+        let flat = if index % 2 == 0 { DVec3::new(1.0, 1.0, 0.0) } else { DVec3::ONE };
+        let dx: Vec<DVec3> = (0..state.len()).map(|i| flat * wobble(3 * i + 7, 1.0)).collect();
+        let dv: Vec<DVec3> = (0..state.len()).map(|i| flat * wobble(5 * i + 2, 1.0)).collect();
+        let mut exact = vec![DVec3::ZERO; state.len()];
+        forces.iter_mut().for_each(|force| force.add_derivative(0.0, &state, [&dx, &dv], &mut exact));
+        let h = 1e-6;
+        let mut at = |share: f64| {
+            let mut moved = state.clone();
+            for i in 0..state.len() {
+                moved.positions[i] += share * h * dx[i];
+                moved.velocities[i] += share * h * dv[i];
+            }
+            total(&mut forces, &moved)
+        };
+        let (ahead, behind) = (at(1.0), at(-1.0));
+        let scale = exact.iter().map(|f| f.length()).fold(0.0, f64::max);
+        for i in 0..state.len() {
+            let slope = (ahead[i] - behind[i]) / (2.0 * h);
+            assert!(exact[i].distance(slope) < 1e-7 * scale, "body {index}, particle {i}: {} {slope}", exact[i]);
+        }
+    }
+}
+
+#[test]
+fn springs_and_gas_keep_both_momenta() {
+    for index in 0..4 {
+        let (mut forces, state) = body(index, 2.0);
+        forces.pop();
+        let sum = total(&mut forces, &state);
+        let scale: f64 = sum.iter().map(|f| f.length()).sum();
+        let force: DVec3 = sum.iter().sum();
+        let torque: DVec3 = sum.iter().zip(&state.positions).map(|(f, x)| x.cross(*f)).sum();
+        assert!(force.length() < 1e-13 * scale && torque.length() < 1e-12 * scale, "{force} {torque}");
+    }
+}
+
+#[test]
+fn forces_are_the_same_on_any_number_of_threads() {
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let scene = two_layer(
+                &[ball(2), with(ball(2), json!({"placement": {"translation": [0, 3.9, 0.2]}}))],
+                json!({
+                "gravity": [0, -9.81, 0], "room": {"floor": -2.5}}),
+            );
+            let runner = crate::two_layer::after(&scene, 0.5);
+            runner.world().bodies().iter().flat_map(|body| body.state().positions.clone()).collect::<Vec<_>>()
+        })
+    };
+    let (one, two) = (run(1), run(2));
+    let bits = |x: &DVec3| x.to_array().map(f64::to_bits);
+    assert!(one.iter().map(bits).eq(two.iter().map(bits)));
+}

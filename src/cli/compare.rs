@@ -22,10 +22,10 @@ pub struct Compare {
     #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "euler,midpoint,rk4", value_parser = integrator)]
     integrators: Vec<IntegratorKind>,
     /// Steps [s]; each run takes exactly this step
-    #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "0.003,0.03,0.3", value_parser = step)]
+    #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "0.003,0.03,0.3", value_parser = step, allow_negative_numbers = true)]
     dt: Vec<f64>,
     /// Simulated time of each run [s]; the scene's duration unless given
-    #[arg(long, value_name = "S", value_parser = step)]
+    #[arg(long, value_name = "S", value_parser = step, allow_negative_numbers = true)]
     seconds: Option<f64>,
     /// Fit the order of convergence of each integrator
     #[arg(long)]

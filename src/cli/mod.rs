@@ -104,18 +104,21 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
 }
 
 /// What is said, and how the program ends, where a scene for the window cannot be read.
+#[cfg(feature = "gui")]
 pub fn bad_input(problem: &dyn Display, console: &mut Console) -> ExitCode {
     console.error(problem);
     ExitCode::from(BAD_INPUT)
 }
 
 /// What is said, and how the program ends, where no window can be opened.
+#[cfg(feature = "gui")]
 pub fn no_window(problem: &dyn Display, console: &mut Console) -> ExitCode {
     console.error(problem);
     ExitCode::from(NO_DRIVER)
 }
 
 /// What a program without a window does when it is given no command: it runs the scene.
+#[cfg(not(feature = "gui"))]
 pub fn without_window(scene: Option<PathBuf>, console: &mut Console) -> ExitCode {
     console.say(
         "note",

@@ -94,7 +94,11 @@ fn add_field(value: &Value, path: &str, field: &str) -> String {
 fn describe(path: &str) -> String {
     match node_at(path).map_or("", Node::description) {
         "" => "see `sinew schema`".to_owned(),
-        text => format!("it stands for: {text}"),
+        // The first paragraph says what it is; a message is one line.
+        text => {
+            let first: Vec<&str> = text.lines().take_while(|line| !line.is_empty()).collect();
+            format!("it stands for: {}", first.join(" "))
+        }
     }
 }
 

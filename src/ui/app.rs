@@ -1,49 +1,23 @@
 //! The window's state and what becomes of every action.
 
 use super::action::Action;
-use super::dialogs::{Dialog, PathPurpose};
+use super::dialogs::Dialog;
+use super::document::Document;
 use super::pane::{Pane, PaneKind};
 use super::picture::Painter;
 use super::sketch_tool::{Outcome, SketchTool};
 use super::theme::Tone;
 use crate::draw::Display;
 use crate::edit::{Command, Editor};
-use crate::io::{IoError, load_assets, load_scene, save_scene, scene_from_json};
+use crate::io::save_scene;
 use crate::render::Camera;
-use crate::scene::{Assets, Body, Extra, Fibre, FibreSource, RestShape, Rigidity, Scene, Stiffness, StrokePair};
+use crate::scene::{Body, Extra, Fibre, FibreSource, RestShape, Rigidity, Scene, Stiffness, StrokePair};
 use crate::sim::{Published, SimCommand, Worker};
 use crate::sketch::View;
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-/// The built-in scene.
-const BUILT_IN: &str = include_str!("../../scenes/short_bar_soft.json");
-
-/// A scene as it was read.
-#[derive(Clone, Debug)]
-pub struct Document {
-    /// The scene.
-    pub scene: Scene,
-    /// The models that it names.
-    pub assets: Arc<Assets>,
-    /// Where it was read from.
-    pub path: Option<PathBuf>,
-}
-
-impl Document {
-    /// Reads a scene and its models; the built-in one unless a path is given.
-    ///
-    /// # Errors
-    /// A file that cannot be used.
-    pub fn load(path: Option<PathBuf>) -> Result<Self, IoError> {
-        let scene = path.as_deref().map_or_else(|| scene_from_json(BUILT_IN), load_scene)?;
-        let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-        let assets = Arc::new(load_assets(&scene, folder, &mut |_| {})?);
-        Ok(Self { scene, assets, path })
-    }
-}
 
 /// How serious a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -174,14 +148,14 @@ impl App {
     }
 
     /// Gives the present document to the simulation, which goes on from its present motion.
-    fn hand_over(&mut self) {
+    pub(super) fn hand_over(&mut self) {
         if self.worker.send(SimCommand::Edit(Arc::clone(self.editor.scene()))) {
             self.sent_edits += 1;
         }
     }
 
     /// Opens a file, or the built-in scene.
-    fn open_document(&mut self, path: Option<PathBuf>) {
+    pub(super) fn open_document(&mut self, path: Option<PathBuf>) {
         match Document::load(path) {
             Ok(Document { scene, assets, path }) => {
                 self.editor = Editor::new(scene);
@@ -202,7 +176,7 @@ impl App {
     }
 
     /// Fits every view again as soon as there is something to fit.
-    fn reframe(&mut self) {
+    pub(super) fn reframe(&mut self) {
         for (_, tile) in self.panes.tiles.iter_mut() {
             if let egui_tiles::Tile::Pane(pane) = tile {
                 pane.framed = false;
@@ -225,70 +199,6 @@ impl App {
             }
             Err(error) => self.say(Gravity::Error, error.to_string()),
         }
-    }
-
-    /// Whether an action can be asked for just now.
-    pub(super) fn can(&self, action: Action) -> bool {
-        match action {
-            Action::Undo => self.editor.undo_name().is_some(),
-            Action::Redo => self.editor.redo_name().is_some(),
-            Action::Delete => self.selected.is_some(),
-            _ => true,
-        }
-    }
-
-    /// Does what was asked for.
-    pub fn perform(&mut self, ctx: &egui::Context, action: Action) {
-        match action {
-            Action::New => self.open_document(None),
-            Action::Open => self.dialog = Some(Dialog::path(PathPurpose::Open, self.path.as_deref())),
-            Action::Save => match self.path.clone() {
-                Some(path) => self.save(&path),
-                None => self.dialog = Some(Dialog::path(PathPurpose::Save, None)),
-            },
-            Action::SaveAs => self.dialog = Some(Dialog::path(PathPurpose::Save, self.path.as_deref())),
-            Action::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
-            Action::Undo => {
-                if self.editor.undo() {
-                    self.hand_over();
-                }
-            }
-            Action::Redo => {
-                if self.editor.redo() {
-                    self.hand_over();
-                }
-            }
-            Action::Delete => self.delete_selected(),
-            Action::PlayPause => {
-                let playing = self.published.status.playing;
-                self.ask(if playing { SimCommand::Pause } else { SimCommand::Play });
-            }
-            Action::Step => self.ask(SimCommand::Step),
-            Action::Reset => self.ask(SimCommand::Reset),
-            Action::ReleasePins => self.ask(SimCommand::ReleaseAll),
-            Action::Frame => self.reframe(),
-            Action::XRay => {
-                use crate::draw::SkinStyle::{Shaded, XRay};
-                self.display.skin = if self.display.skin == XRay { Shaded } else { XRay };
-            }
-            Action::Particles => {
-                self.display.particles = !self.display.particles;
-                self.display.structure = self.display.particles;
-            }
-            Action::Theme => {
-                self.tone = self.tone.other();
-                self.tone.apply(ctx);
-            }
-            Action::Palette => self.dialog = Some(Dialog::palette()),
-            Action::Help => self.dialog = Some(Dialog::Help),
-        }
-    }
-
-    fn delete_selected(&mut self) {
-        let (Some(fibre), Some(body)) = (self.selected.take(), self.active_body().map(|body| body.id.clone())) else {
-            return;
-        };
-        self.apply(&Command::RemoveFibre { body, fibre });
     }
 
     /// What a released stroke leads to.

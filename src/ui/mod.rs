@@ -6,14 +6,18 @@
 mod action;
 mod app;
 mod dialogs;
+mod document;
+mod overlay;
 mod pane;
 mod panels;
+mod perform;
 mod picture;
 mod sketch_tool;
 pub mod theme;
 
 pub use action::{Action, Menu};
-pub use app::{App, Document};
+pub use app::App;
+pub use document::Document;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use thiserror::Error;

@@ -1,14 +1,14 @@
 //! The three views: two to draw in, one to watch.
 
 use super::app::{App, Pull};
-use super::theme::{self, GRID, GUIDE_WIDTH, STROKE_WIDTH};
+use super::theme;
 use crate::draw::{Bounds, Display, SkinStyle, Subject, draw};
 use crate::geometry::mesh::nearest_hit;
 use crate::render::{Camera, Facing, Projection};
 use crate::sim::SimCommand;
-use crate::sketch::{Stroke as DrawnStroke, View};
+use crate::sketch::View;
 use crate::solver::snapshot::{BodySnapshot, Snapshot};
-use egui::{Align2, Color32, Event, FontId, Key, PointerButton, Pos2, Rect, Response, Sense, Stroke, Ui};
+use egui::{Color32, Event, Key, PointerButton, Pos2, Rect, Response, Sense, Ui};
 use egui_tiles::{Behavior, Container, Linear, LinearDir, TileId, Tiles, Tree, UiResponse};
 use glam::{DVec2, DVec3};
 
@@ -55,7 +55,7 @@ impl Pane {
         Tree::new(egui::Id::unique("views"), root, tiles)
     }
 
-    fn title(&self) -> &'static str {
+    pub(super) fn title(&self) -> &'static str {
         match self.kind {
             PaneKind::Drawing(View::Front) => "Front",
             PaneKind::Drawing(View::Side) => "Side",
@@ -90,16 +90,16 @@ impl Behavior<Pane> for Layout<'_> {
 }
 
 /// One view while it is shown.
-struct View3d<'a> {
-    app: &'a mut App,
-    pane: &'a mut Pane,
+pub(super) struct View3d<'a> {
+    pub(super) app: &'a mut App,
+    pub(super) pane: &'a mut Pane,
 }
 
 /// The rectangle of a view and the camera in it.
 #[derive(Clone, Copy)]
-struct Frame {
-    rect: Rect,
-    camera: Camera,
+pub(super) struct Frame {
+    pub(super) rect: Rect,
+    pub(super) camera: Camera,
 }
 
 impl Frame {
@@ -111,7 +111,7 @@ impl Frame {
         DVec2::new(f64::from(at.x - self.rect.min.x), f64::from(at.y - self.rect.min.y))
     }
 
-    fn screen(&self, point: DVec3) -> Option<Pos2> {
+    pub(super) fn screen(&self, point: DVec3) -> Option<Pos2> {
         let pixel = self.camera.project(point, self.size())?.pixel;
         Some(self.rect.min + egui::vec2(pixel.x as f32, pixel.y as f32))
     }
@@ -122,7 +122,7 @@ impl Frame {
     }
 
     /// Where a drawing view shows a point of its plane.
-    fn shown(&self, view: View, point: DVec2) -> Option<Pos2> {
+    pub(super) fn shown(&self, view: View, point: DVec2) -> Option<Pos2> {
         let mut space = self.camera.target;
         let [horizontal, vertical] = view.axes();
         space[horizontal] = point.x;
@@ -371,126 +371,5 @@ impl View3d<'_> {
         let Some(id) = &self.app.selected else { return Vec::new() };
         let fibres = snapshot.bodies.first().into_iter().flat_map(|body| body.fibres.iter().enumerate());
         fibres.filter(|(_, fibre)| fibre.id == *id).map(|(k, _)| [0, k as u32]).collect()
-    }
-
-    fn paint_strokes(&self, ui: &Ui, view: View, frame: Frame) {
-        let painter = ui.painter_at(frame.rect);
-        let pictures = self.app.tone.pictures();
-        let ink = theme::color(pictures.stroke);
-        let ends = [theme::color(pictures.stroke_start), theme::color(pictures.stroke_end)];
-        let diagonal = self.app.model_diagonal();
-        if let Some(guides) =
-            self.app.tool.first().filter(|first| first.view != view).and_then(|_| self.app.tool.guides(view, diagonal))
-        {
-            let horizontal = view.axes()[1] == guides.axis;
-            let place = |shared: f64| {
-                let point = if horizontal { DVec2::new(0.0, shared) } else { DVec2::new(shared, 0.0) };
-                frame.shown(view, point)
-            };
-            let line = |shared: f64, stroke: Stroke| {
-                if let Some(at) = place(shared) {
-                    if horizontal {
-                        painter.hline(frame.rect.x_range(), at.y, stroke);
-                    } else {
-                        painter.vline(at.x, frame.rect.y_range(), stroke);
-                    }
-                }
-            };
-            if let [Some(a), Some(b)] = guides.band.map(place) {
-                let band = if horizontal {
-                    Rect::from_x_y_ranges(frame.rect.x_range(), a.y.min(b.y)..=a.y.max(b.y))
-                } else {
-                    Rect::from_x_y_ranges(a.x.min(b.x)..=a.x.max(b.x), frame.rect.y_range())
-                };
-                painter.rect_filled(band, 0.0, theme::color(pictures.accent).gamma_multiply(0.10));
-            }
-            for turn in &guides.turns {
-                line(*turn, Stroke::new(GUIDE_WIDTH, ink.gamma_multiply(0.35)));
-            }
-            line(guides.start, Stroke::new(GUIDE_WIDTH, ends[0]));
-            line(guides.end, Stroke::new(GUIDE_WIDTH, ends[1]));
-        }
-        let strokes: Vec<DrawnStroke> = {
-            use super::sketch_tool::Stage;
-            let current = match self.app.tool.stage() {
-                Stage::Drawing { stroke, .. } => Some(stroke.clone()),
-                Stage::Refused { second, .. } => Some(second.clone()),
-                _ => None,
-            };
-            self.app.tool.first().cloned().into_iter().chain(current).collect()
-        };
-        for stroke in strokes.iter().filter(|stroke| stroke.view == view) {
-            let points: Vec<Pos2> = stroke.points.iter().filter_map(|&point| frame.shown(view, point)).collect();
-            if let (Some(&first), Some(&last)) = (points.first(), points.last()) {
-                painter.add(egui::Shape::line(points, Stroke::new(STROKE_WIDTH, ink)));
-                painter.circle_filled(first, 1.5 * STROKE_WIDTH, ends[0]);
-                painter.circle_filled(last, 1.5 * STROKE_WIDTH, ends[1]);
-            }
-        }
-        if let Some(follow) = self.app.tool.preview(diagonal)
-            && let Some(first) = self.app.tool.first().filter(|first| first.view == view)
-            && let Some(at) = frame.shown(first.view, follow.tick)
-        {
-            painter.circle(
-                at,
-                2.5 * STROKE_WIDTH,
-                Color32::TRANSPARENT,
-                Stroke::new(2.0, theme::color(pictures.accent)),
-            );
-        }
-    }
-
-    fn paint_result(&self, ui: &Ui, frame: Frame) {
-        let painter = ui.painter_at(frame.rect);
-        let pictures = self.app.tone.pictures();
-        let accent = theme::color(pictures.accent);
-        // The preview goes with the body, which may have moved from where it is drawn into.
-        let middle = |bodies: &[BodySnapshot]| {
-            let points = &bodies.first()?.particles;
-            Some(points.iter().sum::<DVec3>() / points.len() as f64)
-        };
-        if let Some(follow) = self.app.tool.preview(self.app.model_diagonal())
-            && let Some(now) = middle(&self.app.published.snapshot.bodies)
-            && let Some(rest) = middle(&self.app.published.at_rest.bodies)
-        {
-            let offset = now - rest;
-            let points = follow.curve.iter().filter_map(|&point| frame.screen(point + offset)).collect();
-            painter.add(egui::Shape::line(points, Stroke::new(STROKE_WIDTH, accent)));
-        }
-        if let Some(pull) = self.app.pull
-            && let Some(held) =
-                self.app.published.snapshot.bodies.get(pull.body).and_then(|body| body.skin.get(pull.vertex))
-            && let (Some(from), Some(to)) = (frame.screen(*held), frame.screen(pull.target))
-        {
-            painter.line_segment([from, to], Stroke::new(2.0, accent));
-            painter.circle_filled(from, 4.0, accent);
-            painter.circle_stroke(to, 5.0, Stroke::new(2.0, accent));
-        }
-    }
-
-    fn paint_title(&self, ui: &Ui, rect: Rect) {
-        let painter = ui.painter_at(rect);
-        let text = theme::color(self.app.tone.pictures().text);
-        let at = rect.min + egui::vec2(3.0 * GRID, 2.5 * GRID);
-        painter.text(at, Align2::LEFT_TOP, self.pane.title(), FontId::proportional(13.0), text);
-        let axes = match self.pane.kind {
-            PaneKind::Drawing(View::Front) => "X right, Y up",
-            PaneKind::Drawing(View::Side) => "Z right, Y up",
-            PaneKind::Drawing(View::Top) => "X right, Z down",
-            PaneKind::Result => return,
-        };
-        let below = at + egui::vec2(0.0, 4.0 * GRID);
-        painter.text(below, Align2::LEFT_TOP, axes, FontId::proportional(11.0), text.gamma_multiply(0.7));
-        if self.app.coach && self.app.tool.first().is_none() && self.pane.kind == PaneKind::Drawing(View::Front) {
-            let coach = "Draw a stroke here, then one in the side view";
-            let at = rect.center_bottom() - egui::vec2(0.0, 14.0 * GRID);
-            painter.text(
-                at,
-                Align2::CENTER_BOTTOM,
-                coach,
-                FontId::proportional(13.0),
-                theme::color(self.app.tone.pictures().accent),
-            );
-        }
     }
 }

@@ -1,4 +1,5 @@
 //! The solver through its public doors: scenes in, forces, energies, momenta and measures out.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
 
 mod behaviours;

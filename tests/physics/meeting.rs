@@ -9,7 +9,10 @@ use sinew::sim::Runner;
 
 fn momenta(runner: &Runner) -> (DVec3, DVec3) {
     let states = || runner.world().bodies().iter().map(sinew::solver::body::Body::state);
-    (states().map(|state| state.linear_momentum()).sum(), states().map(|state| state.angular_momentum()).sum())
+    (
+        states().map(sinew::solver::state::ParticleState::linear_momentum).sum(),
+        states().map(sinew::solver::state::ParticleState::angular_momentum).sum(),
+    )
 }
 
 fn center(runner: &Runner, index: usize) -> DVec3 {
@@ -46,6 +49,7 @@ fn two_bodies_that_collide_part_again_and_keep_their_momentum() {
         assert!(angular.length() < 1e-4 * size, "{one} {other}: {angular}");
         let speed = |index: usize| runner.world().bodies()[index].state().linear_momentum().x;
         assert!(speed(0) < 0.9 * 3.0 * runner.world().bodies()[0].state().mass(), "{one} {other}: they met");
+        println!("{one} {other}: {} {}, {:?}", center(&runner, 0), center(&runner, 1), runner.world().divergence());
         assert!(center(&runner, 1).x - center(&runner, 0).x > 1.0, "{one} {other}: neither went through the other");
     }
 }
@@ -78,15 +82,14 @@ fn fibre_solids_collide_too() {
 fn a_ball_dropped_on_a_bar_comes_to_rest_on_it() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/two_layer_ball_on_bar.json");
     let scene = sinew::io::load_scene(&path).unwrap();
-    let runner = after(&scene, scene.time.duration);
+    let runner = after(&scene, 2.0 * scene.time.duration);
     let bar = &runner.world().bodies()[0].state().positions;
     let top = bar.iter().map(|x| x.y).fold(f64::NEG_INFINITY, f64::max);
     let ball = runner.world().bodies()[1].state();
     let lowest = ball.positions.iter().map(|x| x.y).fold(f64::INFINITY, f64::min);
     println!("bar up to {top} m, ball from {lowest} m");
     assert!(lowest > top - 0.005 && lowest < top + 0.01, "{lowest} {top}");
-    // Contact acts by impulses, between which single particles have the speed of one; the ball as a whole has not.
-    let speed = ball.linear_momentum().length() / ball.mass();
+    let speed = ball.velocities.iter().map(|v| v.length()).fold(0.0, f64::max);
     assert!(speed < 0.02, "{speed} m/s");
 }
 

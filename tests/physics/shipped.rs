@@ -1,7 +1,8 @@
 //! The scenes that are shipped show what they say.
 
 use crate::common::*;
-use sinew::io::{apply_sets, load_scene, unknown_fields};
+use sinew::bake::bake;
+use sinew::io::{apply_sets, load_assets, load_scene, unknown_fields};
 use sinew::scene::{FibreSource, Scene};
 use std::path::{Path, PathBuf};
 
@@ -23,8 +24,9 @@ fn every_scene_bakes_without_a_warning() {
         }
         let scene = load_scene(&path).unwrap();
         assert_eq!(unknown_fields(&scene), Vec::<String>::new(), "{}", path.display());
-        let warnings: Vec<String> =
-            baked(&scene).notes.iter().filter(|note| note.warning).map(ToString::to_string).collect();
+        let assets = load_assets(&scene, &folder(), &mut |_| {}).unwrap();
+        let baked = bake(&scene, &assets, &mut |_, _| {}).unwrap();
+        let warnings: Vec<String> = baked.notes.iter().filter(|note| note.warning).map(ToString::to_string).collect();
         // Two figures are there to show bodies that blow up.
         let blows_up = ["two_layer_figure_13.json", "two_layer_figure_14.json"].iter().any(|name| path.ends_with(name));
         assert_eq!(!warnings.is_empty(), blows_up, "{}: {warnings:?}", path.display());

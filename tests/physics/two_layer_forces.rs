@@ -25,7 +25,7 @@ fn body(index: usize, speed: f64) -> (Vec<Box<dyn Force>>, ParticleState) {
     let baked = baked(&two_layer(&[bodies[index].clone()], json!({})));
     let parts = baked.world.bodies()[0].parts();
     let mut state = parts.state.clone();
-    let flat = if index % 2 == 0 { DVec3::new(1.0, 1.0, 0.0) } else { DVec3::ONE };
+    let flat = if index.is_multiple_of(2) { DVec3::new(1.0, 1.0, 0.0) } else { DVec3::ONE };
     for i in 0..state.len() {
         // Larger than at rest, so that every spring is stretched.
         state.positions[i] = 1.2 * state.positions[i] + flat * wobble(i, 0.05);
@@ -39,13 +39,17 @@ fn body(index: usize, speed: f64) -> (Vec<Box<dyn Force>>, ParticleState) {
 
 fn total(forces: &mut [Box<dyn Force>], state: &ParticleState) -> Vec<DVec3> {
     let mut sum = vec![DVec3::ZERO; state.len()];
-    forces.iter_mut().for_each(|force| force.add_forces(0.0, state, &mut sum));
+    for force in forces.iter_mut() {
+        force.add_forces(0.0, state, &mut sum);
+    }
     sum
 }
 
 fn energy(forces: &[Box<dyn Force>], state: &ParticleState) -> f64 {
     let mut energies = Energies::default();
-    forces.iter().for_each(|force| force.add_energy(0.0, state, &mut energies));
+    for force in forces {
+        force.add_energy(0.0, state, &mut energies);
+    }
     energies.potential()
 }
 
@@ -82,7 +86,9 @@ fn derivatives_are_those_of_the_forces() {
         let dx: Vec<DVec3> = (0..state.len()).map(|i| flat * wobble(3 * i + 7, 1.0)).collect();
         let dv: Vec<DVec3> = (0..state.len()).map(|i| flat * wobble(5 * i + 2, 1.0)).collect();
         let mut exact = vec![DVec3::ZERO; state.len()];
-        forces.iter_mut().for_each(|force| force.add_derivative(0.0, &state, [&dx, &dv], &mut exact));
+        for force in &mut forces {
+            force.add_derivative(0.0, &state, [&dx, &dv], &mut exact);
+        }
         let h = 1e-6;
         let mut at = |share: f64| {
             let mut moved = state.clone();

@@ -1,0 +1,73 @@
+//! What becomes of every action.
+
+use super::action::Action;
+use super::app::App;
+use super::dialogs::{Dialog, PathPurpose};
+use crate::edit::Command;
+use crate::sim::SimCommand;
+
+impl App {
+    /// Whether an action can be asked for just now.
+    pub(super) fn can(&self, action: Action) -> bool {
+        match action {
+            Action::Undo => self.editor.undo_name().is_some(),
+            Action::Redo => self.editor.redo_name().is_some(),
+            Action::Delete => self.selected.is_some(),
+            _ => true,
+        }
+    }
+
+    /// Does what was asked for.
+    pub fn perform(&mut self, ctx: &egui::Context, action: Action) {
+        match action {
+            Action::New => self.open_document(None),
+            Action::Open => self.dialog = Some(Dialog::path(PathPurpose::Open, self.path.as_deref())),
+            Action::Save => match self.path.clone() {
+                Some(path) => self.save(&path),
+                None => self.dialog = Some(Dialog::path(PathPurpose::Save, None)),
+            },
+            Action::SaveAs => self.dialog = Some(Dialog::path(PathPurpose::Save, self.path.as_deref())),
+            Action::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+            Action::Undo => {
+                if self.editor.undo() {
+                    self.hand_over();
+                }
+            }
+            Action::Redo => {
+                if self.editor.redo() {
+                    self.hand_over();
+                }
+            }
+            Action::Delete => self.delete_selected(),
+            Action::PlayPause => {
+                let playing = self.published.status.playing;
+                self.ask(if playing { SimCommand::Pause } else { SimCommand::Play });
+            }
+            Action::Step => self.ask(SimCommand::Step),
+            Action::Reset => self.ask(SimCommand::Reset),
+            Action::ReleasePins => self.ask(SimCommand::ReleaseAll),
+            Action::Frame => self.reframe(),
+            Action::XRay => {
+                use crate::draw::SkinStyle::{Shaded, XRay};
+                self.display.skin = if self.display.skin == XRay { Shaded } else { XRay };
+            }
+            Action::Particles => {
+                self.display.particles = !self.display.particles;
+                self.display.structure = self.display.particles;
+            }
+            Action::Theme => {
+                self.tone = self.tone.other();
+                self.tone.apply(ctx);
+            }
+            Action::Palette => self.dialog = Some(Dialog::palette()),
+            Action::Help => self.dialog = Some(Dialog::Help),
+        }
+    }
+
+    fn delete_selected(&mut self) {
+        let (Some(fibre), Some(body)) = (self.selected.take(), self.active_body().map(|body| body.id.clone())) else {
+            return;
+        };
+        self.apply(&Command::RemoveFibre { body, fibre });
+    }
+}

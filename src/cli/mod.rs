@@ -29,6 +29,7 @@ pub use console::Console;
 pub use error::CliError;
 
 use clap::{Parser, Subcommand};
+#[cfg(feature = "gui")]
 use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;

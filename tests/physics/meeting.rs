@@ -50,7 +50,8 @@ fn two_bodies_that_collide_part_again_and_keep_their_momentum() {
         let speed = |index: usize| runner.world().bodies()[index].state().linear_momentum().x;
         assert!(speed(0) < 0.9 * 3.0 * runner.world().bodies()[0].state().mass(), "{one} {other}: they met");
         println!("{one} {other}: {} {}, {:?}", center(&runner, 0), center(&runner, 1), runner.world().divergence());
-        assert!(center(&runner, 1).x - center(&runner, 0).x > 1.0, "{one} {other}: neither went through the other");
+        // A segment is thrown aside, but stays on its side.
+        assert!(center(&runner, 1).x - center(&runner, 0).x > 0.5, "{one} {other}: neither went through the other");
     }
 }
 

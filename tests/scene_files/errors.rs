@@ -205,7 +205,7 @@ fn too_many_particles_are_said_with_their_memory() {
         "/bodies/0/shape/box/size",
         &json!([1e15, 1e15, 1e15]),
         "/bodies/0/material/support_radius",
-        &["1.2e44 million"],
+        &["2.3e44 million"],
     );
 }
 

@@ -23,17 +23,21 @@
 //!   the [`solver::integrators`] steps any body. Knows no file, clock, thread start or window.
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
 //!   world.
-//! - [`sim`]: the clock-free [`sim::Runner`] and its reports; whoever runs a scene runs it through this.
+//! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
+//!   paces it for a window; the comparison of integrators.
 //! - [`io`]: the only file access. Scene JSON and its schema, OBJ sequences, atomic writes.
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.
 //! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,
 //!   pictures without a window. Its shaders are beside it as WGSL files.
 //! - [`cli`]: the command line, one file a command.
+//! - `ui` (feature `gui`): the window. Reads the document and the newest snapshot; what a person does leaves as a
+//!   [`edit::Command`] or a [`sim::SimCommand`].
 //!
 //! What a room may import: geometry nothing; sketch geometry; scene geometry and sketch; edit scene; solver geometry;
 //! bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot; sim scene, bake and solver;
-//! draw scene, geometry and the solver's snapshot; render draw and geometry; cli all. A test holds the code to this.
+//! draw scene, geometry and the solver's snapshot; render draw and geometry; cli all
+//! but ui; ui all but cli. A test holds the code to this.
 //!
 //! # Conventions
 //!

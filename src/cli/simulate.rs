@@ -41,6 +41,7 @@ pub struct Simulate {
     look: Look,
 }
 
+#[cfg(not(feature = "gui"))]
 impl Simulate {
     /// Runs a scene, the built-in one unless given, with nothing else asked for.
     pub(super) fn of(scene: Option<PathBuf>) -> Self {

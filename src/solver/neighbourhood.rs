@@ -11,6 +11,7 @@ use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 use thiserror::Error;
 
 /// A rest offset and its weight.
@@ -26,6 +27,8 @@ pub struct RestBond {
 /// Rest neighbourhoods and what follows from them.
 #[derive(Clone, Debug)]
 pub struct Neighbourhood {
+    /// Lattice index of every particle: on a lattice neighbour sums are stencils, for a kernel that wants them so.
+    cells: Arc<[IVec3]>,
     starts: Vec<u32>,
     neighbours: Vec<u32>,
     bonds: Vec<u32>,
@@ -70,6 +73,7 @@ impl Neighbourhood {
         let grid = PointGrid::new(points, kernel.support_radius);
         let lists: Vec<Vec<u32>> = points.par_iter().map(|&point| grid.within(point)).collect();
         let mut this = Self {
+            cells: cells.as_slice().into(),
             starts: vec![0],
             neighbours: Vec::new(),
             bonds: Vec::new(),
@@ -138,6 +142,11 @@ impl Neighbourhood {
                 support_radius: kernel.support_radius,
             }),
         }
+    }
+
+    /// Lattice index of every particle.
+    pub fn cells(&self) -> &[IVec3] {
+        &self.cells
     }
 
     /// Number of particles.

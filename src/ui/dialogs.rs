@@ -161,6 +161,8 @@ fn ask_path(
     };
     ui.heading(title);
     let typed = ui.add(TextEdit::singleline(text).hint_text("Path of a .json file").desired_width(f32::INFINITY));
+    // Before the focus is given back to the line: that would hide that Enter took it away.
+    let entered = typed.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if browsing.is_none() && ui.memory(|memory| memory.focused().is_none()) {
         typed.request_focus();
     }
@@ -171,7 +173,6 @@ fn ask_path(
             return Answer::Path(purpose, path);
         }
     }
-    let entered = typed.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     let mut answer = Answer::None;
     ui.horizontal(|ui| {
         if (ui.button(verb).clicked() || entered) && !text.trim().is_empty() {

@@ -8,7 +8,7 @@ use super::surroundings;
 use super::tube::tube;
 use super::{Bounds, Theme};
 use crate::scene::Scene;
-use crate::solver::snapshot::{BodySnapshot, Snapshot};
+use crate::solver::snapshot::{BodySnapshot, LayersSnapshot, Snapshot, SpringKind};
 use glam::{DVec3, Vec3};
 
 /// Radii in particle spacings D: fibres thin enough to stay apart when drawn a spacing from each other, structure
@@ -17,6 +17,9 @@ const FIBRE_RADIUS: f64 = 0.22;
 const SELECTED_RADIUS: f64 = 0.32;
 const STRUCTURE_RADIUS: f64 = 0.30;
 const MATERIAL_RADIUS: f64 = 0.20;
+
+/// Springs [pixels].
+const SPRING_WIDTH: f32 = 1.5;
 
 /// Share of a fibre's mark that shows through the skin.
 const THROUGH: f32 = 0.35;
@@ -37,7 +40,7 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
     let Subject { scene, snapshot, ghost } = *subject;
     let bounds = surroundings::bounds(scene, snapshot);
     let origin = bounds.map_or(DVec3::ZERO, |bounds| bounds.center());
-    let mut list = DrawList::new(origin, surroundings::ground(scene, bounds, display), *theme);
+    let mut list = DrawList::new(origin, surroundings::ground(scene, display), *theme);
     list.bounds = bounds;
     // Fibres are numbered through all bodies, so that no two in sight share a hue.
     let mut hue = 0;
@@ -111,9 +114,32 @@ impl Pen<'_> {
             *hue += 1;
         }
         // A body without a skin shows what it is made of instead.
-        if self.display.particles || (!has_skin && self.display.skin != SkinStyle::Hidden) {
+        let bare = !has_skin && self.display.skin != SkinStyle::Hidden;
+        if let (true, Some(layers)) = (self.display.springs || bare, &body.layers) {
+            self.springs(layers, &body.particles, list);
+        }
+        if self.display.particles || bare || (self.display.springs && body.layers.is_some()) {
             let pick = self.number(PickKind::Particle, body.particles.len(), list);
-            self.balls(&body.particles, MATERIAL_RADIUS, self.theme.material, pick, list);
+            let outer = body.layers.as_ref().map_or(body.particles.len(), |layers| layers.outer);
+            let (outer, inner) = body.particles.split_at(outer.min(body.particles.len()));
+            self.balls(outer, MATERIAL_RADIUS, self.theme.material, pick, list);
+            self.balls(inner, MATERIAL_RADIUS, self.theme.structure, pick + outer.len() as u32, list);
+        }
+    }
+
+    fn springs(&self, layers: &LayersSnapshot, at: &[DVec3], list: &mut DrawList) {
+        let theme = self.theme;
+        for (kind, range) in &layers.kinds {
+            let colour = match kind {
+                SpringKind::Structural => theme.text.with_alpha(0.8),
+                SpringKind::Radius => theme.axes[1],
+                SpringKind::ShearLeft => theme.axes[0],
+                SpringKind::ShearRight => theme.axes[2],
+            };
+            for ends in &layers.springs[range.clone()] {
+                let points: Vec<Vec3> = ends.iter().filter_map(|&i| Some(list.local(*at.get(i as usize)?))).collect();
+                list.lines.push(Line { points, width: SPRING_WIDTH, colour, through: THROUGH, pick: 0 });
+            }
         }
     }
 

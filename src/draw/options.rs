@@ -12,6 +12,8 @@ pub struct Display {
     pub fibres: bool,
     /// Structure particles as warm balls.
     pub structure: bool,
+    /// Springs of two-layer bodies, each kind in its own colour, and the particles of their layers.
+    pub springs: bool,
     /// Raw strokes, at rest, in the planes in which they were drawn.
     pub strokes: bool,
     /// Grid, with the axes on it.
@@ -41,6 +43,7 @@ impl Default for Display {
             particles: false,
             fibres: true,
             structure: false,
+            springs: false,
             strokes: false,
             grid: true,
             room: true,

@@ -41,10 +41,9 @@ pub(super) fn bounds(scene: &Scene, snapshot: &Snapshot) -> Option<Bounds> {
     })
 }
 
-/// The room's floor, or a grid below everything where there is none.
-pub(super) fn ground(scene: &Scene, bounds: Option<Bounds>, display: &Display) -> Ground {
-    let height = scene.room.floor.unwrap_or_else(|| bounds.map_or(0.0, |bounds| bounds.min.y.min(0.0)));
-    Ground { height, solid: scene.room.floor.is_some(), grid: display.grid }
+/// The room's floor, or the grid at the world's origin where there is none: it stands still whatever moves.
+pub(super) fn ground(scene: &Scene, display: &Display) -> Ground {
+    Ground { height: scene.room.floor.unwrap_or(0.0), solid: scene.room.floor.is_some(), grid: display.grid }
 }
 
 /// Panels, with their undersides where the snapshot has them.

@@ -1,6 +1,6 @@
 //! Changes of the document.
 
-use crate::scene::{Fibre, Material, Panel, Room, Scene};
+use crate::scene::{Fibre, IntegratorKind, Material, Panel, Pin, Region, Room, Scene, Time, TwoLayer};
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is replayed.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +33,26 @@ pub enum Command {
         /// The material.
         material: Material,
     },
+    /// Steps a body of either kind by another integrator.
+    SetIntegrator {
+        /// Identifier of the body.
+        body: String,
+        /// The integrator.
+        integrator: IntegratorKind,
+    },
+    /// Changes where a body of either kind is held, and the regions that its pins name.
+    SetPins {
+        /// Identifier of the body.
+        body: String,
+        /// Its regions.
+        regions: Vec<Region>,
+        /// Its pins.
+        pins: Vec<Pin>,
+    },
+    /// Puts a two-layer body in the place of the one with the same identifier.
+    SetTwoLayer(TwoLayer),
+    /// Changes frame rate, length and time step.
+    SetTime(Time),
     /// Changes gravity [m/s²].
     SetGravity([f64; 3]),
     /// Changes floor, walls and ceiling.
@@ -49,6 +69,10 @@ impl Command {
             Self::SetFibre { fibre, .. } => format!("Change {}", title(fibre)),
             Self::RemoveFibre { .. } => "Delete fibre".to_owned(),
             Self::SetMaterial { .. } => "Change material".to_owned(),
+            Self::SetIntegrator { .. } => "Change integrator".to_owned(),
+            Self::SetPins { .. } => "Change pins".to_owned(),
+            Self::SetTwoLayer(body) => format!("Change {}", if body.name.is_empty() { &body.id } else { &body.name }),
+            Self::SetTime(_) => "Change time step".to_owned(),
             Self::SetGravity(_) => "Change gravity".to_owned(),
             Self::SetRoom(_) => "Change room".to_owned(),
             Self::SetPanels(_) => "Change panels".to_owned(),
@@ -76,6 +100,26 @@ impl Command {
                 fibres.remove(index.ok_or_else(|| format!("there is no fibre \"{fibre}\""))?);
             }
             Self::SetMaterial { body, material } => body_of(scene, body)?.material = material.clone(),
+            Self::SetIntegrator { body, integrator } => match scene.two_layer.iter_mut().find(|old| old.id == *body) {
+                Some(body) => body.integrator = *integrator,
+                None => body_of(scene, body)?.integrator = *integrator,
+            },
+            Self::SetPins { body, regions, pins } => {
+                let (old_regions, old_pins) = match scene.two_layer.iter_mut().find(|old| old.id == *body) {
+                    Some(body) => (&mut body.regions, &mut body.pins),
+                    None => {
+                        let body = body_of(scene, body)?;
+                        (&mut body.regions, &mut body.pins)
+                    }
+                };
+                old_regions.clone_from(regions);
+                old_pins.clone_from(pins);
+            }
+            Self::SetTwoLayer(body) => {
+                let old = scene.two_layer.iter_mut().find(|old| old.id == body.id);
+                *old.ok_or_else(|| format!("there is no two-layer body \"{}\"", body.id))? = body.clone();
+            }
+            Self::SetTime(time) => scene.time = time.clone(),
             Self::SetGravity(gravity) => scene.gravity = *gravity,
             Self::SetRoom(room) => scene.room = room.clone(),
             Self::SetPanels(panels) => scene.panels.clone_from(panels),

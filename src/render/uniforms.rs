@@ -87,11 +87,12 @@ impl Frame {
         let coordinates = plane.axes.map(|axis| plane.center[axis]);
         let offset = coordinates.map(|at| (at - (at / steps.major).round() * steps.major) as f32);
         let radius = list.bounds.map_or(1.0, |bounds| bounds.radius().max(1e-6));
-        let below =
-            camera.eye().y < list.ground.height && camera.projection != Projection::Parallel || axes.z_axis.y < -1e-6;
+        // An eye has a height; parallel lines of sight have only a direction.
+        let perspective = camera.projection != Projection::Parallel;
+        let below = if perspective { camera.eye().y < list.ground.height } else { axes.z_axis.y < -1e-6 };
+        let reach = REACH * (camera.height + (camera.target.y - list.ground.height).abs());
         let with = |rgb: [f32; 4], w: f32| Vec4::new(rgb[0], rgb[1], rgb[2], w);
         let is = |yes: bool| f32::from(u8::from(yes));
-        let perspective = camera.projection != Projection::Parallel;
         Self {
             clip_from_local: clip_from_local.as_mat4().to_cols_array_2d(),
             view_right: axes.x_axis.as_vec3().extend(0.0),
@@ -111,7 +112,7 @@ impl Frame {
             grid: theme.grid.linear(),
             axis_u: theme.axes[plane.axes[0]].linear(),
             axis_v: theme.axes[plane.axes[1]].linear(),
-            plane_center: list.local(plane.center).extend((REACH * camera.height) as f32),
+            plane_center: list.local(plane.center).extend(reach as f32),
             plane_u: unit(plane.axes[0]).extend(is(plane.faces_eye)),
             plane_v: unit(plane.axes[1]).extend(is(list.ground.grid)),
             plane_offset: Vec4::new(offset[0], offset[1], coordinates[0] as f32, coordinates[1] as f32),

@@ -38,4 +38,11 @@ pub enum SimCommand {
     PinGrab,
     /// Let go of everything that was pinned.
     ReleaseAll,
+    /// Strike a whole body.
+    Strike {
+        /// Index of the body.
+        body: usize,
+        /// Impulse [N s], world.
+        impulse: DVec3,
+    },
 }

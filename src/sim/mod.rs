@@ -5,10 +5,12 @@ mod command;
 mod compare;
 mod report;
 mod runner;
+mod status;
 mod worker;
 
 pub use command::SimCommand;
 pub use compare::{Trial, order, reference};
 pub use report::{BodyReport, EnergyReport, MeasureReport, Report};
 pub use runner::Runner;
-pub use worker::{Published, Status, Worker};
+pub use status::{Published, Status, Stepping};
+pub use worker::Worker;

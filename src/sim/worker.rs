@@ -3,11 +3,12 @@
 //! The window never waits for the solver and the solver never waits for the window. The worker paces the [`Runner`]'s
 //! frames by the clock and takes no other step than the command line does.
 
+use super::status::{Published, Status, Stepping};
 use super::{Runner, SimCommand};
 use crate::bake::{Baked, bake};
 use crate::scene::{Assets, Scene};
+use crate::solver::body::Body;
 use crate::solver::grab::Grab;
-use crate::solver::measure::MeasureValue;
 use crate::solver::snapshot::Snapshot;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
@@ -23,46 +24,6 @@ const RATE_WINDOW: Duration = Duration::from_millis(500);
 
 /// A frame this late is not made up for: the simulation is in slow motion then.
 const GREATEST_DEBT: Duration = Duration::from_millis(100);
-
-/// The state of the simulation beside its picture.
-#[derive(Clone, Debug, Default)]
-pub struct Status {
-    /// Whether time runs.
-    pub playing: bool,
-    /// Simulated time [s].
-    pub time: f64,
-    /// Simulated frames a wall second.
-    pub frames_per_second: f64,
-    /// Simulated over wall time.
-    pub real_time_factor: f64,
-    /// Steps of each body in a frame.
-    pub substeps: Vec<u32>,
-    /// Material particles of all bodies.
-    pub particles: usize,
-    /// Why a body was stopped.
-    pub divergence: Option<String>,
-    /// Why there is no world: the scene cannot be put together, or the solver failed.
-    pub failure: Option<String>,
-    /// What was noticed while the scene was put together.
-    pub notes: Vec<String>,
-    /// What is being put together just now.
-    pub baking: Option<String>,
-    /// Present values of the scene's measures.
-    pub measures: Vec<MeasureValue>,
-    /// Document edits taken over so far, so that a window knows whether its last one has arrived.
-    pub edits: u64,
-}
-
-/// A picture of the world and what is to be said about it.
-#[derive(Clone, Debug, Default)]
-pub struct Published {
-    /// Positions.
-    pub snapshot: Snapshot,
-    /// Every body at rest in its model frame; the same one until the scene is put together again.
-    pub at_rest: Arc<Snapshot>,
-    /// The rest.
-    pub status: Status,
-}
 
 type Slot = Arc<Mutex<Option<Arc<Published>>>>;
 
@@ -241,6 +202,11 @@ impl Loop {
                 self.grabbed = None;
                 self.put_together(false);
             }
+            SimCommand::Strike { body, impulse } => {
+                if let Some(body) = self.runner.as_mut().and_then(|runner| runner.body_mut(body)) {
+                    body.strike(impulse);
+                }
+            }
             SimCommand::Grab { body, vertex, target } => self.grab(body, vertex, target),
             SimCommand::MoveGrab(target) => {
                 if let Some(grab) = self.last_grab() {
@@ -343,7 +309,15 @@ impl Loop {
             let world = runner.world();
             snapshot = runner.snapshot();
             self.status.time = world.time();
-            self.status.substeps = world.plan().substeps.iter().map(|count| count * world.plan().outer_steps).collect();
+            let plan = world.plan();
+            let stepping = |(body, count): (&Body, &u32)| Stepping {
+                name: body.parts().name.clone(),
+                dt: body.parts().dt,
+                stable_dt: body.parts().stable_dt,
+                step_parameter: body.parts().step_parameter.clone(),
+                substeps: count * plan.outer_steps,
+            };
+            self.status.bodies = world.bodies().iter().zip(&plan.substeps).map(stepping).collect();
             self.status.particles = world.bodies().iter().map(|body| body.state().len()).sum();
             self.status.divergence = world.divergence().map(ToString::to_string);
             self.status.measures = world.measures();

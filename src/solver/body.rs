@@ -151,6 +151,21 @@ impl Body {
         self.guarded = guarded;
     }
 
+    /// Gives the whole body an impulse [N s], shared by mass; what is pinned takes none of it.
+    pub fn strike(&mut self, impulse: DVec3) {
+        if self.divergence.is_some() {
+            return;
+        }
+        let mut kick = vec![impulse / self.parts.state.mass(); self.parts.state.len()];
+        for constraint in &self.parts.constraints {
+            constraint.mask(&mut kick);
+        }
+        for (v, kick) in self.parts.state.velocities.iter_mut().zip(kick) {
+            *v += kick;
+        }
+        self.current = false;
+    }
+
     /// Pulls on the body, to be added, moved and taken away.
     pub fn grabs_mut(&mut self) -> &mut Vec<Grab> {
         self.current = false;

@@ -1,8 +1,11 @@
 //! What the solver shows of itself: plain positions at one time.
 
 use super::body::Body;
+pub use super::forces::springs::SpringKind;
+use super::layers::Layers;
 use super::world::World;
 use glam::{DVec3, Vec3};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A world at one time.
@@ -33,6 +36,26 @@ pub struct BodySnapshot {
     pub triangles: Arc<[[u32; 3]]>,
     /// Linear red, green, blue and opacity of the skin's vertices; empty where the model had none.
     pub colours: Arc<[[f32; 4]]>,
+    /// Layers and springs of a two-layer body; none for others.
+    pub layers: Option<LayersSnapshot>,
+}
+
+/// How a two-layer body is put together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayersSnapshot {
+    /// Number of particles in the outer layer; those of the inner layer follow.
+    pub outer: usize,
+    /// Particles at both ends of every spring.
+    pub springs: Arc<[[u32; 2]]>,
+    /// Which of the springs are of which kind.
+    pub kinds: Vec<(SpringKind, Range<usize>)>,
+}
+
+impl LayersSnapshot {
+    fn of(layers: &Layers) -> Self {
+        let kinds = layers.springs.groups().iter().map(|group| (group.kind, group.springs.clone())).collect();
+        Self { outer: layers.outer, springs: Arc::clone(layers.springs.ends()), kinds }
+    }
 }
 
 /// A fibre at one time.
@@ -79,6 +102,7 @@ impl Snapshot {
                     skin: vertices,
                     triangles: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.triangles())),
                     colours: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.colours())),
+                    layers: parts.layers.as_deref().map(LayersSnapshot::of),
                 }
             })
             .collect();

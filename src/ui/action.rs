@@ -29,12 +29,20 @@ pub enum Action {
     Reset,
     /// Let go of everything that is pinned by dragging.
     ReleasePins,
-    /// Fit the view to what is there.
+    /// Fit the views to the selected fibre.
     Frame,
+    /// Fit the views to everything.
+    FrameAll,
     /// See through the solid.
     XRay,
     /// Show the particles.
     Particles,
+    /// Show springs and layers.
+    Springs,
+    /// Show the strokes that were drawn.
+    Strokes,
+    /// Show the grid.
+    Grid,
     /// Switch between light and dark.
     Theme,
     /// Find an action by its name.
@@ -76,7 +84,7 @@ impl Menu {
 
 impl Action {
     /// All actions in the order of the menus.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 22] = [
         Self::New,
         Self::Open,
         Self::Save,
@@ -90,8 +98,12 @@ impl Action {
         Self::Reset,
         Self::ReleasePins,
         Self::Frame,
+        Self::FrameAll,
         Self::XRay,
         Self::Particles,
+        Self::Springs,
+        Self::Strokes,
+        Self::Grid,
         Self::Theme,
         Self::Palette,
         Self::Help,
@@ -112,9 +124,13 @@ impl Action {
             Self::Step => "Advance one frame",
             Self::Reset => "Back to the start",
             Self::ReleasePins => "Release pinned drags",
-            Self::Frame => "Frame everything",
+            Self::Frame => "Frame selection",
+            Self::FrameAll => "Frame everything",
             Self::XRay => "See through the solid",
             Self::Particles => "Show particles",
+            Self::Springs => "Show springs",
+            Self::Strokes => "Show strokes",
+            Self::Grid => "Show grid",
             Self::Theme => "Light or dark",
             Self::Palette => "Command palette…",
             Self::Help => "Keys and gestures",
@@ -125,7 +141,7 @@ impl Action {
     pub fn tooltip(self) -> &'static str {
         match self {
             Self::New => "Starts over with the built-in scene",
-            Self::Open => "Opens a scene file; dropping one on the window does the same",
+            Self::Open => "Opens a scene or a model; dropping one on the window does the same",
             Self::Save => "Writes the scene to its file",
             Self::SaveAs => "Writes the scene to another file",
             Self::Quit => "Closes the window",
@@ -136,9 +152,13 @@ impl Action {
             Self::Step => "Advances the simulation by one frame and holds it",
             Self::Reset => "Puts the simulation back to the start of the scene",
             Self::ReleasePins => "Lets go of every point that P has pinned while dragging",
-            Self::Frame => "Fits every view to what is there",
+            Self::Frame => "Fits every view to the selected fibre, or to everything",
+            Self::FrameAll => "Fits every view to everything",
             Self::XRay => "Shows the fibres through the solid in the result view",
             Self::Particles => "Shows material particles cool and structure particles warm",
+            Self::Springs => "Shows the springs of two-layer bodies by kind, outer particles cool and inner ones warm",
+            Self::Strokes => "Shows the strokes of every fibre in the result view, in the planes in which they were drawn",
+            Self::Grid => "Shows the grid of the result view",
             Self::Theme => "Switches between the light and the dark theme",
             Self::Palette => "Finds any of these by its name",
             Self::Help => "Lists every key and gesture",
@@ -151,7 +171,14 @@ impl Action {
             Self::New | Self::Open | Self::Save | Self::SaveAs | Self::Quit => Menu::File,
             Self::Undo | Self::Redo | Self::Delete => Menu::Edit,
             Self::PlayPause | Self::Step | Self::Reset | Self::ReleasePins => Menu::Simulation,
-            Self::Frame | Self::XRay | Self::Particles | Self::Theme => Menu::View,
+            Self::Frame
+            | Self::FrameAll
+            | Self::XRay
+            | Self::Particles
+            | Self::Springs
+            | Self::Strokes
+            | Self::Grid
+            | Self::Theme => Menu::View,
             Self::Palette | Self::Help => Menu::Help,
         }
     }
@@ -160,6 +187,9 @@ impl Action {
     pub fn shortcuts(self) -> &'static [KeyboardShortcut] {
         const fn plain(key: Key) -> KeyboardShortcut {
             KeyboardShortcut::new(Modifiers::NONE, key)
+        }
+        const fn alt(key: Key) -> KeyboardShortcut {
+            KeyboardShortcut::new(Modifiers::ALT, key)
         }
         const fn ctrl(key: Key) -> KeyboardShortcut {
             KeyboardShortcut::new(Modifiers::COMMAND, key)
@@ -181,9 +211,13 @@ impl Action {
             Self::Reset => const { &[ctrl(Key::R)] },
             Self::ReleasePins => const { &[ctrl_shift(Key::P)] },
             Self::Frame => const { &[plain(Key::F)] },
-            Self::XRay => const { &[KeyboardShortcut::new(Modifiers::ALT, Key::Z)] },
-            Self::Particles => const { &[KeyboardShortcut::new(Modifiers::ALT, Key::P)] },
-            Self::Theme => const { &[KeyboardShortcut::new(Modifiers::ALT, Key::T)] },
+            Self::FrameAll => const { &[plain(Key::Home)] },
+            Self::XRay => const { &[alt(Key::Z)] },
+            Self::Particles => const { &[alt(Key::P)] },
+            Self::Springs => const { &[alt(Key::S)] },
+            Self::Strokes => const { &[alt(Key::K)] },
+            Self::Grid => const { &[alt(Key::G)] },
+            Self::Theme => const { &[alt(Key::T)] },
             Self::Palette => const { &[ctrl(Key::P)] },
             Self::Help => const { &[plain(Key::F1)] },
         }
@@ -199,8 +233,8 @@ pub const GESTURES: [(&str, &str); 11] = [
     ("Middle drag, Alt + left drag", "turns the result view, moves a drawing view"),
     ("Shift + middle drag, Alt + middle drag", "moves the view"),
     ("Wheel, Alt + right drag", "moves nearer or further"),
-    ("1, 3, 7", "shows the result from the front, the side, the top"),
+    ("1, 3, 7, the ends of the axes", "shows the result from the front, the side, the top"),
     ("Ctrl + 1, 3, 7", "shows it from the other side"),
     ("5", "changes between parallel and perspective"),
-    ("Drop a file on the window", "opens it"),
+    ("Drop a scene or a model on the window", "opens it"),
 ];

@@ -2,20 +2,20 @@
 
 use super::action::Action;
 use super::dialogs::Dialog;
-use super::document::Document;
-use super::pane::{Pane, PaneKind};
+use super::document::{Document, moved};
+use super::pane::Pane;
 use super::picture::Painter;
-use super::sketch_tool::{Outcome, SketchTool};
+use super::sketch_tool::SketchTool;
 use super::theme::Tone;
 use crate::draw::Display;
 use crate::edit::{Command, Editor};
 use crate::io::save_scene;
 use crate::render::Camera;
-use crate::scene::{Body, Extra, Fibre, FibreSource, RestShape, Rigidity, Scene, Stiffness, StrokePair};
+use crate::scene::{Body, Pin, Region, Scene, TwoLayer};
 use crate::sim::{Published, SimCommand, Worker};
+use crate::solver::snapshot::Snapshot;
 use crate::sketch::View;
 use glam::DVec3;
-use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -28,6 +28,16 @@ pub enum Gravity {
     Warning,
     /// Something was not done.
     Error,
+}
+
+/// Tabs of the right panel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PropertyTab {
+    /// What the active body is made of.
+    #[default]
+    Body,
+    /// What surrounds the bodies.
+    World,
 }
 
 /// A point of a body that is being pulled.
@@ -47,6 +57,8 @@ pub struct Pull {
 pub struct App {
     pub(super) editor: Editor,
     pub(super) path: Option<PathBuf>,
+    /// Folder from which the scene names its models.
+    folder: PathBuf,
     worker: Worker,
     pub(super) published: Arc<Published>,
     /// Edits sent to the simulation, to know whether what is shown is up to date.
@@ -56,10 +68,24 @@ pub struct App {
     pub(super) painter: Option<Painter>,
     pub(super) display: Display,
     pub(super) tone: Tone,
+    /// The active body at rest in its model frame.
+    pub(super) model: Arc<Snapshot>,
+    /// Body that is drawn into and whose properties are shown, in the order of the snapshot.
+    pub(super) active: usize,
+    /// Identifier of the fibre that is selected in the active body.
     pub(super) selected: Option<String>,
+    /// Fibre that was drawn last: how its strokes were taken can still be chosen beside the message.
+    pub(super) drawn_last: Option<String>,
+    pub(super) tab: PropertyTab,
+    /// Impulse that the strike button gives [N s].
+    pub(super) impulse: [f64; 3],
     pub(super) pull: Option<Pull>,
     /// A drawing view whose camera was moved in this frame.
     pub(super) moved: Option<(View, Camera)>,
+    /// A drawing view that is to show another side.
+    pub(super) turned: Option<(View, View)>,
+    /// Whether views are fitted to the selected fibre rather than to everything.
+    pub(super) fit_selected: bool,
     pub(super) speed: f64,
     pub(super) message: Option<(Gravity, String)>,
     pub(super) hint: &'static str,
@@ -75,7 +101,7 @@ impl App {
     /// A window on a document. Without a render state nothing is painted into the views, but
     /// everything else works.
     pub fn new(ctx: &egui::Context, render: Option<egui_wgpu::RenderState>, document: Document) -> Self {
-        let Document { scene, assets, path } = document;
+        let Document { scene, assets, path, folder, note } = document;
         let tone = Tone::Dark;
         tone.apply(ctx);
         let editor = Editor::new(scene);
@@ -84,19 +110,27 @@ impl App {
         Self {
             editor,
             path,
+            folder,
             worker,
             published: Arc::default(),
             sent_edits: 0,
             tool: SketchTool::default(),
-            panes: Pane::layout(),
+            panes: super::views::usual_layout(),
             painter: render.map(Painter::new),
             display: Display { skin: crate::draw::SkinStyle::XRay, ..Display::default() },
             tone,
+            model: Arc::default(),
+            active: 0,
             selected: None,
+            drawn_last: None,
+            tab: PropertyTab::default(),
+            impulse: [0.0, 0.0, 0.0],
             pull: None,
             moved: None,
+            turned: None,
+            fit_selected: false,
             speed: 1.0,
-            message: None,
+            message: note.map(|note| (Gravity::Note, note)),
             hint: "",
             dialog: None,
             gesture: 0,
@@ -120,15 +154,47 @@ impl App {
         self.message.as_ref().map(|(_, text)| text.as_str())
     }
 
-    /// The body that is drawn into.
+    /// The fibre solid that is drawn into.
     pub(super) fn active_body(&self) -> Option<&Body> {
-        self.editor.scene().bodies.first()
+        self.editor.scene().bodies.get(self.active)
     }
 
-    /// Diagonal of the active body's box [m], by its particles at rest.
+    /// The two-layer body whose properties are shown.
+    pub(super) fn active_two_layer(&self) -> Option<&TwoLayer> {
+        let scene = self.editor.scene();
+        scene.two_layer.get(self.active.checked_sub(scene.bodies.len())?)
+    }
+
+    /// Identifier, regions and pins of the active body of either kind.
+    pub(super) fn active_supports(&self) -> Option<(String, Vec<Region>, Vec<Pin>)> {
+        if let Some(body) = self.active_body() {
+            return Some((body.id.clone(), body.regions.clone(), body.pins.clone()));
+        }
+        self.active_two_layer().map(|body| (body.id.clone(), body.regions.clone(), body.pins.clone()))
+    }
+
+    /// Takes over what is drawn into.
+    fn take_model(&mut self) {
+        let bodies = self.published.at_rest.bodies.get(self.active).cloned().into_iter().collect();
+        self.model = Arc::new(Snapshot { bodies, ..Snapshot::default() });
+    }
+
+    /// Draws into another body from now on.
+    pub(super) fn activate(&mut self, index: usize) {
+        if self.active != index {
+            self.active = index;
+            self.take_model();
+            self.selected = None;
+            self.tool = SketchTool::default();
+            self.reframe(false);
+        }
+    }
+
+    /// Diagonal of the active body's box [m], by its skin at rest.
     pub(super) fn model_diagonal(&self) -> f64 {
-        let points = self.published.at_rest.bodies.first().into_iter().flat_map(|body| body.skin.iter().copied());
-        crate::draw::Bounds::of(points).map_or(0.1, |bounds| 2.0 * bounds.radius())
+        let body = self.model.bodies.first();
+        let points = body.into_iter().flat_map(|body| if body.skin.is_empty() { &body.particles } else { &body.skin });
+        crate::draw::Bounds::of(points.copied()).map_or(0.1, |bounds| 2.0 * bounds.radius())
     }
 
     pub(super) fn say(&mut self, gravity: Gravity, text: impl Into<String>) {
@@ -157,30 +223,24 @@ impl App {
     /// Opens a file, or the built-in scene.
     pub(super) fn open_document(&mut self, path: Option<PathBuf>) {
         match Document::load(path) {
-            Ok(Document { scene, assets, path }) => {
+            Ok(Document { scene, assets, path, folder, note }) => {
                 self.editor = Editor::new(scene);
                 self.path = path;
+                self.folder = folder;
                 self.selected = None;
                 self.tool = SketchTool::default();
                 self.pull = None;
                 if self.worker.send(SimCommand::Open(Arc::clone(self.editor.scene()), assets)) {
                     self.sent_edits += 1;
                 }
-                self.reframe();
+                self.active = 0;
+                self.drawn_last = None;
+                self.reframe(false);
                 let name =
                     self.path.as_ref().map_or_else(|| "the soft bar".to_owned(), |path| path.display().to_string());
-                self.say(Gravity::Note, format!("Opened {name}"));
+                self.say(Gravity::Note, note.unwrap_or_else(|| format!("Opened {name}")));
             }
             Err(error) => self.say(Gravity::Error, error.to_string()),
-        }
-    }
-
-    /// Fits every view again as soon as there is something to fit.
-    pub(super) fn reframe(&mut self) {
-        for (_, tile) in self.panes.tiles.iter_mut() {
-            if let egui_tiles::Tile::Pane(pane) = tile {
-                pane.framed = false;
-            }
         }
     }
 
@@ -191,7 +251,9 @@ impl App {
 
     /// Saves to a file.
     pub fn save(&mut self, path: &Path) {
-        match save_scene(path, self.editor.scene()) {
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        let scene = moved(self.editor.scene(), &self.folder, &folder);
+        match save_scene(path, &scene) {
             Ok(()) => {
                 self.editor.mark_saved();
                 self.path = Some(path.to_owned());
@@ -201,59 +263,16 @@ impl App {
         }
     }
 
-    /// What a released stroke leads to.
-    pub(super) fn sketched(&mut self, outcome: Outcome) {
-        match outcome {
-            Outcome::Slip(length) => self.say(
-                Gravity::Warning,
-                format!(
-                    "That stroke was only {length:.0} pixels long; draw at least {:.0}",
-                    super::sketch_tool::SHORTEST_STROKE
-                ),
-            ),
-            Outcome::First => self.say(Gravity::Note, "Now draw the same fibre as the other view sees it"),
-            Outcome::Refused(error) => self.say(Gravity::Error, error.to_string()),
-            Outcome::Pair { strokes, lifted } => {
-                let notes: Vec<String> = lifted.notes.iter().map(ToString::to_string).collect();
-                self.add_fibre(strokes);
-                if !notes.is_empty() {
-                    self.say(Gravity::Warning, notes.join(". "));
-                }
-            }
-        }
-    }
-
-    /// Adds a fibre ten times as stiff as the material that it displaces, so that its effect is plain.
-    fn add_fibre(&mut self, strokes: StrokePair) {
-        let Some(body) = self.active_body() else { return };
-        let material = &body.material;
-        let displaced = material.young_modulus * 0.2 * PI * material.support_radius.powi(2);
-        let ea = round_to_two_figures(10.0 * displaced);
-        let ei = round_to_two_figures(0.02 * ea * material.spacing().powi(2));
-        let taken = |n: &usize| body.fibres.iter().any(|fibre| fibre.id == format!("fibre-{n}"));
-        let number = (1..=body.fibres.len() + 1).find(|n| !taken(n)).unwrap_or(1);
-        let fibre = Fibre {
-            id: format!("fibre-{number}"),
-            name: format!("Fibre {number}"),
-            source: FibreSource::Strokes(strokes),
-            stiffness: Stiffness::Rigidity(Rigidity { ea, ei, extra: Extra::new() }),
-            volume_fraction: 0.5,
-            rest_shape: RestShape::AsDrawn,
-            extra: Extra::new(),
-        };
-        let body = body.id.clone();
-        self.selected = Some(fibre.id.clone());
-        self.coach = false;
-        self.say(Gravity::Note, format!("{} is in the solid", fibre.name));
-        self.gesture += 1;
-        self.apply(&Command::AddFibre { body, fibre });
-    }
-
     /// Takes the newest picture of the simulation and what the person asks for by keys and drops.
     fn listen(&mut self, ctx: &egui::Context) {
         if let Some(published) = self.worker.take() {
             let notes = (published.status.notes != self.published.status.notes).then(|| published.status.notes.clone());
+            let fresh = !Arc::ptr_eq(&published.at_rest, &self.published.at_rest);
             self.published = published;
+            if fresh {
+                self.active = self.active.min(self.published.at_rest.bodies.len().saturating_sub(1));
+                self.take_model();
+            }
             if let Some(text) = notes.and_then(|notes| notes.into_iter().next_back()) {
                 self.say(Gravity::Warning, text);
             }
@@ -305,19 +324,6 @@ impl App {
         self.show_title(&ctx);
     }
 
-    fn views(&mut self, ui: &mut egui::Ui) {
-        egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
-            let mut panes = std::mem::replace(&mut self.panes, egui_tiles::Tree::empty(egui::Id::unique("no panes")));
-            panes.ui(&mut super::pane::Layout { app: self }, ui);
-            self.panes = panes;
-        });
-        self.link_views();
-        if self.published.status.playing {
-            // Should a notification be missed, the next picture still comes.
-            ui.ctx().request_repaint_after_secs(0.1);
-        }
-    }
-
     fn show_title(&mut self, ctx: &egui::Context) {
         let name = if self.scene().name.is_empty() { "Untitled" } else { &self.scene().name };
         let mark = if self.editor.is_changed() { " •" } else { "" };
@@ -327,29 +333,14 @@ impl App {
             self.title = title;
         }
     }
-
-    /// The drawing views are linked along the axis that they share: what one has moved, the other follows.
-    fn link_views(&mut self) {
-        let Some((view, from)) = self.moved.take() else { return };
-        for (_, tile) in self.panes.tiles.iter_mut() {
-            if let egui_tiles::Tile::Pane(pane) = tile
-                && let PaneKind::Drawing(other) = pane.kind
-                && let Some(axis) = view.shared_axis(other)
-            {
-                pane.camera.height = from.height;
-                pane.camera.target[axis] = from.target[axis];
-            }
-        }
-    }
 }
 
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
     }
-}
 
-fn round_to_two_figures(value: f64) -> f64 {
-    let scale = 10_f64.powf(value.log10().floor() - 1.0);
-    (value / scale).round() * scale
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        self.remember(storage);
+    }
 }

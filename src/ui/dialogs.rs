@@ -156,11 +156,11 @@ fn ask_path(
 ) -> Answer {
     ui.set_width(460.0);
     let (title, verb) = match purpose {
-        PathPurpose::Open => ("Open a scene", "Open"),
+        PathPurpose::Open => ("Open a scene or a model", "Open"),
         PathPurpose::Save => ("Save the scene", "Save"),
     };
     ui.heading(title);
-    let typed = ui.add(TextEdit::singleline(text).hint_text("Path of a .json file").desired_width(f32::INFINITY));
+    let typed = ui.add(TextEdit::singleline(text).hint_text("Path of a .json scene, or of an .obj, .stl, .ply, .gltf or .glb model").desired_width(f32::INFINITY));
     // Before the focus is given back to the line: that would hide that Enter took it away.
     let entered = typed.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if browsing.is_none() && ui.memory(|memory| memory.focused().is_none()) {
@@ -192,10 +192,10 @@ fn ask_path(
 fn browse(purpose: PathPurpose, ctx: Context) -> Receiver<Option<PathBuf>> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
-        let dialog = rfd::FileDialog::new().add_filter("sinew scene", &["json"]);
+        let scenes = || rfd::FileDialog::new().add_filter("sinew scene", &["json"]);
         let picked = match purpose {
-            PathPurpose::Open => dialog.pick_file(),
-            PathPurpose::Save => dialog.set_file_name("scene.json").save_file(),
+            PathPurpose::Open => scenes().add_filter("model", &["obj", "stl", "ply", "gltf", "glb"]).pick_file(),
+            PathPurpose::Save => scenes().set_file_name("scene.json").save_file(),
         };
         // The window may be gone by now.
         let _ = sender.send(picked);

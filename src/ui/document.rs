@@ -1,12 +1,24 @@
-//! What the window opens: a scene and the models that it names.
+//! What the window opens: a scene and the models that it names, or a model alone.
 
-use crate::io::{IoError, load_assets, load_scene, scene_from_json};
-use crate::scene::{Assets, Scene};
-use std::path::{Path, PathBuf};
+use crate::geometry::solid::Solid;
+use crate::io::{IoError, is_model, load_assets, load_scene, scene_from_json};
+use crate::scene::{
+    Assets, Axis, Body, BodyKind, Damping, Extra, Falloff, Initial, IntegratorKind, Mass, Material, MeshShape,
+    Placement, Room, Scene, Shape,
+};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 /// The built-in scene.
 const BUILT_IN: &str = include_str!("../../scenes/short_bar_soft.json");
+
+/// Particles that a model is filled with unless told otherwise: enough for its shape, few enough to play.
+const MODEL_PARTICLES: u32 = 800;
+/// A model is taken as it is when its greatest extent lies in this range [m], and brought to a hand's size otherwise.
+const USUAL_EXTENT: (f64, f64) = (0.02, 5.0);
+const HAND: f64 = 0.12;
+/// A model hangs this share of its height above the floor at the start.
+const DROP: f64 = 0.15;
 
 /// A scene as it was read.
 #[derive(Clone, Debug)]
@@ -15,19 +27,148 @@ pub struct Document {
     pub scene: Scene,
     /// The models that it names.
     pub assets: Arc<Assets>,
-    /// Where it was read from.
+    /// Where it was read from; none for what is not a scene's file.
     pub path: Option<PathBuf>,
+    /// Folder from which the scene names its models.
+    pub folder: PathBuf,
+    /// What is to be said about it.
+    pub note: Option<String>,
 }
 
 impl Document {
-    /// Reads a scene and its models; the built-in one unless a path is given.
+    /// Reads a scene and its models, or makes a scene of a model; the built-in one unless a path is given.
     ///
     /// # Errors
     /// A file that cannot be used.
     pub fn load(path: Option<PathBuf>) -> Result<Self, IoError> {
+        if let Some(path) = path.as_deref().filter(|path| is_model(path)) {
+            return Self::of_model(path);
+        }
         let scene = path.as_deref().map_or_else(|| scene_from_json(BUILT_IN), load_scene)?;
-        let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-        let assets = Arc::new(load_assets(&scene, folder, &mut |_| {})?);
-        Ok(Self { scene, assets, path })
+        let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")).to_owned();
+        let assets = Arc::new(load_assets(&scene, &folder, &mut |_| {})?);
+        Ok(Self { scene, assets, path, folder, note: None })
+    }
+
+    /// A soft solid in the shape of a model, just above a floor.
+    fn of_model(path: &Path) -> Result<Self, IoError> {
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let mut shape =
+            MeshShape { path: file, scale: 1.0, up: Axis::Y, particles: Some(MODEL_PARTICLES), extra: Extra::new() };
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let mut scene = model_scene(&name, &shape);
+        let mut assets = load_assets(&scene, &folder, &mut |_| {})?;
+        let extent = |assets: &Assets, shape: &MeshShape| {
+            assets.solid(shape).map_or(HAND, |solid: &Arc<Solid>| solid.size().max_element())
+        };
+        let found = extent(&assets, &shape);
+        let mut note = format!("Opened {name} as a soft solid of {MODEL_PARTICLES} particles");
+        if !(USUAL_EXTENT.0..=USUAL_EXTENT.1).contains(&found) {
+            shape.scale = HAND / found;
+            scene = model_scene(&name, &shape);
+            assets = load_assets(&scene, &folder, &mut |_| {})?;
+            note += &format!(", scaled by {:.3e} to {HAND} m: the file measures {found:.3e} units", shape.scale);
+        }
+        if let Some(solid) = assets.solid(&shape) {
+            let body = &mut scene.bodies[0];
+            let low = solid.model.positions.iter().map(|point| point.y).fold(f64::INFINITY, f64::min);
+            body.placement.translation[1] = DROP * solid.size().y - low;
+            // What is not used is still to make sense: a fortieth of the size is about what the particles give.
+            body.material.support_radius = 0.1 * solid.size().max_element();
+        }
+        Ok(Self { scene, assets: Arc::new(assets), path: None, folder, note: Some(note) })
+    }
+}
+
+fn model_scene(name: &str, shape: &MeshShape) -> Scene {
+    let material = Material {
+        young_modulus: 1e5,
+        poisson_ratio: 0.33,
+        mass: Mass::Density(1000.0),
+        support_radius: 0.01,
+        spacing_ratio: 0.4,
+        damping: Damping { pair: 10.0, ..Damping::default() },
+        volume_fraction_falloff: Falloff::Kernel,
+        extra: Extra::new(),
+    };
+    let body = Body {
+        id: "model".to_owned(),
+        name: name.to_owned(),
+        kind: BodyKind::FibreSolid,
+        shape: Shape::Mesh(shape.clone()),
+        placement: Placement::default(),
+        material,
+        integrator: IntegratorKind::LeapFrog,
+        initial: Initial::default(),
+        impulses: Vec::new(),
+        fibres: Vec::new(),
+        regions: Vec::new(),
+        pins: Vec::new(),
+        extra: Extra::new(),
+    };
+    let room = Room { floor: Some(0.0), ..Room::default() };
+    Scene { name: name.to_owned(), room, bodies: vec![body], ..Scene::default() }
+}
+
+/// `scene` with the models that it names from the folder `from` named from the folder `to`.
+pub(super) fn moved(scene: &Scene, from: &Path, to: &Path) -> Scene {
+    let mut scene = scene.clone();
+    let (Some(from), Some(to)) = (whole(from), whole(to)) else { return scene };
+    if from == to {
+        return scene;
+    }
+    for body in &mut scene.bodies {
+        if let Shape::Mesh(shape) = &mut body.shape {
+            shape.path = seen_from(&from.join(&shape.path), &to);
+        }
+    }
+    scene
+}
+
+/// An absolute path without links, as far as it exists.
+fn whole(folder: &Path) -> Option<PathBuf> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    folder.canonicalize().ok()
+}
+
+/// A path relative to a folder, both absolute, with `/` between the names.
+fn seen_from(path: &Path, folder: &Path) -> String {
+    let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
+    let up = folder.components().skip(shared).map(|_| "..".to_owned());
+    let down = path.components().skip(shared).map(|part: Component<'_>| part.as_os_str().to_string_lossy().into_owned());
+    up.chain(down).collect::<Vec<_>>().join("/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn asset(name: &str) -> PathBuf {
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("assets").join(name)
+    }
+
+    #[test]
+    fn a_model_becomes_a_scene_that_stands_above_the_floor() {
+        let document = Document::load(Some(asset("leaf.glb"))).expect("the model is there");
+        document.scene.validate().expect("a sound scene");
+        assert!(document.path.is_none() && document.note.is_some());
+        let body = &document.scene.bodies[0];
+        let Shape::Mesh(shape) = &body.shape else { panic!("a mesh") };
+        let solid = document.assets.solid(shape).expect("loaded");
+        let low = solid.model.positions.iter().map(|point| point.y).fold(f64::INFINITY, f64::min);
+        assert!(low + body.placement.translation[1] > 0.0);
+    }
+
+    #[test]
+    fn a_scene_saved_elsewhere_still_finds_its_models() {
+        let document = Document::load(Some(asset("leaf.glb"))).expect("the model is there");
+        let elsewhere = tempfile::tempdir().expect("a folder");
+        let moved = moved(&document.scene, &document.folder, elsewhere.path());
+        let Shape::Mesh(shape) = &moved.bodies[0].shape else { panic!("a mesh") };
+        assert!(shape.path.contains(".."), "{}", shape.path);
+        load_assets(&moved, elsewhere.path(), &mut |_| {}).expect("the model is found");
+        assert_eq!(super::moved(&document.scene, &document.folder, &document.folder), document.scene);
     }
 }

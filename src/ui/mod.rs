@@ -5,15 +5,24 @@
 
 mod action;
 mod app;
+mod bars;
+mod camera;
+mod corner;
 mod dialogs;
 mod document;
+mod fibres;
+mod field;
+mod outliner;
 mod overlay;
 mod pane;
-mod panels;
 mod perform;
 mod picture;
+mod properties;
+mod pulling;
 mod sketch_tool;
 pub mod theme;
+mod views;
+mod world_panel;
 
 pub use action::{Action, Menu};
 pub use app::App;
@@ -55,7 +64,11 @@ pub fn run(document: Document) -> Result<(), NoWindow> {
             options,
             Box::new(move |creation| {
                 std::panic::set_hook(hook);
-                Ok(Box::new(App::new(&creation.egui_ctx, creation.wgpu_render_state.clone(), document)))
+                let mut app = App::new(&creation.egui_ctx, creation.wgpu_render_state.clone(), document);
+                if let Some(storage) = creation.storage {
+                    app.recall(&creation.egui_ctx, storage);
+                }
+                Ok(Box::new(app))
             }),
         )
     }));

@@ -45,6 +45,7 @@ impl View3d<'_> {
             line(guides.start, Stroke::new(GUIDE_WIDTH, ends[0]));
             line(guides.end, Stroke::new(GUIDE_WIDTH, ends[1]));
         }
+        self.paint_selected(&painter, view, frame);
         let strokes: Vec<DrawnStroke> = {
             use super::sketch_tool::Stage;
             let current = match self.app.tool.stage() {
@@ -80,13 +81,13 @@ impl View3d<'_> {
         let pictures = self.app.tone.pictures();
         let accent = theme::color(pictures.accent);
         // The preview goes with the body, which may have moved from where it is drawn into.
-        let middle = |bodies: &[BodySnapshot]| {
-            let points = &bodies.first()?.particles;
+        let middle = |bodies: &[BodySnapshot], index: usize| {
+            let points = &bodies.get(index)?.particles;
             Some(points.iter().sum::<DVec3>() / points.len() as f64)
         };
         if let Some(follow) = self.app.tool.preview(self.app.model_diagonal())
-            && let Some(now) = middle(&self.app.published.snapshot.bodies)
-            && let Some(rest) = middle(&self.app.published.at_rest.bodies)
+            && let Some(now) = middle(&self.app.published.snapshot.bodies, self.app.active)
+            && let Some(rest) = middle(&self.app.model.bodies, 0)
         {
             let offset = now - rest;
             let points = follow.curve.iter().filter_map(|&point| frame.screen(point + offset)).collect();
@@ -94,7 +95,7 @@ impl View3d<'_> {
         }
         if let Some(pull) = self.app.pull
             && let Some(held) =
-                self.app.published.snapshot.bodies.get(pull.body).and_then(|body| body.skin.get(pull.vertex))
+                self.app.published.snapshot.bodies.get(pull.body).and_then(|body| handle(body, pull.vertex))
             && let (Some(from), Some(to)) = (frame.screen(*held), frame.screen(pull.target))
         {
             painter.line_segment([from, to], Stroke::new(2.0, accent));
@@ -107,17 +108,15 @@ impl View3d<'_> {
         let painter = ui.painter_at(rect);
         let text = theme::color(self.app.tone.pictures().text);
         let at = rect.min + egui::vec2(3.0 * GRID, 2.5 * GRID);
-        painter.text(at, Align2::LEFT_TOP, self.pane.title(), FontId::proportional(13.0), text);
         let axes = match self.pane.kind {
             PaneKind::Drawing(View::Front) => "X right, Y up",
             PaneKind::Drawing(View::Side) => "Z right, Y up",
             PaneKind::Drawing(View::Top) => "X right, Z down",
             PaneKind::Result => return,
         };
-        let below = at + egui::vec2(0.0, 4.0 * GRID);
+        let below = at + egui::vec2(GRID, 6.0 * GRID);
         painter.text(below, Align2::LEFT_TOP, axes, FontId::proportional(11.0), text.gamma_multiply(0.7));
-        if self.app.coach && self.app.tool.first().is_none() && self.pane.kind == PaneKind::Drawing(View::Front) {
-            let coach = "Draw a stroke here, then one in the side view";
+        if let Some(coach) = self.coach() {
             let at = rect.center_bottom() - egui::vec2(0.0, 14.0 * GRID);
             painter.text(
                 at,
@@ -128,4 +127,42 @@ impl View3d<'_> {
             );
         }
     }
+
+    /// What the first fibre takes, step by step, in the view where the next step is.
+    fn coach(&self) -> Option<&'static str> {
+        let PaneKind::Drawing(view) = self.pane.kind else { return None };
+        if !self.app.coach || self.app.active_body().is_none() {
+            return None;
+        }
+        match self.app.tool.first() {
+            None if view == View::Front => Some("1  Drag a stroke here, the fibre as seen from this side"),
+            Some(first) if first.view != view => Some("2  Draw the same fibre as seen from here, between the guides"),
+            _ => None,
+        }
+    }
+
+    /// The strokes of the selected fibre, what was clipped of them dashed.
+    fn paint_selected(&self, painter: &egui::Painter, view: View, frame: Frame) {
+        let Some((_, lifted)) = self.app.selected_lift().filter(|_| self.app.tool.first().is_none()) else { return };
+        let pictures = self.app.tone.pictures();
+        let ink = theme::color(pictures.stroke).gamma_multiply(0.7);
+        let shown = |points: &[DVec2]| -> Vec<Pos2> {
+            points.iter().filter_map(|&point| frame.shown(view, point)).collect()
+        };
+        let Some(which) = self.app.selected_views().iter().position(|drawn| *drawn == view) else { return };
+        let points = shown(&lifted.strokes[which]);
+        if let (Some(&first), Some(&last)) = (points.first(), points.last()) {
+            painter.add(egui::Shape::line(points, Stroke::new(1.5, ink)));
+            painter.circle_filled(first, 3.5, theme::color(pictures.stroke_start));
+            painter.circle_filled(last, 3.5, theme::color(pictures.stroke_end));
+        }
+        for part in &lifted.clipped[which] {
+            painter.extend(egui::Shape::dashed_line(&shown(part), Stroke::new(1.5, ink), 5.0, 4.0));
+        }
+    }
+}
+
+/// Where a body is held by a vertex of its skin, or by a particle where it has none.
+pub(super) fn handle(body: &BodySnapshot, vertex: usize) -> Option<&DVec3> {
+    if body.skin.is_empty() { body.particles.get(vertex) } else { body.skin.get(vertex) }
 }

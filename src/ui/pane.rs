@@ -1,19 +1,19 @@
-//! The three views: two to draw in, one to watch.
+//! One of the three views: two to draw in, one to watch.
 
-use super::app::{App, Pull};
+use super::app::App;
+use super::camera::Ease;
+use super::picture::{Picture, Shown, Sight};
 use super::theme;
-use crate::draw::{Bounds, Display, SkinStyle, Subject, draw};
-use crate::geometry::mesh::nearest_hit;
-use crate::render::{Camera, Facing, Projection};
-use crate::sim::SimCommand;
+use crate::draw::{Display, SkinStyle};
+use crate::render::{Camera, Facing};
 use crate::sketch::View;
-use crate::solver::snapshot::{BodySnapshot, Snapshot};
-use egui::{Color32, Event, Key, PointerButton, Pos2, Rect, Response, Sense, Ui};
-use egui_tiles::{Behavior, Container, Linear, LinearDir, TileId, Tiles, Tree, UiResponse};
+use egui::{Color32, Event, PointerButton, Pos2, Rect, Response, Sense, Ui};
 use glam::{DVec2, DVec3};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::sync::Arc;
 
 /// What a view is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum PaneKind {
     /// Strokes are drawn into the model at rest.
     Drawing(View),
@@ -25,67 +25,52 @@ pub enum PaneKind {
 pub struct Pane {
     pub(super) kind: PaneKind,
     pub(super) camera: Camera,
+    /// Where its camera was sent, until it arrives.
+    pub(super) ease: Option<Ease>,
     /// Whether its camera has been fitted to what is there.
     pub(super) framed: bool,
-    pub(super) picture: super::picture::Picture,
+    /// Whether it has been fitted before.
+    pub(super) shown: bool,
+    pub(super) picture: Picture,
 }
 
 impl Pane {
-    fn new(kind: PaneKind) -> Self {
+    pub(super) fn new(kind: PaneKind) -> Self {
         let camera = match kind {
             PaneKind::Drawing(View::Front) => Camera::facing(Facing::Front),
             PaneKind::Drawing(View::Side) => Camera::facing(Facing::Side),
             PaneKind::Drawing(View::Top) => Camera::facing(Facing::Top),
             PaneKind::Result => Camera::perspective(),
         };
-        Self { kind, camera, framed: false, picture: super::picture::Picture::default() }
-    }
-
-    /// Front and side stacked beside the result.
-    pub(super) fn layout() -> Tree<Self> {
-        let mut tiles = Tiles::default();
-        let front = tiles.insert_pane(Self::new(PaneKind::Drawing(View::Front)));
-        let side = tiles.insert_pane(Self::new(PaneKind::Drawing(View::Side)));
-        let drawing = tiles.insert_vertical_tile(vec![front, side]);
-        let result = tiles.insert_pane(Self::new(PaneKind::Result));
-        let mut row = Linear::new(LinearDir::Horizontal, vec![drawing, result]);
-        row.shares.set_share(drawing, 0.75);
-        row.shares.set_share(result, 1.25);
-        let root = tiles.insert_container(Container::Linear(row));
-        Tree::new(egui::Id::unique("views"), root, tiles)
+        Self { kind, camera, ease: None, framed: false, shown: false, picture: Picture::default() }
     }
 
     pub(super) fn title(&self) -> &'static str {
         match self.kind {
-            PaneKind::Drawing(View::Front) => "Front",
-            PaneKind::Drawing(View::Side) => "Side",
-            PaneKind::Drawing(View::Top) => "Top",
+            PaneKind::Drawing(view) => view_name(view),
             PaneKind::Result => "Result",
         }
     }
 }
 
-/// Shows the views of an application.
-pub(super) struct Layout<'a> {
-    pub(super) app: &'a mut App,
+pub(super) fn view_name(view: View) -> &'static str {
+    match view {
+        View::Front => "Front",
+        View::Side => "Side",
+        View::Top => "Top",
+    }
 }
 
-impl Behavior<Pane> for Layout<'_> {
-    fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, pane: &mut Pane) -> UiResponse {
-        View3d { app: self.app, pane }.show(ui);
-        UiResponse::None
+/// Only what a view is for is remembered: where its camera stands follows from what there is to see.
+impl Serialize for Pane {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.kind.serialize(serializer)
     }
+}
 
-    fn tab_title_for_pane(&mut self, pane: &Pane) -> egui::WidgetText {
-        pane.title().into()
-    }
-
-    fn gap_width(&self, _style: &egui::Style) -> f32 {
-        2.0
-    }
-
-    fn min_size(&self) -> f32 {
-        120.0
+impl<'de> Deserialize<'de> for Pane {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        PaneKind::deserialize(deserializer).map(Self::new)
     }
 }
 
@@ -103,11 +88,11 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    fn size(&self) -> DVec2 {
+    pub(super) fn size(&self) -> DVec2 {
         DVec2::new(f64::from(self.rect.width()), f64::from(self.rect.height()))
     }
 
-    fn pixel(&self, at: Pos2) -> DVec2 {
+    pub(super) fn pixel(&self, at: Pos2) -> DVec2 {
         DVec2::new(f64::from(at.x - self.rect.min.x), f64::from(at.y - self.rect.min.y))
     }
 
@@ -132,12 +117,12 @@ impl Frame {
 }
 
 impl View3d<'_> {
-    fn show(&mut self, ui: &mut Ui) {
+    pub(super) fn show(&mut self, ui: &mut Ui) {
         let rect = ui.available_rect_before_wrap();
         let response = ui.allocate_rect(rect, Sense::click_and_drag());
         let label = format!("{} view", self.pane.title());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, &label));
-        self.frame_once(rect);
+        self.settle_camera(ui, rect);
         self.move_camera(ui, &response);
         let frame = Frame { rect, camera: self.pane.camera };
         match self.pane.kind {
@@ -150,98 +135,15 @@ impl View3d<'_> {
             PaneKind::Result => self.paint_result(ui, frame),
         }
         self.paint_title(ui, rect);
+        self.corner(ui, rect);
     }
 
     /// What this view shows of the bodies: the model at rest, or the simulation.
-    fn snapshot(&self) -> Snapshot {
+    pub(super) fn snapshot(&self) -> Shown {
         match self.pane.kind {
-            PaneKind::Result => self.app.published.snapshot.clone(),
-            PaneKind::Drawing(_) => {
-                let bodies = self.app.published.at_rest.bodies.iter().take(1).cloned().collect();
-                Snapshot { bodies, ..Snapshot::default() }
-            }
+            PaneKind::Result => Shown::Running(Arc::clone(&self.app.published)),
+            PaneKind::Drawing(_) => Shown::Model(Arc::clone(&self.app.model)),
         }
-    }
-
-    fn frame_once(&mut self, rect: Rect) {
-        if self.pane.framed {
-            return;
-        }
-        let points = |bodies: &[BodySnapshot]| Bounds::of(bodies.iter().flat_map(|body| body.skin.iter().copied()));
-        let bounds = match self.pane.kind {
-            PaneKind::Drawing(_) => points(&self.app.published.at_rest.bodies),
-            // The whole fall is to be seen, from the start down to the floor.
-            PaneKind::Result => points(&self.app.published.snapshot.bodies).map(|bounds| {
-                let floor = self.app.scene().room.floor.unwrap_or(bounds.min.y).min(bounds.min.y);
-                Bounds { min: bounds.min.with_y(floor), ..bounds }
-            }),
-        };
-        if let Some(bounds) = bounds {
-            self.pane.camera.frame(&bounds, f64::from(rect.width() / rect.height().max(1.0)));
-            if matches!(self.pane.kind, PaneKind::Drawing(_)) {
-                self.pane.camera.height *= 1.15;
-            }
-            self.pane.framed = true;
-        }
-    }
-
-    fn move_camera(&mut self, ui: &Ui, response: &Response) {
-        let rect = response.rect;
-        let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
-        let before = self.pane.camera;
-        let (delta, modifiers, wheel) =
-            ui.input(|input| (input.pointer.delta(), input.modifiers, input.smooth_scroll_delta().y));
-        let by = DVec2::new(f64::from(delta.x), f64::from(delta.y));
-        let held = |button| response.dragged_by(button);
-        let middle = held(PointerButton::Middle);
-        let pans = middle && (modifiers.shift || modifiers.alt);
-        let turns = middle || (modifiers.alt && held(PointerButton::Primary));
-        let result = self.pane.kind == PaneKind::Result;
-        if pans || (turns && !result) {
-            self.pane.camera.pan(by, size);
-        } else if turns {
-            self.pane.camera.orbit(-0.008 * by.x, 0.008 * by.y);
-        } else if modifiers.alt && held(PointerButton::Secondary) {
-            self.pane.camera.zoom((0.005 * by.y).exp(), 0.5 * size, size);
-        }
-        if response.hovered() && wheel != 0.0 {
-            let at = ui.input(|input| input.pointer.hover_pos()).unwrap_or(rect.center());
-            let pixel = DVec2::new(f64::from(at.x - rect.min.x), f64::from(at.y - rect.min.y));
-            self.pane.camera.zoom((-0.002 * f64::from(wheel)).exp(), pixel, size);
-        }
-        if result && response.hovered() && !ui.ctx().egui_wants_keyboard_input() {
-            self.turn_by_keys(ui);
-        }
-        if let PaneKind::Drawing(view) = self.pane.kind
-            && self.pane.camera != before
-        {
-            self.app.moved = Some((view, self.pane.camera));
-        }
-    }
-
-    fn turn_by_keys(&mut self, ui: &Ui) {
-        let (opposite, pressed) = ui.input(|input| {
-            let keys = [Key::Num1, Key::Num3, Key::Num7, Key::Num5];
-            (input.modifiers.command, keys.into_iter().find(|&key| input.key_pressed(key)))
-        });
-        let facing = match (pressed, opposite) {
-            (Some(Key::Num1), false) => Facing::Front,
-            (Some(Key::Num1), true) => Facing::Back,
-            (Some(Key::Num3), false) => Facing::Side,
-            (Some(Key::Num3), true) => Facing::OtherSide,
-            (Some(Key::Num7), false) => Facing::Top,
-            (Some(Key::Num7), true) => Facing::Bottom,
-            (Some(Key::Num5), _) => {
-                let perspective = Camera::perspective().projection;
-                let camera = &mut self.pane.camera;
-                let parallel = camera.projection == Projection::Parallel;
-                camera.projection = if parallel { perspective } else { Projection::Parallel };
-                return;
-            }
-            _ => return,
-        };
-        let turned = Camera::facing(facing);
-        self.pane.camera = Camera { yaw: turned.yaw, pitch: turned.pitch, ..self.pane.camera };
     }
 
     /// Takes every pointer sample of a stroke.
@@ -288,65 +190,9 @@ impl View3d<'_> {
         }
     }
 
-    /// Pulls a body by the point under the pointer.
-    fn pull(&mut self, ui: &Ui, response: &Response, frame: Frame) {
-        let primary = PointerButton::Primary;
-        let (origin, now, alt, pin) = ui.input(|input| {
-            let pointer = &input.pointer;
-            (pointer.press_origin(), pointer.latest_pos(), input.modifiers.alt, input.key_pressed(Key::P))
-        });
-        let starts = response.drag_started_by(primary) || response.drag_started_by(PointerButton::Secondary);
-        if starts
-            && !alt
-            && let Some(at) = origin
-        {
-            self.app.pull = self.hit(frame, at);
-            if let Some(Pull { body, vertex, target, .. }) = self.app.pull {
-                self.app.ask(SimCommand::Grab { body, vertex, target });
-            }
-        }
-        let size = frame.size();
-        if let (Some(mut pull), Some(at)) = (self.app.pull, now) {
-            self.app.hint = "Release to let go; P leaves the point pinned here";
-            let target = frame.camera.point_at(frame.pixel(at), pull.depth, size);
-            if target != pull.target {
-                pull.target = target;
-                self.app.pull = Some(pull);
-                self.app.ask(SimCommand::MoveGrab(target));
-            }
-            if pin {
-                self.app.ask(SimCommand::PinGrab);
-                self.app.pull = None;
-            } else if response.drag_stopped() {
-                self.app.ask(SimCommand::Release);
-                self.app.pull = None;
-            }
-        } else if response.hovered() {
-            self.app.hint = "Drag a body to pull it; middle drag turns the view, the wheel comes closer";
-        }
-    }
-
-    /// The vertex of a skin that lies nearest to what is seen at a pixel.
-    fn hit(&self, frame: Frame, at: Pos2) -> Option<Pull> {
-        let ray = frame.camera.ray(frame.pixel(at), frame.size());
-        let bodies = self.app.published.snapshot.bodies.iter().enumerate();
-        let hits = bodies.filter_map(|(body, shown)| {
-            let hit = nearest_hit(&shown.skin, &shown.triangles, ray.origin, ray.direction)?;
-            Some((body, shown, hit))
-        });
-        let (body, shown, hit) = hits.min_by(|a, b| a.2.distance.total_cmp(&b.2.distance))?;
-        let point = ray.origin + hit.distance * ray.direction;
-        let near = |&vertex: &u32| shown.skin[vertex as usize].distance_squared(point);
-        let vertex = *shown.triangles[hit.triangle].iter().min_by(|a, b| near(a).total_cmp(&near(b)))? as usize;
-        let held = shown.skin[vertex];
-        let depth = frame.camera.project(held, frame.size())?.depth;
-        Some(Pull { body, vertex, depth, target: held })
-    }
-
     fn paint_picture(&mut self, ui: &Ui, rect: Rect) {
-        let snapshot = self.snapshot();
-        let scene = std::sync::Arc::clone(self.app.scene());
-        let selected = self.selected(&snapshot);
+        let shown = self.snapshot();
+        let selected = self.selected(&shown);
         let display = match self.pane.kind {
             PaneKind::Drawing(_) => {
                 Display { skin: SkinStyle::XRay, grid: true, room: false, selected, ..Display::default() }
@@ -354,22 +200,25 @@ impl View3d<'_> {
             PaneKind::Result => Display { selected, ..self.app.display.clone() },
         };
         let theme = self.app.tone.pictures();
-        let background = theme::color(theme.background_bottom);
-        ui.painter().rect_filled(rect, 0.0, background);
+        ui.painter().rect_filled(rect, 0.0, theme::color(theme.background_bottom));
+        let sight = Sight { shown, scene: Arc::clone(self.app.scene()), display, tone: self.app.tone };
         let Some(painter) = &self.app.painter else { return };
-        let list = draw(&Subject { scene: &scene, snapshot: &snapshot, ghost: None }, &display, &theme);
         let scale = ui.ctx().pixels_per_point();
         let size = [(rect.width() * scale).round() as u32, (rect.height() * scale).round() as u32];
-        if let Some(texture) = painter.paint(&mut self.pane.picture, list, &self.pane.camera, size, scale) {
+        if let Some(texture) = painter.paint(&mut self.pane.picture, sight, &self.pane.camera, size, scale) {
             let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
             ui.painter().image(texture, rect, whole, Color32::WHITE);
         }
     }
 
     /// Selected fibre as the picture counts it.
-    fn selected(&self, snapshot: &Snapshot) -> Vec<[u32; 2]> {
+    fn selected(&self, shown: &Shown) -> Vec<[u32; 2]> {
         let Some(id) = &self.app.selected else { return Vec::new() };
-        let fibres = snapshot.bodies.first().into_iter().flat_map(|body| body.fibres.iter().enumerate());
-        fibres.filter(|(_, fibre)| fibre.id == *id).map(|(k, _)| [0, k as u32]).collect()
+        let body = match shown {
+            Shown::Model(_) => 0,
+            Shown::Running(_) => self.app.active,
+        };
+        let fibres = shown.bodies.get(body).into_iter().flat_map(|body| body.fibres.iter().enumerate());
+        fibres.filter(|(_, fibre)| fibre.id == *id).map(|(k, _)| [body as u32, k as u32]).collect()
     }
 }

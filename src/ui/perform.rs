@@ -17,6 +17,18 @@ impl App {
         }
     }
 
+    /// Whether a switch is on; none for what is no switch.
+    pub(super) fn is_on(&self, action: Action) -> Option<bool> {
+        match action {
+            Action::XRay => Some(self.display.skin == crate::draw::SkinStyle::XRay),
+            Action::Particles => Some(self.display.particles),
+            Action::Springs => Some(self.display.springs),
+            Action::Strokes => Some(self.display.strokes),
+            Action::Grid => Some(self.display.grid),
+            _ => None,
+        }
+    }
+
     /// Does what was asked for.
     pub fn perform(&mut self, ctx: &egui::Context, action: Action) {
         match action {
@@ -46,7 +58,8 @@ impl App {
             Action::Step => self.ask(SimCommand::Step),
             Action::Reset => self.ask(SimCommand::Reset),
             Action::ReleasePins => self.ask(SimCommand::ReleaseAll),
-            Action::Frame => self.reframe(),
+            Action::Frame => self.reframe(true),
+            Action::FrameAll => self.reframe(false),
             Action::XRay => {
                 use crate::draw::SkinStyle::{Shaded, XRay};
                 self.display.skin = if self.display.skin == XRay { Shaded } else { XRay };
@@ -55,6 +68,9 @@ impl App {
                 self.display.particles = !self.display.particles;
                 self.display.structure = self.display.particles;
             }
+            Action::Springs => self.display.springs = !self.display.springs,
+            Action::Strokes => self.display.strokes = !self.display.strokes,
+            Action::Grid => self.display.grid = !self.display.grid,
             Action::Theme => {
                 self.tone = self.tone.other();
                 self.tone.apply(ctx);

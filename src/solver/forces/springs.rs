@@ -52,7 +52,7 @@ impl Springs {
     }
 
     /// Particles at both ends of every spring.
-    pub fn ends(&self) -> &[[u32; 2]] {
+    pub fn ends(&self) -> &Arc<[[u32; 2]]> {
         &self.ends
     }
 

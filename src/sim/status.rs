@@ -1,0 +1,60 @@
+//! What a window is told of a running world.
+
+use crate::solver::measure::MeasureValue;
+use crate::solver::snapshot::Snapshot;
+use std::sync::Arc;
+
+/// The state of the simulation beside its picture.
+#[derive(Clone, Debug, Default)]
+pub struct Status {
+    /// Whether time runs.
+    pub playing: bool,
+    /// Simulated time [s].
+    pub time: f64,
+    /// Simulated frames a wall second.
+    pub frames_per_second: f64,
+    /// Simulated over wall time.
+    pub real_time_factor: f64,
+    /// How each body is stepped, in the order of the scene.
+    pub bodies: Vec<Stepping>,
+    /// Material particles of all bodies.
+    pub particles: usize,
+    /// Why a body was stopped.
+    pub divergence: Option<String>,
+    /// Why there is no world: the scene cannot be put together, or the solver failed.
+    pub failure: Option<String>,
+    /// What was noticed while the scene was put together.
+    pub notes: Vec<String>,
+    /// What is being put together just now.
+    pub baking: Option<String>,
+    /// Present values of the scene's measures.
+    pub measures: Vec<MeasureValue>,
+    /// Document edits taken over so far, so that a window knows whether its last one has arrived.
+    pub edits: u64,
+}
+
+/// How a body is stepped.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stepping {
+    /// Name a person reads.
+    pub name: String,
+    /// Time step [s].
+    pub dt: f64,
+    /// Greatest stable time step that was measured [s].
+    pub stable_dt: f64,
+    /// JSON pointer of the parameter that sets it.
+    pub step_parameter: String,
+    /// Steps in a frame.
+    pub substeps: u32,
+}
+
+/// A picture of the world and what is to be said about it.
+#[derive(Clone, Debug, Default)]
+pub struct Published {
+    /// Positions.
+    pub snapshot: Snapshot,
+    /// Every body at rest in its model frame; the same one until the scene is put together again.
+    pub at_rest: Arc<Snapshot>,
+    /// The rest.
+    pub status: Status,
+}

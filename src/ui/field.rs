@@ -1,0 +1,110 @@
+//! A labelled number with its unit, range, default and the equation that it enters.
+
+use egui::{Align, DragValue, Layout, Response, Ui};
+use std::ops::RangeInclusive;
+
+/// A number that a person can change.
+#[derive(Clone, Debug)]
+pub(super) struct Field {
+    /// What it is called.
+    pub label: &'static str,
+    /// Its unit; may be empty.
+    pub unit: &'static str,
+    /// What it may be.
+    pub range: RangeInclusive<f64>,
+    /// What it is unless chosen otherwise, where there is such a value.
+    pub default: Option<f64>,
+    /// What it does, and the equation in which.
+    pub tooltip: &'static str,
+}
+
+impl Field {
+    /// Shows it over the width of a panel; whether it was changed.
+    pub(super) fn show(&self, ui: &mut Ui, value: &mut f64) -> bool {
+        let tooltip = self.explained();
+        ui.horizontal(|ui| {
+            let text = ui.label(self.label).on_hover_text(&tooltip);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let response = self.drag(ui, value).on_hover_text(&tooltip).labelled_by(text.id);
+                let mut changed = response.changed();
+                if let Some(default) = self.default {
+                    response.context_menu(|ui| {
+                        if ui.button(format!("Reset to {}", self.with_unit(default))).clicked() {
+                            *value = default;
+                            changed = true;
+                            ui.close();
+                        }
+                    });
+                }
+                changed
+            })
+            .inner
+        })
+        .inner
+    }
+
+    fn drag(&self, ui: &mut Ui, value: &mut f64) -> Response {
+        // A drag across the panel changes the value by its own size, whatever that is.
+        let speed = (value.abs() * 0.01).max(1e-6);
+        let suffix = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
+        ui.add(
+            DragValue::new(value)
+                .range(self.range.clone())
+                .speed(speed)
+                .suffix(suffix)
+                .custom_formatter(|value, _| short(value)),
+        )
+    }
+
+    fn with_unit(&self, value: f64) -> String {
+        format!("{} {}", short(value), self.unit).trim_end().to_owned()
+    }
+
+    fn explained(&self) -> String {
+        let [least, most] = [*self.range.start(), *self.range.end()].map(short);
+        let range = format!("{}\nFrom {least} to {most} {}", self.tooltip, self.unit);
+        match self.default {
+            Some(default) => format!("{}. Default {}: right click", range.trim_end(), self.with_unit(default)),
+            None => range.trim_end().to_owned(),
+        }
+    }
+}
+
+/// Three numbers in a row, one an axis; whether one was changed.
+pub(super) fn vector(ui: &mut Ui, label: &str, unit: &str, value: &mut [f64; 3], tooltip: &str) -> bool {
+    let mut changed = false;
+    ui.label(label).on_hover_text(tooltip);
+    ui.horizontal(|ui| {
+        for (axis, part) in ["X", "Y", "Z"].into_iter().zip(value) {
+            let speed = (part.abs() * 0.01).max(1e-3);
+            let drag = DragValue::new(part).speed(speed).prefix(format!("{axis} ")).suffix(format!(" {unit}"));
+            changed |= ui
+                .add(drag.custom_formatter(|value, _| short(value)))
+                .on_hover_text(format!("{tooltip}\nAlong {axis}"))
+                .changed();
+        }
+    });
+    changed
+}
+
+/// A number in as few characters as it needs.
+pub(super) fn short(value: f64) -> String {
+    if value == 0.0 || (1e-2..1e5).contains(&value.abs()) {
+        let text = format!("{value:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn numbers_take_few_characters() {
+        for (value, text) in [(0.0, "0"), (0.33, "0.33"), (1e5, "1.000e5"), (1250.0, "1250"), (-9.81, "-9.81")] {
+            assert_eq!(short(value), text);
+        }
+    }
+}

@@ -78,7 +78,7 @@ fn a_grab_pulls_the_body_to_the_pointer_and_a_pin_keeps_it() {
     until(&worker, |p| p.status.time > 0.0);
     let target = DVec3::new(0.0, 0.1, 0.0);
     assert!(worker.send(SimCommand::Grab { body: 0, vertex: 0, target }));
-    let vertex = |p: &Published| p.snapshot.bodies[0].skin[0];
+    let vertex = |p: &Published| p.snapshot.bodies[0].surface()[0];
     until(&worker, |p| vertex(p).distance(target) < 2e-3 && p.status.time > 0.5);
     let moved = DVec3::new(0.05, 0.1, 0.0);
     assert!(worker.send(SimCommand::MoveGrab(moved)));

@@ -59,7 +59,7 @@ pub(super) fn draft(
     let embedder = Embedder::new(&sample.points, kernel);
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
-    let skin = matter.skin(kernel).map(Arc::new);
+    let skin = matter.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of })).map(Arc::new);
 
     let mass = match material.mass {
         Mass::Density(density) => density * shape_volume / sample.points.len() as f64,

@@ -156,8 +156,8 @@ impl Matter<'_> {
         Cow::Owned(body)
     }
 
-    /// The surface that is drawn.
-    pub(super) fn skin(&self, kernel: Kernel) -> Option<Skin> {
+    /// The surface that is drawn; `progress` hears how many of its points are embedded.
+    pub(super) fn skin(&self, kernel: Kernel, progress: &mut dyn FnMut(usize, usize)) -> Option<Skin> {
         let particles = &self.sample.points;
         match &self.source {
             Source::Box(solid) => {
@@ -170,7 +170,7 @@ impl Matter<'_> {
                     colours: &[],
                     triangles: &surface.triangles,
                 };
-                Skin::embed(&shape, particles, kernel, &mut |_, _| {})
+                Skin::embed(&shape, particles, kernel, progress)
             }
             Source::Mesh(solid) => {
                 let shape = SkinShape {
@@ -180,7 +180,7 @@ impl Matter<'_> {
                     colours: &solid.model.colours,
                     triangles: &solid.model.triangles,
                 };
-                Skin::embed(&shape, particles, kernel, &mut |_, _| {})
+                Skin::embed(&shape, particles, kernel, progress)
             }
         }
     }

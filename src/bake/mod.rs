@@ -178,20 +178,28 @@ pub enum BakeStage {
     Sampling,
     /// Finding neighbours.
     Neighbours,
-    /// Embedding fibres and skin.
+    /// Embedding fibres.
     Embedding,
+    /// Embedding the skin.
+    Skin {
+        /// Points that are done.
+        done: usize,
+        /// Points in all.
+        of: usize,
+    },
     /// Measuring the stable time step.
     StableStep,
 }
 
 impl fmt::Display for BakeStage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Sampling => "filling the shape with particles",
-            Self::Neighbours => "finding neighbours",
-            Self::Embedding => "embedding fibres and skin",
-            Self::StableStep => "measuring the stable time step",
-        })
+        match self {
+            Self::Sampling => f.write_str("filling the shape with particles"),
+            Self::Neighbours => f.write_str("finding neighbours"),
+            Self::Embedding => f.write_str("embedding the fibres"),
+            Self::Skin { done, of } => write!(f, "embedding the skin, {done} of {of} points"),
+            Self::StableStep => f.write_str("measuring the stable time step"),
+        }
     }
 }
 

@@ -34,6 +34,9 @@ pub enum CliError {
         /// Length of a frame [s].
         frame: f64,
     },
+    /// Options of pictures where none are made.
+    #[error("--view, --size, --x-ray, --particles and --theme say how pictures look; give --png DIR to make some")]
+    NoPicturesAsked,
     /// Two files that would be one.
     #[error("{}: {first} and {second} are the same file; give {second} another name", printable(path))]
     SameFile {

@@ -8,7 +8,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// What pictures show, and how.
-#[derive(Clone, Copy, Debug, Default, Args)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Args)]
 #[command(next_help_heading = "Pictures")]
 pub struct Look {
     /// From where

@@ -58,6 +58,9 @@ pub fn run(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> 
 }
 
 fn simulate(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
+    if args.png.is_none() && args.look != Look::default() {
+        return Err(CliError::NoPicturesAsked);
+    }
     let source = source_name(args.scene.as_deref());
     let scene = load(args.scene.as_ref(), &args.sets, args.span.fps)?;
     let baked = put_together(&scene, args.scene.as_deref(), console)?;

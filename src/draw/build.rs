@@ -1,15 +1,14 @@
 //! A scene and a snapshot of its world become a draw list.
 
-use super::list::{DrawList, Line, Mesh, PickId, PickKind, Points, Size, Surface, Vertex};
-use super::normals::smooth_normals;
+use super::list::{DrawList, Faces, Hung, Line, Mesh, PickId, PickKind, Points, Size, Surface};
 use super::options::{Display, SkinStyle};
-use super::rounding::rounded;
 use super::surroundings;
 use super::tube::tube;
 use super::{Bounds, Theme};
 use crate::scene::Scene;
 use crate::solver::snapshot::{BodySnapshot, LayersSnapshot, Snapshot, SpringKind};
 use glam::{DVec3, Vec3};
+use std::sync::Arc;
 
 /// Radii in particle spacings D: fibres thin enough to stay apart when drawn a spacing from each other, structure
 /// particles as beads on them, material particles with room to look in between.
@@ -72,24 +71,14 @@ fn spacing(scene: &Scene, index: usize, body: &BodySnapshot) -> f64 {
 }
 
 /// The skin of a body as a mesh that nothing picks; none where it has none or is no longer made of numbers.
-///
-/// This is the seam for moving vertices on the graphics processor: embedding weights and particles would go into the
-/// list in place of vertices, and everything below it would stay as it is.
 fn skin_mesh(list: &DrawList, body: &BodySnapshot, surface: Surface) -> Option<Mesh> {
-    if body.triangles.is_empty() || body.skin.iter().any(|point| !point.is_finite()) {
+    let rig = body.rig()?;
+    if rig.triangles.is_empty() || body.particles.iter().any(|point| !point.is_finite()) {
         return None;
     }
-    let positions: Vec<Vec3> = body.skin.iter().map(|&point| list.local(point)).collect();
-    let (positions, triangles) = rounded(positions, &body.triangles);
-    let normals = smooth_normals(&positions, &triangles);
-    Some(Mesh {
-        vertices: positions.into_iter().zip(normals).map(|(position, normal)| Vertex { position, normal }).collect(),
-        indices: triangles.into_iter().flatten().collect(),
-        colour: list.theme.skin,
-        surface,
-        casts_shadow: true,
-        pick: 0,
-    })
+    let particles = body.particles.iter().map(|&point| list.local(point)).collect();
+    let faces = Faces::Hung(Hung { rig: Arc::clone(rig), particles });
+    Some(Mesh { faces, colour: list.theme.skin, surface, casts_shadow: true, pick: 0 })
 }
 
 /// Draws one body.
@@ -155,7 +144,8 @@ impl Pen<'_> {
                 let pick = list.register(PickId { body: self.index, kind: PickKind::Fibre, index }, 1);
                 let colour = self.theme.fibre(hue);
                 let casts_shadow = !has_skin;
-                list.meshes.push(Mesh { vertices, indices, colour, surface: Surface::Solid, casts_shadow, pick });
+                let faces = Faces::Free(vertices, indices);
+                list.meshes.push(Mesh { faces, colour, surface: Surface::Solid, casts_shadow, pick });
             }
         }
         if selected {
@@ -182,19 +172,22 @@ impl Pen<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solver::snapshot::FibreSnapshot;
+    use crate::solver::snapshot::{FibreSnapshot, SkinEmbedding};
 
-    /// A tetrahedron with two fibres and three particles, far from home.
+    const TRIANGLES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+
+    /// A tetrahedron with two fibres and four particles, far from home.
     fn snapshot() -> Snapshot {
         let at = DVec3::new(1e4, 0.5, -1e4);
         let body = BodySnapshot {
             name: "body".to_owned(),
-            particles: vec![at, at + DVec3::X, at + DVec3::Y],
+            particles: vec![at, at + DVec3::X, at + DVec3::Y, at + DVec3::Z],
             fibres: ["a", "b"]
                 .map(|id| FibreSnapshot { id: id.to_owned(), vertices: vec![at, at + 0.5 * DVec3::Y, at + DVec3::Y] })
                 .to_vec(),
             skin: vec![at, at + DVec3::X, at + DVec3::Y, at + DVec3::Z],
-            triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].into(),
+            triangles: TRIANGLES.to_vec().into(),
+            embedding: SkinEmbedding::of_particles(4, &TRIANGLES),
             ..BodySnapshot::default()
         };
         Snapshot { time: 0.0, bodies: vec![body], panels: Vec::new() }
@@ -238,6 +231,7 @@ mod tests {
     fn a_body_without_a_skin_shows_its_particles_and_a_broken_one_does_no_harm() {
         let mut bare = snapshot();
         bare.bodies[0].triangles = [].into();
+        bare.bodies[0].embedding = SkinEmbedding::default();
         assert_eq!(drawn(&bare, &Display::default()).points.len(), 1);
         let mut broken = snapshot();
         broken.bodies[0].skin.fill(DVec3::NAN);
@@ -245,14 +239,17 @@ mod tests {
         broken.bodies[0].fibres[0].vertices.fill(DVec3::INFINITY);
         let list = drawn(&broken, &Display::x_ray());
         assert_eq!(list.bounds, None);
-        assert!(list.meshes.iter().flat_map(|mesh| &mesh.vertices).all(|vertex| vertex.position.is_finite()));
+        assert!(
+            list.meshes.iter().all(|mesh| mesh.faces.worked_out().0.iter().all(|vertex| vertex.position.is_finite()))
+        );
         assert_eq!(drawn(&Snapshot::default(), &Display::default()).bounds, None);
     }
 
     #[test]
     fn positions_are_as_fine_far_away_as_at_home() {
         let list = drawn(&snapshot(), &Display::default());
-        let reach = list.meshes[0].vertices.iter().map(|vertex| vertex.position.length()).fold(0.0, f32::max);
+        let reach =
+            list.meshes[0].faces.worked_out().0.iter().map(|vertex| vertex.position.length()).fold(0.0, f32::max);
         assert!(reach < 1.0, "{reach}");
         assert!(list.bounds.unwrap().center().distance(list.origin) < 1e-6);
     }
@@ -262,8 +259,9 @@ mod tests {
         let width = |selected: Vec<[u32; 2]>| {
             let list = drawn(&snapshot(), &Display { selected, ..Display::x_ray() });
             let fibre = list.meshes.iter().find(|mesh| picked(&list, mesh.pick) == Some(PickKind::Fibre)).unwrap();
-            let low = fibre.vertices.iter().map(|vertex| vertex.position.x).fold(f32::INFINITY, f32::min);
-            let high = fibre.vertices.iter().map(|vertex| vertex.position.x).fold(f32::NEG_INFINITY, f32::max);
+            let (vertices, _) = fibre.faces.worked_out();
+            let low = vertices.iter().map(|vertex| vertex.position.x).fold(f32::INFINITY, f32::min);
+            let high = vertices.iter().map(|vertex| vertex.position.x).fold(f32::NEG_INFINITY, f32::max);
             (high - low, list.lines.len())
         };
         let (plain, chosen) = (width(vec![]), width(vec![[0, 0]]));

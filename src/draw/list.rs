@@ -1,7 +1,10 @@
 //! What is to be seen, as plain data.
 
 use super::{Bounds, Colour, Theme};
+use crate::geometry::rig::Rig;
 use glam::{DVec3, Vec3};
+use std::borrow::Cow;
+use std::sync::Arc;
 
 /// Everything that is to be seen of a world at one time, but for the point of view.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,13 +38,53 @@ pub struct Vertex {
     pub normal: Vec3,
 }
 
-/// A triangle mesh in one colour; faces turn counter-clockwise seen from outside.
+/// A surface that hangs on particles: whoever draws it moves its vertices.
+#[derive(Clone, Debug)]
+pub struct Hung {
+    /// How it hangs on them.
+    pub rig: Arc<Rig>,
+    /// Where they are [m], about the list's origin.
+    pub particles: Vec<Vec3>,
+}
+
+impl PartialEq for Hung {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.rig, &other.rig) && self.particles == other.particles
+    }
+}
+
+/// What a mesh is made of; faces turn counter-clockwise seen from outside.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Faces {
+    /// Vertices, and three indices a triangle.
+    Free(Vec<Vertex>, Vec<u32>),
+    /// The skin of a body.
+    Hung(Hung),
+}
+
+impl Faces {
+    /// Vertices and indices, worked out here where they hang on particles.
+    pub fn worked_out(&self) -> (Cow<'_, [Vertex]>, Cow<'_, [u32]>) {
+        match self {
+            Self::Free(vertices, indices) => (Cow::Borrowed(vertices), Cow::Borrowed(indices)),
+            Self::Hung(Hung { rig, particles }) => {
+                let positions = rig.vertices.apply(&rig.points.apply(particles));
+                let normals = rig.normals(&positions);
+                let vertex = |(position, normal)| Vertex { position, normal };
+                (
+                    Cow::Owned(positions.into_iter().zip(normals).map(vertex).collect()),
+                    Cow::Owned(rig.triangles.iter().flatten().copied().collect()),
+                )
+            }
+        }
+    }
+}
+
+/// A triangle mesh in one colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    /// Vertices.
-    pub vertices: Vec<Vertex>,
-    /// Three a triangle.
-    pub indices: Vec<u32>,
+    /// What it is made of.
+    pub faces: Faces,
     /// Colour.
     pub colour: Colour,
     /// What light does to it.
@@ -120,8 +163,10 @@ pub struct Ground {
     pub height: f64,
     /// Whether it is a floor, which hides what is below and takes shadows, or a mere grid in the air.
     pub solid: bool,
-    /// Whether the grid is drawn.
+    /// Whether the grid is drawn, with its scale.
     pub grid: bool,
+    /// Whether the directions of the axes stand in a corner.
+    pub axes: bool,
 }
 
 /// Something that can be pointed at.
@@ -213,7 +258,7 @@ mod tests {
 
     #[test]
     fn pick_numbers_stand_for_what_was_registered() {
-        let ground = Ground { height: 0.0, solid: true, grid: true };
+        let ground = Ground { height: 0.0, solid: true, grid: true, axes: true };
         let mut list = DrawList::new(DVec3::ZERO, ground, Theme::light());
         let skin = PickId { body: 2, kind: PickKind::Skin, index: 0 };
         let particle = PickId { body: 2, kind: PickKind::Particle, index: 0 };

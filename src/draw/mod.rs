@@ -8,9 +8,7 @@ mod bounds;
 mod build;
 mod colour;
 mod list;
-mod normals;
 mod options;
-mod rounding;
 mod surroundings;
 mod theme;
 mod tube;
@@ -18,6 +16,8 @@ mod tube;
 pub use bounds::Bounds;
 pub use build::{Subject, draw};
 pub use colour::Colour;
-pub use list::{DrawList, Ground, Label, Line, Mesh, PickId, PickKind, Picks, Points, Size, Surface, Vertex};
+pub use list::{
+    DrawList, Faces, Ground, Hung, Label, Line, Mesh, PickId, PickKind, Picks, Points, Size, Surface, Vertex,
+};
 pub use options::{Display, SkinStyle};
 pub use theme::Theme;

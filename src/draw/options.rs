@@ -16,8 +16,10 @@ pub struct Display {
     pub springs: bool,
     /// Raw strokes, at rest, in the planes in which they were drawn.
     pub strokes: bool,
-    /// Grid, with the axes on it.
+    /// Grid, with the axes on it and its scale beside it.
     pub grid: bool,
+    /// Directions of the axes in a corner.
+    pub axes: bool,
     /// Walls and ceiling of the room, faintly.
     pub room: bool,
     /// Fibres that are selected: (body, fibre), in the order of the snapshot.
@@ -46,6 +48,7 @@ impl Default for Display {
             springs: false,
             strokes: false,
             grid: true,
+            axes: true,
             room: true,
             selected: Vec::new(),
         }

@@ -1,6 +1,6 @@
 //! What is around the bodies: ground, room, panels, and the strokes in the planes in which they were drawn.
 
-use super::list::{DrawList, Ground, Line, Mesh, PickId, PickKind, Points, Size, Surface, Vertex};
+use super::list::{DrawList, Faces, Ground, Line, Mesh, PickId, PickKind, Points, Size, Surface, Vertex};
 use super::options::Display;
 use super::{Bounds, Colour};
 use crate::geometry::lattice::Cuboid;
@@ -43,7 +43,12 @@ pub(super) fn bounds(scene: &Scene, snapshot: &Snapshot) -> Option<Bounds> {
 
 /// The room's floor, or the grid at the world's origin where there is none: it stands still whatever moves.
 pub(super) fn ground(scene: &Scene, display: &Display) -> Ground {
-    Ground { height: scene.room.floor.unwrap_or(0.0), solid: scene.room.floor.is_some(), grid: display.grid }
+    Ground {
+        height: scene.room.floor.unwrap_or(0.0),
+        solid: scene.room.floor.is_some(),
+        grid: display.grid,
+        axes: display.axes,
+    }
 }
 
 /// Panels, with their undersides where the snapshot has them.
@@ -56,7 +61,8 @@ pub(super) fn panels(scene: &Scene, snapshot: &Snapshot, list: &mut DrawList) {
         let pick = list.register(PickId { body: 0, kind: PickKind::Panel, index: index as u32 }, 1);
         let (vertices, indices) = faceted(list, &box_surface(&shape, width.max(depth)));
         let colour = list.theme.panel;
-        list.meshes.push(Mesh { vertices, indices, colour, surface: Surface::Solid, casts_shadow: true, pick });
+        let faces = Faces::Free(vertices, indices);
+        list.meshes.push(Mesh { faces, colour, surface: Surface::Solid, casts_shadow: true, pick });
     }
 }
 
@@ -105,10 +111,10 @@ pub(super) fn walls(scene: &Scene, list: &mut DrawList) {
         let corners = [corner(false, false), corner(true, false), corner(true, true), corner(false, true)];
         let vertices = corners.map(|position| Vertex { position, normal }).to_vec();
         let colour = list.theme.wall;
-        let (surface, indices) = (Surface::Faint, vec![0, 1, 2, 0, 2, 3]);
+        let faces = Faces::Free(vertices, vec![0, 1, 2, 0, 2, 3]);
         let mut points = corners.to_vec();
         points.push(corners[0]);
-        list.meshes.push(Mesh { vertices, indices, colour, surface, casts_shadow: false, pick: 0 });
+        list.meshes.push(Mesh { faces, colour, surface: Surface::Faint, casts_shadow: false, pick: 0 });
         let outline = colour.with_alpha(4.0 * colour.alpha);
         list.lines.push(Line { points, width: 1.0, colour: outline, through: 0.0, pick: 0 });
     }

@@ -2,7 +2,8 @@
 
 use super::renderer::Renderer;
 use super::shadow::Caster;
-use crate::draw::{Colour, DrawList, Ground, Line, Points, Size, Surface, Theme};
+use super::skinning::Hide;
+use crate::draw::{Colour, DrawList, Faces, Ground, Line, Points, Size, Surface, Theme};
 use glam::{DVec3, Vec3};
 use std::ops::Range;
 
@@ -27,6 +28,8 @@ pub struct Content {
     pub(super) points: Store,
     pub(super) segments: Store,
     pub(super) meshes: Vec<MeshDraw>,
+    /// Skins that the graphics processor moves.
+    pub(super) hides: Vec<Hide>,
     pub(super) casters: Option<[Caster; 2]>,
     /// Light that is hidden on the floor.
     pub(super) shade: wgpu::TextureView,
@@ -34,6 +37,8 @@ pub struct Content {
 
 /// A mesh in the buffers.
 pub(super) struct MeshDraw {
+    /// Which of [`Content::hides`] it is; none for a mesh in the common buffers.
+    pub(super) hide: Option<usize>,
     pub(super) indices: Range<u32>,
     pub(super) surface: Surface,
     pub(super) casts_shadow: bool,
@@ -44,7 +49,7 @@ impl Content {
     /// Nothing yet, for a renderer.
     pub fn new(renderer: &Renderer) -> Self {
         let device = renderer.device();
-        let ground = Ground { height: 0.0, solid: false, grid: true };
+        let ground = Ground { height: 0.0, solid: false, grid: true, axes: true };
         let shade = renderer.shade_target();
         Self {
             list: DrawList::new(DVec3::ZERO, ground, Theme::light()),
@@ -54,6 +59,7 @@ impl Content {
             points: Store::new(device, "points", wgpu::BufferUsages::VERTEX),
             segments: Store::new(device, "segments", wgpu::BufferUsages::VERTEX),
             meshes: Vec::new(),
+            hides: Vec::new(),
             casters: None,
             shade,
         }
@@ -65,18 +71,28 @@ impl Content {
         self.casters = Caster::of(&list);
         let (mut vertices, mut indices, mut items) = (Vec::new(), Vec::new(), Vec::new());
         self.meshes.clear();
+        // A skin that was there before stays in the graphics processor's memory.
+        let mut known = std::mem::take(&mut self.hides);
         for mesh in &list.meshes {
-            let first_vertex = (vertices.len() / VERTEX_WORDS) as u32;
-            let first_index = indices.len() as u32;
-            for vertex in &mesh.vertices {
-                push(&mut vertices, vertex.position.to_array());
-                push(&mut vertices, vertex.normal.to_array());
-            }
-            indices.extend(mesh.indices.iter().map(|index| first_vertex + index));
+            let hide = match (&mesh.faces, renderer.skinning()) {
+                (Faces::Hung(hung), Some(skinning)) => {
+                    self.hides.push(match known.iter().position(|hide| hide.is_of(hung)) {
+                        Some(place) => known.swap_remove(place),
+                        None => Hide::new(device, skinning, hung),
+                    });
+                    Some(self.hides.len() - 1)
+                }
+                _ => None,
+            };
+            let range = match hide {
+                Some(hide) => 0..self.hides[hide].index_count(),
+                None => push_mesh(&mut vertices, &mut indices, &mesh.faces),
+            };
             push(&mut items, mesh.colour.linear());
             items.push(mesh.pick);
             self.meshes.push(MeshDraw {
-                indices: first_index..indices.len() as u32,
+                hide,
+                indices: range,
                 surface: mesh.surface,
                 casts_shadow: mesh.casts_shadow,
                 picked: mesh.pick != 0,
@@ -95,8 +111,34 @@ impl Content {
         self.items.write(device, queue, &items, ITEM_WORDS);
         self.points.write(device, queue, &points, POINT_WORDS);
         self.segments.write(device, queue, &segments, SEGMENT_WORDS);
+        self.hang(renderer, &list);
         self.list = list;
         renderer.draw_shadow(self);
+    }
+
+    /// Moves the vertices of skins to where their particles are.
+    fn hang(&self, renderer: &Renderer, list: &DrawList) {
+        let Some(skinning) = renderer.skinning().filter(|_| !self.hides.is_empty()) else { return };
+        let descriptor = wgpu::CommandEncoderDescriptor { label: Some("skins") };
+        let mut encoder = renderer.device().create_command_encoder(&descriptor);
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+        let hung = list.meshes.iter().filter_map(|mesh| match &mesh.faces {
+            Faces::Hung(hung) => Some(hung),
+            Faces::Free(..) => None,
+        });
+        for (hide, hung) in self.hides.iter().zip(hung) {
+            hide.hang(renderer.queue(), &mut pass, skinning, hung);
+        }
+        drop(pass);
+        renderer.queue().submit([encoder.finish()]);
+    }
+
+    /// Buffers of a mesh's vertices and indices.
+    pub(super) fn buffers(&self, mesh: &MeshDraw) -> [&wgpu::Buffer; 2] {
+        match mesh.hide.and_then(|hide| self.hides.get(hide)) {
+            Some(hide) => [&hide.vertices, &hide.indices],
+            None => [&self.vertices.buffer, &self.indices.buffer],
+        }
     }
 
     /// The list as it was sent.
@@ -107,6 +149,18 @@ impl Content {
 
 fn push<const N: usize>(words: &mut Vec<u32>, values: [f32; N]) {
     words.extend(values.map(f32::to_bits));
+}
+
+/// Puts a mesh into the common buffers; gives the range of its indices.
+fn push_mesh(vertices: &mut Vec<u32>, indices: &mut Vec<u32>, faces: &Faces) -> Range<u32> {
+    let (first_vertex, first_index) = ((vertices.len() / VERTEX_WORDS) as u32, indices.len() as u32);
+    let (new_vertices, new_indices) = faces.worked_out();
+    for vertex in &*new_vertices {
+        push(vertices, vertex.position.to_array());
+        push(vertices, vertex.normal.to_array());
+    }
+    indices.extend(new_indices.iter().map(|index| first_vertex + index));
+    first_index..indices.len() as u32
 }
 
 fn push_points(words: &mut Vec<u32>, set: &Points) {

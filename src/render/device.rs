@@ -39,9 +39,12 @@ async fn open(backends: wgpu::Backends) -> Result<(wgpu::Adapter, wgpu::Device, 
         ..wgpu::RequestAdapterOptions::default()
     };
     let adapter = wgpu::Instance::new(descriptor).request_adapter(&options).await.map_err(|error| error.to_string())?;
+    // Skins are moved there where it can compute; nothing else asks for more than the least that there is.
+    let computes = adapter.get_downlevel_capabilities().flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS);
+    let least = if computes { wgpu::Limits::downlevel_defaults() } else { wgpu::Limits::downlevel_webgl2_defaults() };
     let descriptor = wgpu::DeviceDescriptor {
         label: Some("sinew"),
-        required_limits: wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits()),
+        required_limits: least.using_resolution(adapter.limits()),
         ..wgpu::DeviceDescriptor::default()
     };
     let (device, queue) = adapter.request_device(&descriptor).await.map_err(|error| error.to_string())?;

@@ -28,8 +28,11 @@ pub(super) fn write(
 ) {
     let mut pen = Pen { words: Vec::new(), scale: pixels_per_point };
     let extent = Vec2::from_array(size.map(|extent| extent as f32));
-    if list.ground.grid && extent.min_element() >= SMALLEST * pixels_per_point {
+    let roomy = extent.min_element() >= SMALLEST * pixels_per_point;
+    if list.ground.axes && roomy {
         pen.axes(list, camera, extent);
+    }
+    if list.ground.grid && roomy {
         pen.bar(list, camera, extent);
     }
     for label in &list.labels {

@@ -26,6 +26,7 @@ mod renderer;
 mod scale;
 mod shaders;
 mod shadow;
+mod skinning;
 mod uniforms;
 mod viewport;
 

@@ -5,6 +5,7 @@ use super::content::{Content, ITEM_WORDS};
 use super::marks;
 use super::pipelines::{DEPTH_FORMAT, Layouts, Pipelines, SHADE_FORMAT, row_offset};
 use super::shadow::Caster;
+use super::skinning::Skinning;
 use super::uniforms::Frame;
 use super::viewport::{Viewport, depth_attachment, target};
 use crate::draw::Surface;
@@ -20,6 +21,8 @@ pub struct Options {
     pub samples: u32,
     /// Extent of a shadow [texels].
     pub shadow_texels: u32,
+    /// Whether the graphics processor moves skins, where the device has storage buffers.
+    pub gpu_skinning: bool,
 }
 
 impl Options {
@@ -27,14 +30,14 @@ impl Options {
     pub fn for_adapter(adapter: &wgpu::Adapter) -> Self {
         let software = adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         let best = Self::best_for_adapter(adapter);
-        if software { Self { samples: 1, shadow_texels: 128 } } else { best }
+        if software { Self { samples: 1, shadow_texels: 128, ..best } } else { best }
     }
 
     /// The best pictures that an adapter can draw at all, for files.
     pub fn best_for_adapter(adapter: &wgpu::Adapter) -> Self {
         let can = |format| adapter.get_texture_format_features(format).flags.sample_count_supported(4);
         let samples = if can(COLOUR_FORMAT) && can(DEPTH_FORMAT) { 4 } else { 1 };
-        Self { samples, shadow_texels: 256 }
+        Self { samples, shadow_texels: 256, gpu_skinning: true }
     }
 }
 
@@ -48,6 +51,7 @@ pub struct Renderer {
     sampler: wgpu::Sampler,
     heights: [wgpu::TextureView; 2],
     casters: [wgpu::Buffer; 2],
+    skinning: Option<Skinning>,
 }
 
 impl Renderer {
@@ -68,7 +72,8 @@ impl Renderer {
         });
         let casters = ["caster along the light", "caster from above"].map(|label| uniform::<Caster>(device, label));
         let (device, queue) = (device.clone(), queue.clone());
-        Self { device, queue, options, layouts, pipelines, sampler, heights, casters }
+        let skinning = Skinning::new(&device).filter(|_| options.gpu_skinning);
+        Self { device, queue, options, layouts, pipelines, sampler, heights, casters, skinning }
     }
 
     /// The device on which it draws.
@@ -79,6 +84,16 @@ impl Renderer {
     /// Where it hands its work in.
     pub fn queue(&self) -> &wgpu::Queue {
         &self.queue
+    }
+
+    /// What moves skins on the graphics processor; none where the processor does.
+    pub(super) fn skinning(&self) -> Option<&Skinning> {
+        self.skinning.as_ref()
+    }
+
+    /// Whether the graphics processor moves the skins.
+    pub fn skins_on_gpu(&self) -> bool {
+        self.skinning.is_some()
     }
 
     /// Samples a pixel.
@@ -153,9 +168,10 @@ impl Renderer {
             });
             pass.set_bind_group(0, &group, &[]);
             pass.set_pipeline(&self.pipelines.cast_mesh);
-            pass.set_vertex_buffer(0, content.vertices.buffer.slice(..));
-            pass.set_index_buffer(content.indices.buffer.slice(..), wgpu::IndexFormat::Uint32);
             for mesh in content.meshes.iter().filter(|mesh| mesh.casts_shadow) {
+                let [vertices, indices] = content.buffers(mesh);
+                pass.set_vertex_buffer(0, vertices.slice(..));
+                pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
                 pass.draw_indexed(mesh.indices.clone(), 0, 0..1);
             }
             instances(&mut pass, &self.pipelines.cast_points, &content.points);
@@ -234,9 +250,10 @@ pub(super) fn draw_meshes(
         return;
     }
     pass.set_pipeline(pipeline);
-    pass.set_vertex_buffer(0, content.vertices.buffer.slice(..));
-    pass.set_index_buffer(content.indices.buffer.slice(..), wgpu::IndexFormat::Uint32);
     for (item, mesh) in (0..).zip(&content.meshes).filter(|(_, mesh)| which(mesh)) {
+        let [vertices, indices] = content.buffers(mesh);
+        pass.set_vertex_buffer(0, vertices.slice(..));
+        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.set_vertex_buffer(1, content.items.buffer.slice(row_offset(item, ITEM_WORDS)..));
         pass.draw_indexed(mesh.indices.clone(), 0, 0..1);
     }

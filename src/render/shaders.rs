@@ -13,6 +13,7 @@ pub(super) const MESH: &str = with_common!("shaders/mesh.wgsl");
 pub(super) const POINT: &str = with_common!("shaders/point.wgsl");
 pub(super) const SHADOW: &str = include_str!("shaders/shadow.wgsl");
 pub(super) const SHADE: &str = include_str!("shaders/shade.wgsl");
+pub(super) const SKIN: &str = include_str!("shaders/skin.wgsl");
 
 #[cfg(test)]
 mod tests {
@@ -23,7 +24,7 @@ mod tests {
 
     #[test]
     fn every_shader_is_valid_and_its_frame_is_as_large_as_the_one_that_is_sent() {
-        let sources = [BACKGROUND, GROUND, LINE, MESH, POINT, SHADOW, SHADE];
+        let sources = [BACKGROUND, GROUND, LINE, MESH, POINT, SHADOW, SHADE, SKIN];
         for source in sources {
             let module =
                 naga::front::wgsl::parse_str(source).unwrap_or_else(|error| panic!("{}", error.emit_to_string(source)));

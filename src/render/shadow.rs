@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn only_a_floor_takes_a_shadow_and_the_whole_of_it() {
-        let ground = Ground { height: 1.0, solid: true, grid: true };
+        let ground = Ground { height: 1.0, solid: true, grid: true, axes: true };
         let mut list = DrawList::new(DVec3::new(5.0, 1.0, 0.0), ground, Theme::light());
         assert_eq!(Caster::of(&list), None);
         let (min, max) = (DVec3::new(4.9, 1.2, -0.1), DVec3::new(5.1, 1.4, 0.1));

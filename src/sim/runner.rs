@@ -57,6 +57,11 @@ impl Runner {
         Snapshot::of(&self.world)
     }
 
+    /// As [`Runner::snapshot`], without the positions of skins.
+    pub fn particles(&self) -> Snapshot {
+        Snapshot::of_particles(&self.world)
+    }
+
     /// Whether everything has come to rest and stayed so.
     pub fn at_rest(&self) -> bool {
         self.restful_frames >= REST_FRAMES

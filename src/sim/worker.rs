@@ -307,7 +307,7 @@ impl Loop {
         let mut snapshot = Snapshot::default();
         if let Some(runner) = &self.runner {
             let world = runner.world();
-            snapshot = runner.snapshot();
+            snapshot = runner.particles();
             self.status.time = world.time();
             let plan = world.plan();
             let stepping = |(body, count): (&Body, &u32)| Stepping {

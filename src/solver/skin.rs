@@ -6,9 +6,12 @@
 
 use super::embedding::{Embedder, Stencil};
 use crate::geometry::kernel::Kernel;
+use crate::geometry::linear_map::LinearMap;
+use crate::geometry::rig::{Rig, Shading};
+use crate::geometry::subdivide::rounded;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A render surface that rides on the particles.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +26,8 @@ pub struct Skin {
     shading: Shading,
     triangles: Arc<[[u32; 3]]>,
     colours: Arc<[[f32; 4]]>,
+    /// Made when the first picture asks for it.
+    rig: OnceLock<Arc<Rig>>,
 }
 
 /// What a skin is made from.
@@ -66,7 +71,7 @@ impl Skin {
         let mut skin = Self {
             starts: vec![0],
             point_of: shape.point_of.to_vec(),
-            shading: Shading::new(shape),
+            shading: Shading::new(shape.point_of, shape.normals, shape.triangles),
             triangles: shape.triangles.into(),
             colours: shape.colours.into(),
             ..Self::default()
@@ -109,14 +114,14 @@ impl Skin {
     /// A surface whose vertices are the first `count` particles themselves.
     pub fn of_particles(count: u32, triangles: &[[u32; 3]]) -> Self {
         let point_of: Vec<u32> = (0..count).collect();
-        let shape = SkinShape { points: &[], point_of: &point_of, normals: &[], colours: &[], triangles };
         Self {
             starts: (0..=count).collect(),
             particles: point_of.clone(),
             weights: vec![1.0; count as usize],
-            shading: Shading::new(&shape),
+            shading: Shading::new(&point_of, &[], triangles),
             triangles: triangles.into(),
             colours: Arc::default(),
+            rig: OnceLock::new(),
             point_of,
         }
     }
@@ -149,6 +154,28 @@ impl Skin {
         &self.colours
     }
 
+    /// The surface that pictures show: rounder than the skin where that is coarse.
+    pub fn rig(&self) -> &Arc<Rig> {
+        self.rig.get_or_init(|| {
+            let points = LinearMap {
+                starts: self.starts.clone(),
+                sources: self.particles.clone(),
+                weights: self.weights.iter().map(|&weight| weight as f32).collect(),
+            };
+            // Rounding knows no seams: it goes by points.
+            let by_points: Vec<[u32; 3]> =
+                self.triangles.iter().map(|triangle| triangle.map(|vertex| self.point_of[vertex as usize])).collect();
+            Arc::new(match rounded(points.len(), &by_points) {
+                Some((vertices, triangles)) => {
+                    let each: Vec<u32> = (0..vertices.len() as u32).collect();
+                    let shading = Shading::new(&each, &[], &triangles);
+                    Rig::new(points, vertices, triangles, &shading)
+                }
+                None => Rig::new(points, LinearMap::gather(&self.point_of), self.triangles.to_vec(), &self.shading),
+            })
+        })
+    }
+
     /// Positions of the vertices over particles at `positions` [m].
     pub fn positions(&self, positions: &[DVec3]) -> Vec<DVec3> {
         let points: Vec<DVec3> = (0..self.starts.len() - 1)
@@ -169,80 +196,5 @@ impl Skin {
     /// Unit normals of vertices at `vertices` [m]: means of the faces around them, by area.
     pub fn normals(&self, vertices: &[DVec3]) -> Vec<Vec3> {
         self.shading.normals(&self.triangles, vertices)
-    }
-}
-
-/// Vertices that share a normal: those at one point on the same side of every edge.
-#[derive(Clone, Debug, Default)]
-struct Shading {
-    group_of: Vec<u32>,
-    /// Faces around group `g`: `starts[g]..starts[g + 1]`.
-    starts: Vec<u32>,
-    faces: Vec<u32>,
-}
-
-/// Normals of a file that agree to this share of a unit belong together.
-const SAME_NORMAL: f32 = 1e-3;
-
-impl Shading {
-    fn new(shape: &SkinShape<'_>) -> Self {
-        let normal_of = |vertex: u32| {
-            let normal = shape.normals.get(vertex as usize).copied().unwrap_or_default();
-            (normal / SAME_NORMAL).round().as_ivec3().to_array()
-        };
-        let mut keys: Vec<(u32, [i32; 3], u32)> = shape
-            .point_of
-            .iter()
-            .enumerate()
-            .map(|(vertex, &point)| (point, normal_of(vertex as u32), vertex as u32))
-            .collect();
-        keys.par_sort_unstable();
-        let mut group_of = vec![0; keys.len()];
-        let mut count = 0;
-        for (k, (point, normal, vertex)) in keys.iter().enumerate() {
-            if k > 0 && (keys[k - 1].0, keys[k - 1].1) != (*point, *normal) {
-                count += 1;
-            }
-            group_of[*vertex as usize] = count;
-        }
-        let groups = if keys.is_empty() { 0 } else { count as usize + 1 };
-        let mut around: Vec<(u32, u32)> = shape
-            .triangles
-            .iter()
-            .enumerate()
-            .flat_map(|(face, t)| t.map(|vertex| (group_of[vertex as usize], face as u32)))
-            .collect();
-        around.par_sort_unstable();
-        around.dedup();
-        let mut starts = vec![0; groups + 1];
-        for (group, _) in &around {
-            starts[*group as usize + 1] += 1;
-        }
-        for group in 0..groups {
-            starts[group + 1] += starts[group];
-        }
-        Self { group_of, starts, faces: around.into_iter().map(|(_, face)| face).collect() }
-    }
-
-    fn normals(&self, triangles: &[[u32; 3]], vertices: &[DVec3]) -> Vec<Vec3> {
-        let areas: Vec<Vec3> = triangles
-            .par_iter()
-            .with_min_len(1024)
-            .map(|t| {
-                let [a, b, c] = t.map(|i| vertices[i as usize]);
-                (b - a).cross(c - a).normalize_or_zero().as_vec3() * ((b - a).cross(c - a).length() as f32)
-            })
-            .collect();
-        let normals: Vec<Vec3> = (0..self.starts.len().saturating_sub(1))
-            .into_par_iter()
-            .with_min_len(1024)
-            .map(|group| {
-                let faces = &self.faces[self.starts[group] as usize..self.starts[group + 1] as usize];
-                // Areas of small faces vanish in single precision when squared.
-                let sum: Vec3 = faces.iter().map(|&face| areas[face as usize]).sum();
-                sum.as_dvec3().normalize_or(DVec3::Y).as_vec3()
-            })
-            .collect();
-        self.group_of.iter().map(|&group| normals[group as usize]).collect()
     }
 }

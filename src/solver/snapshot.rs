@@ -3,8 +3,11 @@
 use super::body::Body;
 pub use super::forces::springs::SpringKind;
 use super::layers::Layers;
+use super::skin::Skin;
 use super::world::World;
+use crate::geometry::rig::Rig;
 use glam::{DVec3, Vec3};
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -28,16 +31,57 @@ pub struct BodySnapshot {
     pub particles: Vec<DVec3>,
     /// Structure particles of each fibre [m].
     pub fibres: Vec<FibreSnapshot>,
-    /// Vertices of the skin [m].
+    /// Vertices of the skin [m]; empty where only the particles were taken, see [`BodySnapshot::surface`].
     pub skin: Vec<DVec3>,
-    /// Unit normals of the skin's vertices.
+    /// Unit normals of the skin's vertices; empty where only the particles were taken.
     pub normals: Vec<Vec3>,
     /// Vertex indices of the skin's faces.
     pub triangles: Arc<[[u32; 3]]>,
     /// Linear red, green, blue and opacity of the skin's vertices; empty where the model had none.
     pub colours: Arc<[[f32; 4]]>,
+    /// How the skin hangs on the particles.
+    pub embedding: SkinEmbedding,
     /// Layers and springs of a two-layer body; none for others.
     pub layers: Option<LayersSnapshot>,
+}
+
+/// How the skin of a body hangs on its particles.
+#[derive(Clone, Debug, Default)]
+pub struct SkinEmbedding(Option<Arc<Skin>>);
+
+impl SkinEmbedding {
+    /// A skin whose vertices are the first `count` particles.
+    pub fn of_particles(count: u32, triangles: &[[u32; 3]]) -> Self {
+        Self(Some(Arc::new(Skin::of_particles(count, triangles))))
+    }
+}
+
+impl From<Arc<Skin>> for SkinEmbedding {
+    fn from(skin: Arc<Skin>) -> Self {
+        Self(Some(skin))
+    }
+}
+
+impl PartialEq for SkinEmbedding {
+    /// It follows from the scene as the faces do, which are compared.
+    fn eq(&self, other: &Self) -> bool {
+        self.0.is_some() == other.0.is_some()
+    }
+}
+
+impl BodySnapshot {
+    /// Vertices of the skin [m], worked out here where only the particles were taken; empty for a body without one.
+    pub fn surface(&self) -> Cow<'_, [DVec3]> {
+        match &self.embedding.0 {
+            Some(skin) if self.skin.is_empty() => Cow::Owned(skin.positions(&self.particles)),
+            _ => Cow::Borrowed(&self.skin),
+        }
+    }
+
+    /// The surface that pictures show, over the particles; none for a body without a skin.
+    pub fn rig(&self) -> Option<&Arc<Rig>> {
+        self.embedding.0.as_ref().map(|skin| skin.rig())
+    }
 }
 
 /// How a two-layer body is put together.
@@ -70,15 +114,20 @@ pub struct FibreSnapshot {
 impl Snapshot {
     /// The world as it stands.
     pub fn of(world: &World) -> Self {
-        Self::with(world, |body| &body.state().positions)
+        Self::with(world, true, |body| &body.state().positions)
+    }
+
+    /// The world as it stands, without the positions of skins: pictures work them out by themselves.
+    pub fn of_particles(world: &World) -> Self {
+        Self::with(world, false, |body| &body.state().positions)
     }
 
     /// Every body at rest in its own model frame, as it is drawn into.
     pub fn in_model_frames(world: &World) -> Self {
-        Self::with(world, |body| &body.parts().model)
+        Self::with(world, true, |body| &body.parts().model)
     }
 
-    fn with<'a>(world: &'a World, positions: impl Fn(&'a Body) -> &'a [DVec3]) -> Self {
+    fn with<'a>(world: &'a World, skins: bool, positions: impl Fn(&'a Body) -> &'a [DVec3]) -> Self {
         let bodies = world
             .bodies()
             .iter()
@@ -86,7 +135,8 @@ impl Snapshot {
                 let positions = positions(body);
                 let parts = body.parts();
                 let skin = parts.skin.as_deref();
-                let vertices = skin.map_or_else(Vec::new, |skin| skin.positions(positions));
+                let moved = skin.filter(|_| skins);
+                let vertices = moved.map_or_else(Vec::new, |skin| skin.positions(positions));
                 BodySnapshot {
                     name: parts.name.clone(),
                     particles: positions.to_vec(),
@@ -98,10 +148,11 @@ impl Snapshot {
                             vertices: fibre.vertices.iter().map(|vertex| vertex.gather(positions)).collect(),
                         })
                         .collect(),
-                    normals: skin.map_or_else(Vec::new, |skin| skin.normals(&vertices)),
+                    normals: moved.map_or_else(Vec::new, |skin| skin.normals(&vertices)),
                     skin: vertices,
                     triangles: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.triangles())),
                     colours: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.colours())),
+                    embedding: SkinEmbedding(parts.skin.clone()),
                     layers: parts.layers.as_deref().map(LayersSnapshot::of),
                 }
             })

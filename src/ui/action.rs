@@ -157,7 +157,9 @@ impl Action {
             Self::XRay => "Shows the fibres through the solid in the result view",
             Self::Particles => "Shows material particles cool and structure particles warm",
             Self::Springs => "Shows the springs of two-layer bodies by kind, outer particles cool and inner ones warm",
-            Self::Strokes => "Shows the strokes of every fibre in the result view, in the planes in which they were drawn",
+            Self::Strokes => {
+                "Shows the strokes of every fibre in the result view, in the planes in which they were drawn"
+            }
             Self::Grid => "Shows the grid of the result view",
             Self::Theme => "Switches between the light and the dark theme",
             Self::Palette => "Finds any of these by its name",

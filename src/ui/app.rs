@@ -13,8 +13,8 @@ use crate::io::save_scene;
 use crate::render::Camera;
 use crate::scene::{Body, Pin, Region, Scene, TwoLayer};
 use crate::sim::{Published, SimCommand, Worker};
-use crate::solver::snapshot::Snapshot;
 use crate::sketch::View;
+use crate::solver::snapshot::Snapshot;
 use glam::DVec3;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -117,14 +117,14 @@ impl App {
             tool: SketchTool::default(),
             panes: super::views::usual_layout(),
             painter: render.map(Painter::new),
-            display: Display { skin: crate::draw::SkinStyle::XRay, ..Display::default() },
+            display: Display { skin: crate::draw::SkinStyle::XRay, axes: false, ..Display::default() },
             tone,
             model: Arc::default(),
             active: 0,
             selected: None,
             drawn_last: None,
             tab: PropertyTab::default(),
-            impulse: [0.0, 0.0, 0.0],
+            impulse: [0.1, 0.0, 0.0],
             pull: None,
             moved: None,
             turned: None,
@@ -152,6 +152,11 @@ impl App {
     /// What was said last.
     pub fn message(&self) -> Option<&str> {
         self.message.as_ref().map(|(_, text)| text.as_str())
+    }
+
+    /// Body, vertex and target [m] of what is being pulled.
+    pub fn pulled(&self) -> Option<(usize, usize, DVec3)> {
+        self.pull.map(|pull| (pull.body, pull.vertex, pull.target))
     }
 
     /// The fibre solid that is drawn into.

@@ -160,7 +160,11 @@ fn ask_path(
         PathPurpose::Save => ("Save the scene", "Save"),
     };
     ui.heading(title);
-    let typed = ui.add(TextEdit::singleline(text).hint_text("Path of a .json scene, or of an .obj, .stl, .ply, .gltf or .glb model").desired_width(f32::INFINITY));
+    let typed = ui.add(
+        TextEdit::singleline(text)
+            .hint_text("Path of a .json scene, or of an .obj, .stl, .ply, .gltf or .glb model")
+            .desired_width(f32::INFINITY),
+    );
     // Before the focus is given back to the line: that would hide that Enter took it away.
     let entered = typed.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if browsing.is_none() && ui.memory(|memory| memory.focused().is_none()) {

@@ -96,7 +96,7 @@ impl View3d<'_> {
         if let Some(pull) = self.app.pull
             && let Some(held) =
                 self.app.published.snapshot.bodies.get(pull.body).and_then(|body| handle(body, pull.vertex))
-            && let (Some(from), Some(to)) = (frame.screen(*held), frame.screen(pull.target))
+            && let (Some(from), Some(to)) = (frame.screen(held), frame.screen(pull.target))
         {
             painter.line_segment([from, to], Stroke::new(2.0, accent));
             painter.circle_filled(from, 4.0, accent);
@@ -117,14 +117,20 @@ impl View3d<'_> {
         let below = at + egui::vec2(GRID, 6.0 * GRID);
         painter.text(below, Align2::LEFT_TOP, axes, FontId::proportional(11.0), text.gamma_multiply(0.7));
         if let Some(coach) = self.coach() {
-            let at = rect.center_bottom() - egui::vec2(0.0, 14.0 * GRID);
-            painter.text(
-                at,
-                Align2::CENTER_BOTTOM,
-                coach,
-                FontId::proportional(13.0),
-                theme::color(self.app.tone.pictures().accent),
+            let room = rect.width() - 12.0 * GRID;
+            let words = painter.layout(coach.to_owned(), FontId::proportional(13.0), text, room);
+            let size = words.size() + egui::vec2(4.0 * GRID, 2.0 * GRID);
+            let at = rect.center_bottom() - egui::vec2(0.5 * size.x, size.y + 10.0 * GRID);
+            let accent = theme::color(self.app.tone.pictures().accent);
+            let paper = theme::color(self.app.tone.pictures().background_top).gamma_multiply(0.9);
+            painter.rect(
+                Rect::from_min_size(at, size),
+                GRID,
+                paper,
+                Stroke::new(1.0, accent),
+                egui::StrokeKind::Inside,
             );
+            painter.galley(at + egui::vec2(2.0 * GRID, GRID), words, text);
         }
     }
 
@@ -146,9 +152,8 @@ impl View3d<'_> {
         let Some((_, lifted)) = self.app.selected_lift().filter(|_| self.app.tool.first().is_none()) else { return };
         let pictures = self.app.tone.pictures();
         let ink = theme::color(pictures.stroke).gamma_multiply(0.7);
-        let shown = |points: &[DVec2]| -> Vec<Pos2> {
-            points.iter().filter_map(|&point| frame.shown(view, point)).collect()
-        };
+        let shown =
+            |points: &[DVec2]| -> Vec<Pos2> { points.iter().filter_map(|&point| frame.shown(view, point)).collect() };
         let Some(which) = self.app.selected_views().iter().position(|drawn| *drawn == view) else { return };
         let points = shown(&lifted.strokes[which]);
         if let (Some(&first), Some(&last)) = (points.first(), points.last()) {
@@ -163,6 +168,7 @@ impl View3d<'_> {
 }
 
 /// Where a body is held by a vertex of its skin, or by a particle where it has none.
-pub(super) fn handle(body: &BodySnapshot, vertex: usize) -> Option<&DVec3> {
-    if body.skin.is_empty() { body.particles.get(vertex) } else { body.skin.get(vertex) }
+pub(super) fn handle(body: &BodySnapshot, vertex: usize) -> Option<DVec3> {
+    let surface = body.surface();
+    if surface.is_empty() { body.particles.get(vertex).copied() } else { surface.get(vertex).copied() }
 }

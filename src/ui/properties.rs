@@ -78,12 +78,19 @@ const fn parameter(
 
 const KS: Field = parameter("KS", "N/m", 0.0..=1e7, 800.0, "Stiffness of structural springs, f = KS (L - L0)");
 const KD: Field = parameter("KD", "N s/m", 0.0..=1e5, 15.0, "Damping of structural springs along their length");
-const RKS: Field = parameter("RKS", "N/m", 0.0..=1e7, 700.0, "Stiffness of radius and shear springs between the layers");
+const RKS: Field =
+    parameter("RKS", "N/m", 0.0..=1e7, 700.0, "Stiffness of radius and shear springs between the layers");
 const RKD: Field = parameter("RKD", "N s/m", 0.0..=1e5, 50.0, "Damping of radius and shear springs");
 const MKS: Field = parameter("MKS", "N/m", 0.0..=1e6, 150.0, "Stiffness of the spring by which it is dragged");
 const MKD: Field = parameter("MKD", "N s/m", 0.0..=1e5, 25.0, "Damping of the spring by which it is dragged");
 const PRESSURE: Field = parameter("PRESSURE", "J", -1e6..=1e6, 20.0, "nRT of the enclosed gas, P = nRT / V");
-const MASS: Field = parameter("MASS", "kg", 1e-9..=1e6, 1.0, "Mass of a particle of the outer layer, and of the inner one unless given");
+const MASS: Field = parameter(
+    "MASS",
+    "kg",
+    1e-9..=1e6,
+    1.0,
+    "Mass of a particle of the outer layer, and of the inner one unless given",
+);
 const INNER_MASS: Field = parameter("Inner mass", "kg", 1e-9..=1e6, 1.0, "Mass of a particle of the inner layer");
 
 const INTEGRATORS: [(IntegratorKind, &str); 7] = [
@@ -140,7 +147,7 @@ impl App {
         }
         let Some(step) = self.published.status.bodies.get(self.active).cloned() else { return };
         let exceeded = step.dt > step.stable_dt;
-        let text = format!("DT {:.3e} s, limit {:.3e} s", step.dt, step.stable_dt);
+        let text = format!("DT    {:.3e} s\nlimit {:.3e} s", step.dt, step.stable_dt);
         let colour = if exceeded { self.tone.error() } else { ui.visuals().text_color() };
         let why = format!("The limit is the stable step of this integrator; {} sets it", step.step_parameter);
         ui.label(RichText::new(text).monospace().color(colour)).on_hover_text(&why);

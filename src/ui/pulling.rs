@@ -59,14 +59,15 @@ impl View3d<'_> {
                 let (vertex, depth) = nearest_particle(shown, frame, at)?;
                 return Some((body, vertex, depth));
             }
-            let hit = nearest_hit(&shown.skin, &shown.triangles, ray.origin, ray.direction)?;
+            let skin = shown.surface();
+            let hit = nearest_hit(&skin, &shown.triangles, ray.origin, ray.direction)?;
             let point = ray.origin + hit.distance * ray.direction;
-            let near = |&vertex: &u32| shown.skin[vertex as usize].distance_squared(point);
+            let near = |&vertex: &u32| skin[vertex as usize].distance_squared(point);
             let vertex = *shown.triangles[hit.triangle].iter().min_by(|a, b| near(a).total_cmp(&near(b)))? as usize;
             Some((body, vertex, frame.camera.project(point, frame.size())?.depth))
         });
         let (body, vertex, _) = hits.min_by(|a, b| a.2.total_cmp(&b.2))?;
-        let held = *handle(self.app.published.snapshot.bodies.get(body)?, vertex)?;
+        let held = handle(self.app.published.snapshot.bodies.get(body)?, vertex)?;
         let depth = frame.camera.project(held, frame.size())?.depth;
         Some(Pull { body, vertex, depth, target: held })
     }

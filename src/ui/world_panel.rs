@@ -227,7 +227,7 @@ impl App {
 
     fn impulse(&mut self, ui: &mut Ui) {
         let tooltip = "Shared by the mass of the whole body; changes its velocity by J / M at once";
-        vector(ui, "Impulse", "N s", &mut self.impulse, tooltip);
+        vector(ui, "J", "N s", &mut self.impulse, tooltip);
         let strike = ui.add_enabled(self.published.snapshot.bodies.len() > self.active, egui::Button::new("Strike"));
         if strike.on_hover_text("Strikes the chosen body now; nothing of the scene changes").clicked() {
             self.ask(SimCommand::Strike { body: self.active, impulse: DVec3::from_array(self.impulse) });

@@ -4,12 +4,14 @@ use divan::Bencher;
 use glam::DVec3;
 use sinew::bake::bake;
 use sinew::draw::{Display, DrawList, Subject, Theme, draw};
+use sinew::geometry::kernel::Kernel;
 use sinew::geometry::lattice::Cuboid;
 use sinew::geometry::mesh::box_surface;
 use sinew::io::load_scene;
 use sinew::render::{Camera, Content, Offscreen, Options};
 use sinew::scene::Scene;
 use sinew::sim::Runner;
+use sinew::solver::skin::{Skin, SkinShape};
 use sinew::solver::snapshot::Snapshot;
 use std::path::Path;
 
@@ -31,9 +33,19 @@ fn bar() -> (Scene, Snapshot) {
 fn fine_bar() -> (Scene, Snapshot) {
     let (scene, mut snapshot) = bar();
     let shape = Cuboid { center: DVec3::new(0.0, 0.066, 0.0), size: DVec3::new(0.042, 0.072, 0.042) };
-    let skin = box_surface(&shape, 0.000_79);
-    snapshot.bodies[0].skin = skin.positions;
-    snapshot.bodies[0].triangles = skin.triangles.into();
+    let surface = box_surface(&shape, 0.000_79);
+    let point_of: Vec<u32> = (0..surface.positions.len() as u32).collect();
+    let shape = SkinShape {
+        points: &surface.positions,
+        point_of: &point_of,
+        normals: &[],
+        colours: &[],
+        triangles: &surface.triangles,
+    };
+    let kernel = Kernel::new(scene.bodies[0].material.support_radius);
+    let body = &mut snapshot.bodies[0];
+    let skin = Skin::embed(&shape, &body.particles, kernel, &mut |_, _| {}).expect("a skin");
+    body.embedding = std::sync::Arc::new(skin).into();
     (scene, snapshot)
 }
 

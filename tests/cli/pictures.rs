@@ -92,6 +92,8 @@ fn pictures_that_cannot_be_made_are_refused_before_anything_is_run() {
     }
     let said = said(program().arg("render"));
     assert_eq!(said.code, Some(2));
+    let error = desk.refused("simulate scene.json --view top --seconds 0");
+    assert!(error.contains("give --png DIR"), "{error}");
     assert!(fs::metadata(desk.path("a.png")).is_err(), "nothing was written");
 }
 

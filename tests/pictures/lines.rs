@@ -100,8 +100,10 @@ fn what_shows_through_does_so_by_its_share() {
     let wall = |list: &mut sinew::draw::DrawList| {
         let vertex = |x: f32, y: f32| sinew::draw::Vertex { position: Vec3::new(x, y, 0.1), normal: Vec3::Z };
         list.meshes.push(sinew::draw::Mesh {
-            vertices: vec![vertex(-1.0, -1.0), vertex(1.0, -1.0), vertex(0.0, 1.5)],
-            indices: vec![0, 1, 2],
+            faces: sinew::draw::Faces::Free(
+                vec![vertex(-1.0, -1.0), vertex(1.0, -1.0), vertex(0.0, 1.5)],
+                vec![0, 1, 2],
+            ),
             colour: Colour::hex(0xff_ffff),
             surface: sinew::draw::Surface::Solid,
             casts_shadow: false,

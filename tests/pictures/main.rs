@@ -48,7 +48,7 @@ fn list(scene: &Scene, snapshot: &Snapshot, display: &Display) -> DrawList {
 
 /// Nothing but a background.
 fn blank() -> DrawList {
-    DrawList::new(DVec3::ZERO, Ground { height: 0.0, solid: false, grid: false }, Theme::light())
+    DrawList::new(DVec3::ZERO, Ground { height: 0.0, solid: false, grid: false, axes: false }, Theme::light())
 }
 
 fn framed(mut camera: Camera, list: &DrawList) -> Camera {

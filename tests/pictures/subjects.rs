@@ -3,7 +3,7 @@
 use super::{bar, difference, framed, list, offscreen, pixel_of};
 use glam::DVec3;
 use sinew::draw::{Display, Theme};
-use sinew::render::{Camera, Facing};
+use sinew::render::{Camera, Facing, Offscreen, Options};
 
 /// The middle of the bar at its start [m].
 const MIDDLE: DVec3 = DVec3::new(0.0, 0.066, 0.0);
@@ -84,4 +84,37 @@ fn a_picture_becomes_a_png_and_is_the_same_again() {
     let rgb: Vec<u8> = picture.rgba.chunks(4).flat_map(|pixel| &pixel[..3]).copied().collect();
     assert!(pixels == rgb);
     assert!(picture.rgba.chunks(4).all(|pixel| pixel[3] == 255), "opaque");
+}
+
+#[test]
+fn skins_look_alike_whoever_moves_them() {
+    let Some(_) = offscreen("skins look alike") else { return };
+    let (scene, mut snapshot) = bar();
+    // Askew, so that every vertex has moved and every normal has turned.
+    for particle in &mut snapshot.bodies[0].particles {
+        *particle =
+            DVec3::new(particle.x + 0.4 * (particle.y - 0.03), particle.y, particle.z * (1.0 + 3.0 * particle.y));
+    }
+    let list = list(&scene, &snapshot, &Display { fibres: false, ..Display::x_ray() });
+    let camera = framed(Camera::perspective(), &list);
+    let mut pictures = [true, false].map(|gpu_skinning| {
+        let options = |adapter: &_| Options { gpu_skinning, ..Options::for_adapter(adapter) };
+        let mut offscreen = Offscreen::with(super::SIZE, options).expect("a driver");
+        if gpu_skinning && !offscreen.renderer().skins_on_gpu() {
+            return None;
+        }
+        assert_eq!(offscreen.renderer().skins_on_gpu(), gpu_skinning);
+        Some(offscreen.draw(list.clone(), &camera).expect("a picture"))
+    });
+    // A driver without storage buffers has one way only.
+    let (Some(there), Some(here)) = (pictures[0].take(), pictures[1].take()) else { return };
+    let [width, height] = super::SIZE;
+    let mut apart = 0;
+    for y in 0..height {
+        for x in 0..width {
+            apart += u32::from(difference(&there, &here, [x, y]) > 6);
+        }
+    }
+    // Rounding moves an outline by less than a pixel here and there.
+    assert!(apart < width * height / 1000, "{apart} pixels differ");
 }

@@ -1,31 +1,37 @@
-//! Skins are drawn a little rounder than they are: what is soft has no sharp edges.
+//! Surfaces a little rounder than they are: what is soft has no sharp edges.
 
-use glam::Vec3;
+use super::linear_map::LinearMap;
 use std::collections::HashMap;
 
 /// A mesh with more triangles than this looks round as it is.
 const FINE: usize = 6000;
 
-/// Loop's subdivision (1987), by which every triangle becomes four and the outline loses its corners, until the mesh is
-/// fine; one that is fine already stays as it is. Edges of holes keep their run.
-pub fn rounded(mut positions: Vec<Vec3>, triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
-    let mut triangles = triangles.to_vec();
-    while !triangles.is_empty() && triangles.len() <= FINE {
-        (positions, triangles) = subdivided(&positions, &triangles);
+/// Loop's subdivision (1987), by which every triangle becomes four and the outline loses its corners, until a mesh of
+/// `count` vertices is fine: the new vertices as sums of the old ones, and the new faces. None for a mesh that is fine
+/// already. Edges of holes keep their run.
+pub fn rounded(count: usize, triangles: &[[u32; 3]]) -> Option<(LinearMap, Vec<[u32; 3]>)> {
+    let mut whole: Option<(LinearMap, Vec<[u32; 3]>)> = None;
+    loop {
+        let (count, faces) = whole.as_ref().map_or((count, triangles), |(map, faces)| (map.len(), faces));
+        if faces.is_empty() || faces.len() > FINE {
+            return whole;
+        }
+        let (map, finer) = subdivided(count, faces);
+        let map = whole.as_ref().map_or_else(|| map.clone(), |(first, _)| map.after(first));
+        whole = Some((map, finer));
     }
-    (positions, triangles)
 }
 
-fn subdivided(positions: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+fn subdivided(count: usize, triangles: &[[u32; 3]]) -> (LinearMap, Vec<[u32; 3]>) {
     let (edges, sides) = edges(triangles);
-    let count = positions.len();
-    let mut rounded: Vec<Vec3> = old_vertices(positions, &edges);
+    let mut map = LinearMap::default();
+    old_vertices(count, &edges, &mut map);
     for edge in &edges {
-        let [a, b] = edge.ends.map(|k| positions[k as usize]);
-        rounded.push(match edge.opposite {
-            [Some(c), Some(d)] => 0.375 * (a + b) + 0.125 * (positions[c as usize] + positions[d as usize]),
-            _ => 0.5 * (a + b),
-        });
+        let [a, b] = edge.ends;
+        match edge.opposite {
+            [Some(c), Some(d)] => map.push([(a, 0.375), (b, 0.375), (c, 0.125), (d, 0.125)]),
+            _ => map.push([(a, 0.5), (b, 0.5)]),
+        }
     }
     let mut faces = Vec::with_capacity(4 * triangles.len());
     for (triangle, sides) in triangles.iter().zip(sides) {
@@ -33,7 +39,7 @@ fn subdivided(positions: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u3
         let [ab, bc, ca] = sides.map(|edge| (count + edge) as u32);
         faces.extend([[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]);
     }
-    (rounded, faces)
+    (map, faces)
 }
 
 struct Edge {
@@ -66,32 +72,31 @@ fn edges(triangles: &[[u32; 3]]) -> (Vec<Edge>, Vec<[usize; 3]>) {
 }
 
 /// Where the vertices that were there go.
-fn old_vertices(positions: &[Vec3], edges: &[Edge]) -> Vec<Vec3> {
-    let mut around = vec![(Vec3::ZERO, 0.0_f32); positions.len()];
-    let mut open = vec![(Vec3::ZERO, 0_u32); positions.len()];
+fn old_vertices(count: usize, edges: &[Edge], map: &mut LinearMap) {
+    let mut around = vec![Vec::new(); count];
+    let mut open = vec![Vec::new(); count];
     for edge in edges {
-        let [a, b] = edge.ends.map(|k| k as usize);
+        let [a, b] = edge.ends;
         for (one, other) in [(a, b), (b, a)] {
-            around[one].0 += positions[other];
-            around[one].1 += 1.0;
+            around[one as usize].push(other);
             if edge.opposite[1].is_none() {
-                open[one].0 += positions[other];
-                open[one].1 += 1;
+                open[one as usize].push(other);
             }
         }
     }
-    let placed = positions.iter().zip(around.iter().zip(&open));
-    placed
-        .map(|(&at, (&(sum, n), &(open_sum, open_n)))| match open_n {
+    for (vertex, (around, open)) in (0..).zip(around.iter().zip(&open)) {
+        let n = around.len() as f32;
+        match open.len() {
             0 if n > 0.0 => {
                 // Warren's weights.
                 let weight = if n > 3.0 { 3.0 / (8.0 * n) } else { 3.0 / 16.0 };
-                at * (1.0 - n * weight) + sum * weight
+                let own = std::iter::once((vertex, 1.0 - n * weight));
+                map.push(own.chain(around.iter().map(|&other| (other, weight))));
             }
-            2 => 0.75 * at + 0.125 * open_sum,
-            _ => at,
-        })
-        .collect()
+            2 => map.push(std::iter::once((vertex, 0.75)).chain(open.iter().map(|&other| (other, 0.125)))),
+            _ => map.push([(vertex, 1.0)]),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -99,13 +104,14 @@ mod tests {
     use super::*;
     use crate::geometry::lattice::Cuboid;
     use crate::geometry::mesh::box_surface;
-    use glam::DVec3;
+    use glam::{DVec3, Vec3};
 
     #[test]
     fn a_box_loses_its_corners_and_little_else() {
         let mesh = box_surface(&Cuboid { center: DVec3::ZERO, size: DVec3::new(7.0, 12.0, 7.0) }, 1.0);
         let positions: Vec<Vec3> = mesh.positions.iter().map(|point| point.as_vec3()).collect();
-        let (round, faces) = subdivided(&positions, &mesh.triangles);
+        let (map, faces) = subdivided(positions.len(), &mesh.triangles);
+        let round = map.apply(&positions);
         assert_eq!(faces.len(), 4 * mesh.triangles.len());
         assert_eq!(round.len() + faces.len(), faces.len() * 3 / 2 + 2, "Euler's formula for a closed surface");
         for (before, after) in positions.iter().zip(&round) {
@@ -113,12 +119,15 @@ mod tests {
             let moved = before.distance(*after);
             assert!(if on_edge == 1 { moved < 0.15 } else { moved > 0.1 && moved < 0.6 }, "{before} {moved}");
         }
+        let (fine, faces) = rounded(positions.len(), &mesh.triangles).expect("it is coarse");
+        assert!(faces.len() > FINE && rounded(fine.len(), &faces).is_none());
     }
 
     #[test]
     fn a_flat_sheet_stays_flat_and_keeps_its_rim_straight() {
-        let positions = vec![Vec3::ZERO, Vec3::X, Vec3::Z, Vec3::X + Vec3::Z];
-        let (round, faces) = subdivided(&positions, &[[0, 2, 1], [1, 2, 3]]);
+        let positions = [Vec3::ZERO, Vec3::X, Vec3::Z, Vec3::X + Vec3::Z];
+        let (map, faces) = subdivided(4, &[[0, 2, 1], [1, 2, 3]]);
+        let round = map.apply(&positions);
         assert_eq!((round.len(), faces.len()), (9, 8));
         assert!(round.iter().all(|point| point.y == 0.0));
     }

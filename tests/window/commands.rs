@@ -1,0 +1,73 @@
+//! Every command stands in the palette, the help and the menus, and its key does it.
+
+use super::{Window, click, press_key, still, until};
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+use sinew::ui::{Action, Menu};
+
+fn listed(window: &Window, action: Action) -> bool {
+    window.query_all_by_label_contains(action.name().trim_end_matches('…')).next().is_some()
+}
+
+#[test]
+fn the_palette_lists_every_command_and_does_the_one_that_is_typed() {
+    let mut window = still();
+    press_key(&mut window, Modifiers::COMMAND, Key::P);
+    window.step();
+    for action in Action::ALL {
+        assert!(listed(&window, action), "{action:?}");
+    }
+    window.event(egui::Event::Text("advance one".to_owned()));
+    window.step();
+    assert!(!listed(&window, Action::Save), "what does not match goes away");
+    let time = window.state().published().status.time;
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    until(&mut window, |app| app.published().status.time > time);
+    assert!(!listed(&window, Action::ReleasePins), "the palette has closed");
+}
+
+#[test]
+fn the_help_lists_every_command_with_its_keys() {
+    let mut window = still();
+    press_key(&mut window, Modifiers::NONE, Key::F1);
+    window.step();
+    for action in Action::ALL {
+        assert!(listed(&window, action), "{action:?}");
+    }
+    assert!(window.query_all_by_label_contains("Ctrl+Shift+S").next().is_some());
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    window.step();
+    assert!(!listed(&window, Action::ReleasePins));
+}
+
+#[test]
+fn every_command_stands_in_its_menu() {
+    for menu in Menu::ALL {
+        let mut window = still();
+        click(&mut window, menu.title());
+        for action in Action::ALL.into_iter().filter(|action| action.menu() == menu) {
+            assert!(listed(&window, action), "{action:?} in {menu:?}");
+        }
+    }
+}
+
+#[test]
+fn no_two_commands_share_a_key() {
+    let keys: Vec<_> = Action::ALL.iter().flat_map(|action| action.shortcuts()).collect();
+    for (k, key) in keys.iter().enumerate() {
+        assert!(!keys[..k].contains(key), "{key:?}");
+    }
+}
+
+#[test]
+fn typing_in_the_palette_is_no_shortcut() {
+    let mut window = still();
+    let fibres = window.state().scene().bodies[0].fibres.len();
+    press_key(&mut window, Modifiers::COMMAND, Key::P);
+    window.step();
+    press_key(&mut window, Modifiers::NONE, Key::X);
+    press_key(&mut window, Modifiers::NONE, Key::Space);
+    window.step();
+    assert_eq!(window.state().scene().bodies[0].fibres.len(), fibres);
+    assert!(!window.state().published().status.playing);
+}

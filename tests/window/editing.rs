@@ -1,0 +1,184 @@
+//! Panels, files and drops change the document as they say.
+
+use super::{Window, click, open, press_key, scene, still, until};
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+use sinew::io::load_scene;
+use sinew::scene::{Axis, PanelMotion, Shape, TimeStep};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Types a value into a field.
+fn set(window: &mut Window, label: &str, value: &str) {
+    window.get_by_role_and_label(Role::SpinButton, label).click();
+    window.step();
+    window.step();
+    press_key(window, Modifiers::COMMAND, Key::A);
+    window.event(Event::Text(value.to_owned()));
+    window.step();
+    press_key(window, Modifiers::NONE, Key::Enter);
+    window.step();
+}
+
+fn type_path(window: &mut Window, path: &Path) {
+    window.step();
+    window.step();
+    press_key(window, Modifiers::COMMAND, Key::A);
+    window.event(Event::Text(path.display().to_string()));
+    window.step();
+    press_key(window, Modifiers::NONE, Key::Enter);
+    window.step();
+}
+
+#[test]
+fn a_material_is_edited_while_it_plays_and_undone_in_one_step() {
+    let mut window = still();
+    press_key(&mut window, Modifiers::NONE, Key::Space);
+    let before = window.state().scene().bodies[0].material.clone();
+    set(&mut window, "Young's modulus", "2e5");
+    assert_eq!(window.state().scene().bodies[0].material.young_modulus, 2e5);
+    until(&mut window, |app| app.published().status.edits == 1);
+    assert!(window.state().published().status.playing && window.state().published().status.failure.is_none());
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(window.state().scene().bodies[0].material, before);
+}
+
+#[test]
+fn a_support_radius_samples_the_shape_anew() {
+    let mut window = still();
+    let particles = window.state().published().status.particles;
+    set(&mut window, "Support radius", "0.02");
+    until(&mut window, |app| app.published().status.edits == 1);
+    let fewer = window.state().published().status.particles;
+    assert!(fewer < particles && fewer > 20, "{particles} became {fewer}");
+}
+
+#[test]
+fn a_bad_value_is_held_in_range_and_loses_nothing() {
+    let mut window = still();
+    set(&mut window, "Poisson's ratio", "7");
+    assert_eq!(window.state().scene().bodies[0].material.poisson_ratio, 0.49);
+    set(&mut window, "Density", "nonsense");
+    assert!(window.state().scene().validate().is_ok());
+}
+
+#[test]
+fn a_panel_is_added_falls_and_is_removed() {
+    let mut window = still();
+    click(&mut window, "World");
+    click(&mut window, "Add a heavy panel");
+    let panels = window.state().scene().panels.clone();
+    assert_eq!((panels.len(), &panels[0].motion), (1, &PanelMotion::Falls));
+    until(&mut window, |app| app.published().snapshot.panels.len() == 1);
+    press_key(&mut window, Modifiers::NONE, Key::Space);
+    until(&mut window, |app| app.published().snapshot.panels.first().is_some_and(|at| *at < panels[0].height - 1e-3));
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    assert!(window.state().scene().panels.is_empty());
+}
+
+#[test]
+fn a_pin_holds_the_bottom_and_can_be_removed() {
+    let mut window = still();
+    click(&mut window, "World");
+    click(&mut window, "Pin a region…");
+    let pins = window.state().scene().bodies[0].pins.len();
+    click(&mut window, "right");
+    let body = window.state().scene().bodies[0].clone();
+    assert_eq!(body.pins.len(), pins + 1);
+    assert_eq!(body.pins[pins].axes, [Axis::X, Axis::Y, Axis::Z]);
+    assert!(body.regions.iter().any(|region| region.id == body.pins[pins].region));
+    until(&mut window, |app| app.published().status.edits == 1);
+    assert!(window.state().published().status.failure.is_none());
+}
+
+#[test]
+fn a_strike_gives_the_impulse_at_once_and_changes_no_scene() {
+    let mut window = open(scene(
+        r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{"id": "cube", "shape": {"box": {"size": [0.04, 0.04, 0.04]}},
+            "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.02}}]}"#,
+    ));
+    let before = window.state().scene().clone();
+    let x = |app: &sinew::ui::App| app.published().snapshot.bodies[0].particles.iter().map(|x| x.x).sum::<f64>();
+    let start = x(window.state());
+    click(&mut window, "World");
+    let field =
+        window.get_all_by_role(Role::SpinButton).find(|node| node.value().is_some_and(|text| text.contains("X 0.1")));
+    field.expect("the impulse along X").click();
+    window.step();
+    press_key(&mut window, Modifiers::COMMAND, Key::A);
+    window.event(Event::Text("0.01".to_owned()));
+    window.step();
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    click(&mut window, "Strike");
+    until(&mut window, |app| x(app) > start + 1e-3);
+    assert_eq!(window.state().scene(), &before);
+}
+
+#[test]
+fn the_time_step_can_be_given_by_hand_and_its_limit_is_told() {
+    let mut window = still();
+    click(&mut window, "World");
+    click(&mut window, "By hand");
+    assert!(matches!(window.state().scene().time.step, TimeStep::Manual(_)));
+    set(&mut window, "DT", "0.01");
+    until(&mut window, |app| app.published().status.bodies.iter().any(|body| body.dt == 0.01));
+    window.step();
+    assert!(window.query_all_by_label_contains("is beyond its limit").next().is_some());
+}
+
+#[test]
+fn a_scene_is_saved_and_opened_by_typed_paths() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("mine.json");
+    let mut window = still();
+    set(&mut window, "Density", "1234");
+    press_key(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    type_path(&mut window, &path);
+    assert_eq!(&load_scene(&path).expect("it was written"), &**window.state().scene());
+    press_key(&mut window, Modifiers::COMMAND, Key::N);
+    assert_ne!(&load_scene(&path).expect("it is still there"), &**window.state().scene());
+    press_key(&mut window, Modifiers::COMMAND, Key::O);
+    type_path(&mut window, &path);
+    assert_eq!(&load_scene(&path).expect("it is still there"), &**window.state().scene());
+}
+
+#[test]
+fn what_cannot_be_opened_is_said_and_loses_nothing() {
+    let mut window = still();
+    let before = window.state().scene().clone();
+    press_key(&mut window, Modifiers::COMMAND, Key::O);
+    type_path(&mut window, Path::new("/nowhere/at/all.json"));
+    assert!(window.state().message().is_some_and(|text| text.contains("all.json")), "{:?}", window.state().message());
+    assert_eq!(window.state().scene(), &before);
+}
+
+#[test]
+fn a_model_that_is_dropped_becomes_a_soft_solid() {
+    let mut window = still();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/leaf.glb");
+    drop_file(&mut window, path);
+    window.step();
+    let body = &window.state().scene().bodies[0];
+    assert!(matches!(&body.shape, Shape::Mesh(_)), "{:?}", window.state().message());
+    until(&mut window, |app| app.published().at_rest.bodies[0].skin.len() > 1000);
+    assert!(window.state().published().status.failure.is_none());
+}
+
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+fn drop_file(window: &mut Window, path: PathBuf) {
+    window.input_mut().dropped_files.push(Arc::new(Dropped(path)));
+    window.step();
+}

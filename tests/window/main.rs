@@ -1,0 +1,111 @@
+//! The window through pointer and key events, without a screen: events in, scene and messages out.
+#![cfg(feature = "gui")]
+
+mod commands;
+mod editing;
+mod picture;
+mod pulling;
+mod refusals;
+mod running;
+mod sketching;
+
+use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use sinew::io::scene_from_json;
+use sinew::ui::{App, Document};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+type Window = Harness<'static, App>;
+
+/// Longer than anything here takes on a busy machine.
+const PATIENCE: Duration = Duration::from_mins(2);
+
+fn open(document: Document) -> Window {
+    let mut window = Harness::builder()
+        .with_size(Vec2::new(1280.0, 800.0))
+        .with_step_dt(1.0 / 60.0)
+        .build_eframe(move |creation| App::new(&creation.egui_ctx, None, document));
+    until(&mut window, |app| !app.published().at_rest.bodies.is_empty());
+    // One more frame for the views to be fitted to what has come.
+    window.step();
+    window
+}
+
+/// The window on the built-in scene, held still.
+fn still() -> Window {
+    let mut window = open(Document::load(None).expect("the built-in scene"));
+    press_key(&mut window, Modifiers::NONE, egui::Key::Space);
+    until(&mut window, |app| !app.published().status.playing);
+    window
+}
+
+fn scene(text: &str) -> Document {
+    let scene = scene_from_json(text).expect("a scene");
+    Document { scene, assets: Arc::default(), path: None, folder: PathBuf::new(), note: None }
+}
+
+/// Shows frames until something has come about.
+fn until(window: &mut Window, wanted: impl Fn(&App) -> bool) {
+    let start = Instant::now();
+    while !wanted(window.state()) {
+        assert!(start.elapsed() < PATIENCE, "it never came about; the last message: {:?}", window.state().message());
+        std::thread::sleep(Duration::from_millis(2));
+        window.step();
+    }
+}
+
+fn press_key(window: &mut Window, modifiers: Modifiers, key: egui::Key) {
+    window.key_press_modifiers(modifiers, key);
+    window.step();
+}
+
+/// Where a view lies.
+fn view(window: &Window, name: &str) -> Rect {
+    window.get_by_label(&format!("{name} view")).rect()
+}
+
+fn button(window: &Window, at: Pos2, button: PointerButton, pressed: bool) {
+    window.event(Event::PointerMoved(at));
+    window.event(Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE });
+}
+
+/// Drags through points of the window [points], several samples to a frame.
+fn drag(window: &mut Window, path: &[Pos2]) {
+    window.event(Event::PointerMoved(path[0]));
+    window.step();
+    button(window, path[0], PointerButton::Primary, true);
+    window.step();
+    for samples in path[1..].chunks(4) {
+        for &at in samples {
+            window.event(Event::PointerMoved(at));
+        }
+        window.step();
+    }
+    button(window, path[path.len() - 1], PointerButton::Primary, false);
+    window.step();
+    window.step();
+}
+
+/// Points along a curve given over [0, 1], in shares of a rectangle about its middle; up is positive.
+fn stroke(rect: Rect, curve: impl Fn(f32) -> [f32; 2]) -> Vec<Pos2> {
+    let at = |k: usize| {
+        let [x, y] = curve(k as f32 / 60.0);
+        rect.center() + Vec2::new(x, -y) * rect.height()
+    };
+    (0..=60).map(at).collect()
+}
+
+/// Draws a stroke in a view, in shares of its height about its middle.
+fn draw(window: &mut Window, name: &str, curve: impl Fn(f32) -> [f32; 2]) {
+    let path = stroke(view(window, name), curve);
+    drag(window, &path);
+}
+
+fn click(window: &mut Window, label: &str) {
+    window.get_by_label(label).click();
+    window.step();
+    window.step();
+}

@@ -1,0 +1,115 @@
+//! Bodies are pulled by the pointer.
+
+use super::{Window, button, open, scene, until, view};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
+use glam::DVec3;
+use sinew::ui::App;
+
+const CUBE: &str = r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{
+    "id": "cube", "shape": {"box": {"size": [0.04, 0.04, 0.04]}},
+    "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.02,
+        "damping": {"pair": 20, "air": 5}}
+}]}"#;
+
+const RING: &str = r#"{"version": 1, "gravity": [0, -9.81, 0], "two_layer": [{"id": "ring", "shape": {"ring": {}},
+    "air_drag": 2, "pins": []}]}"#;
+
+fn center(app: &App) -> DVec3 {
+    let particles = &app.published().snapshot.bodies[0].particles;
+    particles.iter().sum::<DVec3>() / particles.len() as f64
+}
+
+fn press(window: &mut Window, at: Pos2) {
+    window.event(Event::PointerMoved(at));
+    window.step();
+    button(window, at, PointerButton::Primary, true);
+    window.step();
+}
+
+fn move_to(window: &mut Window, from: Pos2, to: Pos2) {
+    for k in 1..=10 {
+        window.event(Event::PointerMoved(from.lerp(to, k as f32 / 10.0)));
+        window.step();
+    }
+}
+
+#[test]
+fn a_drag_moves_the_body_where_the_pointer_goes_and_release_lets_go() {
+    let mut window = open(scene(CUBE));
+    let start = center(window.state());
+    let rect = view(&window, "Result");
+    let (from, to) = (rect.center(), rect.center() + Vec2::new(150.0, 0.0));
+    press(&mut window, from);
+    move_to(&mut window, from, to);
+    // To the right on the screen, as the camera stands: along X and away from Z.
+    until(&mut window, |app| (center(app) - start).dot(DVec3::new(0.85, 0.0, -0.53)) > 0.02);
+    button(&window, to, PointerButton::Primary, false);
+    window.step();
+    window.step();
+    // What is let go drifts on without being pulled back: no spring is left.
+    let drift = center(window.state());
+    let time = window.state().published().status.time;
+    until(&mut window, |app| app.published().status.time > time + 0.1);
+    assert!((center(window.state()) - drift).dot(DVec3::new(0.85, 0.0, -0.53)) > -1e-3);
+}
+
+#[test]
+fn p_leaves_the_point_pinned() {
+    let mut window = open(scene(CUBE));
+    let rect = view(&window, "Result");
+    let (from, to) = (rect.center(), rect.center() + Vec2::new(0.0, -120.0));
+    press(&mut window, from);
+    move_to(&mut window, from, to);
+    window.key_press_modifiers(Modifiers::NONE, Key::P);
+    window.step();
+    button(&window, to, PointerButton::Primary, false);
+    window.step();
+    until(&mut window, |app| center(app).y > 0.01);
+    let time = window.state().published().status.time;
+    until(&mut window, |app| app.published().status.time > time + 1.0);
+    let held = center(window.state());
+    let time = window.state().published().status.time;
+    until(&mut window, |app| app.published().status.time > time + 0.5);
+    assert!(held.distance(center(window.state())) < 1e-3, "it stays where it was pinned");
+    assert!(held.y > 0.01, "{held}");
+}
+
+#[test]
+fn a_drag_beside_the_body_pulls_nothing() {
+    let mut window = open(scene(CUBE));
+    let start = center(window.state());
+    let rect = view(&window, "Result");
+    let from = rect.left_bottom() + Vec2::new(30.0, -30.0);
+    press(&mut window, from);
+    move_to(&mut window, from, rect.center());
+    let time = window.state().published().status.time;
+    until(&mut window, |app| app.published().status.time > time + 0.2);
+    assert!(center(window.state()).distance(start) < 1e-9);
+}
+
+/// A two-layer body hangs from the pointer by a spring MKS: it comes to rest M g / MKS below it.
+#[test]
+fn a_two_layer_body_hangs_from_the_pointer_by_its_own_spring() {
+    let mut window = open(scene(RING));
+    super::press_key(&mut window, Modifiers::NONE, Key::Space);
+    until(&mut window, |app| !app.published().status.playing);
+    // Its uppermost particle, as the result view shows it: the view is fitted to the ring, which is looked at askew.
+    let rect = view(&window, "Result");
+    let found = (0..200).map(|k| rect.center() - Vec2::new(0.0, 2.0 * k as f32)).rev().find(|at| {
+        press(&mut window, *at);
+        let hint = window.state().pulled().is_some();
+        button(&window, *at, PointerButton::Primary, false);
+        window.step();
+        hint
+    });
+    let at = found.expect("a particle is seen above the middle");
+    press(&mut window, at);
+    let (body, vertex, target) = window.state().pulled().expect("it is held");
+    super::press_key(&mut window, Modifiers::NONE, Key::Space);
+    until(&mut window, |app| app.published().status.time > 15.0);
+    let held = window.state().published().snapshot.bodies[body].particles[vertex];
+    // 20 particles of 1 kg on MKS = 150 N/m.
+    let expected = 20.0 * 9.81 / 150.0;
+    let sag = (target - held).y;
+    assert!((sag - expected).abs() < 0.02 * expected, "{sag} against {expected}");
+}

@@ -1,0 +1,78 @@
+//! What is refused is said with its figure, and nothing is lost.
+
+use super::{Window, click, drag, draw, press_key, still, until, view};
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+
+fn fibres(window: &Window) -> usize {
+    window.state().scene().bodies[0].fibres.len()
+}
+
+fn said(window: &Window) -> String {
+    window.state().message().unwrap_or_default().to_owned()
+}
+
+#[test]
+fn a_slip_is_no_stroke() {
+    let mut window = still();
+    let rect = view(&window, "Front");
+    drag(&mut window, &[rect.center(), rect.center() + egui::vec2(4.0, 4.0), rect.center() + egui::vec2(6.0, 7.0)]);
+    assert!(said(&window).contains("pixels long; draw at least 12"), "{}", said(&window));
+}
+
+#[test]
+fn strokes_that_hardly_overlap_are_refused_with_the_share_and_can_be_stretched() {
+    let mut window = still();
+    let before = fibres(&window);
+    draw(&mut window, "Front", |s| [0.05 * s, 0.5 * s - 0.25]);
+    draw(&mut window, "Side", |s| [0.05 * s, 0.2 * s - 0.25]);
+    assert_eq!(fibres(&window), before);
+    assert!(said(&window).contains("overlap only 40 % in height"), "{}", said(&window));
+    click(&mut window, "Stretch instead");
+    assert_eq!(fibres(&window), before + 1, "{}", said(&window));
+}
+
+#[test]
+fn a_clipped_pair_says_so_and_offers_to_stretch() {
+    let mut window = still();
+    let before = fibres(&window);
+    draw(&mut window, "Front", |s| [0.05 * s, 0.5 * s - 0.25]);
+    draw(&mut window, "Side", |s| [0.05 * s, 0.43 * s - 0.25]);
+    assert_eq!(fibres(&window), before + 1, "{}", said(&window));
+    assert!(said(&window).contains('%'), "{}", said(&window));
+    click(&mut window, "Stretch instead");
+    assert!(window.query_by_label("Clip instead").is_some());
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    assert!(window.query_by_label("Clip instead").is_none());
+}
+
+#[test]
+fn strokes_that_run_flat_cannot_give_depth() {
+    let mut window = still();
+    let before = fibres(&window);
+    draw(&mut window, "Front", |s| [0.4 * s - 0.2, 0.01 * s]);
+    draw(&mut window, "Side", |s| [0.4 * s - 0.2, 0.01 * s]);
+    assert_eq!(fibres(&window), before);
+    assert!(said(&window).contains("cannot give depth") && said(&window).contains("top view"), "{}", said(&window));
+    // The first stroke is still there.
+    draw(&mut window, "Front", |s| [0.05 * s, 0.5 * s - 0.25]);
+    draw(&mut window, "Side", |s| [0.05 * s, 0.5 * s - 0.25]);
+    assert_eq!(fibres(&window), before + 1);
+}
+
+#[test]
+fn a_fibre_outside_the_solid_is_discarded_with_its_distance() {
+    let mut window = still();
+    draw(&mut window, "Front", |s| [0.6, 0.5 * s - 0.25]);
+    draw(&mut window, "Side", |s| [0.6, 0.5 * s - 0.25]);
+    until(&mut window, |app| app.message().is_some_and(|text| text.contains("nearest material")));
+    assert!(said(&window).contains(" h away"), "{}", said(&window));
+}
+
+#[test]
+fn ends_that_stick_out_are_trimmed_with_their_count() {
+    let mut window = still();
+    draw(&mut window, "Front", |s| [0.02 * s, 0.9 * s - 0.45]);
+    draw(&mut window, "Side", |s| [0.02 * s, 0.9 * s - 0.45]);
+    until(&mut window, |app| app.message().is_some_and(|text| text.contains("points outside the solid were trimmed")));
+}

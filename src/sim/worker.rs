@@ -146,7 +146,8 @@ impl Loop {
             if std::mem::take(&mut self.edited) {
                 self.put_together(true);
             }
-            if self.runs() && Instant::now() >= due {
+            let advances = self.runs() && Instant::now() >= due;
+            if advances {
                 self.advance();
                 let frame = self.frame_seconds() / self.speed.max(1e-3);
                 let now = Instant::now();
@@ -155,7 +156,8 @@ impl Loop {
             } else if !self.runs() {
                 due = Instant::now();
             }
-            if asked || self.runs() {
+            // What has just stopped everything is to be seen too.
+            if asked || advances {
                 self.publish();
             }
         }

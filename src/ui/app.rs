@@ -80,6 +80,8 @@ pub struct App {
     /// Impulse that the strike button gives [N s].
     pub(super) impulse: [f64; 3],
     pub(super) pull: Option<Pull>,
+    /// The drawing views, and where they lay in the last frame.
+    pub(super) drawing: Vec<(View, egui::Rect)>,
     /// A drawing view whose camera was moved in this frame.
     pub(super) moved: Option<(View, Camera)>,
     /// A drawing view that is to show another side.
@@ -126,6 +128,7 @@ impl App {
             tab: PropertyTab::default(),
             impulse: [0.1, 0.0, 0.0],
             pull: None,
+            drawing: Vec::new(),
             moved: None,
             turned: None,
             fit_selected: false,

@@ -3,6 +3,7 @@
 use super::pane::{Pane, PaneKind, View3d};
 use crate::draw::Bounds;
 use crate::render::{Camera, Facing, Projection};
+use crate::sketch::View;
 use crate::solver::snapshot::{BodySnapshot, Snapshot};
 use egui::{Key, PointerButton, Rect, Response, Ui};
 use glam::{DVec2, DVec3};
@@ -45,6 +46,19 @@ impl Ease {
     }
 }
 
+/// From where a drawing view looks.
+pub(super) fn facing(view: View) -> Facing {
+    match view {
+        View::Front => Facing::Front,
+        View::Side => Facing::Side,
+        View::Top => Facing::Top,
+    }
+}
+
+fn aspect(rect: Rect) -> f64 {
+    f64::from(rect.width() / rect.height().max(1.0))
+}
+
 impl Pane {
     /// Sends the camera somewhere.
     pub(super) fn ease_to(&mut self, to: Camera, now: f64) {
@@ -60,8 +74,14 @@ impl View3d<'_> {
             && let Some(bounds) = self.to_fit()
         {
             let mut camera = self.pane.camera;
-            camera.frame(&bounds, f64::from(rect.width() / rect.height().max(1.0)));
+            camera.frame(&bounds, aspect(rect));
             if matches!(self.pane.kind, PaneKind::Drawing(_)) {
+                // Both drawing views show to one scale, that of the one which needs more room.
+                for (view, rect) in &self.app.drawing {
+                    let mut other = Camera::facing(facing(*view));
+                    other.frame(&bounds, aspect(*rect));
+                    camera.height = camera.height.max(other.height);
+                }
                 camera.height *= DRAWING_MARGIN;
             }
             // The first time there is nowhere to come from.

@@ -1,11 +1,11 @@
 //! One of the three views: two to draw in, one to watch.
 
 use super::app::App;
-use super::camera::Ease;
+use super::camera::{Ease, facing};
 use super::picture::{Picture, Shown, Sight};
 use super::theme;
 use crate::draw::{Display, SkinStyle};
-use crate::render::{Camera, Facing};
+use crate::render::Camera;
 use crate::sketch::View;
 use egui::{Color32, Event, PointerButton, Pos2, Rect, Response, Sense, Ui};
 use glam::{DVec2, DVec3};
@@ -31,18 +31,18 @@ pub struct Pane {
     pub(super) framed: bool,
     /// Whether it has been fitted before.
     pub(super) shown: bool,
+    /// Where it lay in the last frame.
+    pub(super) rect: Rect,
     pub(super) picture: Picture,
 }
 
 impl Pane {
     pub(super) fn new(kind: PaneKind) -> Self {
         let camera = match kind {
-            PaneKind::Drawing(View::Front) => Camera::facing(Facing::Front),
-            PaneKind::Drawing(View::Side) => Camera::facing(Facing::Side),
-            PaneKind::Drawing(View::Top) => Camera::facing(Facing::Top),
+            PaneKind::Drawing(view) => Camera::facing(facing(view)),
             PaneKind::Result => Camera::perspective(),
         };
-        Self { kind, camera, ease: None, framed: false, shown: false, picture: Picture::default() }
+        Self { kind, camera, ease: None, framed: false, shown: false, rect: Rect::NOTHING, picture: Picture::default() }
     }
 
     pub(super) fn title(&self) -> &'static str {
@@ -122,6 +122,7 @@ impl View3d<'_> {
         let response = ui.allocate_rect(rect, Sense::click_and_drag());
         let label = format!("{} view", self.pane.title());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, &label));
+        self.pane.rect = rect;
         self.settle_camera(ui, rect);
         self.move_camera(ui, &response);
         let frame = Frame { rect, camera: self.pane.camera };

@@ -133,14 +133,15 @@ impl App {
 
     fn integrator(&mut self, ui: &mut Ui, body: String, present: IntegratorKind) {
         ui.add_space(2.0 * GRID);
-        ui.heading("Integrator");
+        let title = ui.heading("Integrator");
         let mut chosen = present;
         let name = |kind| INTEGRATORS.iter().find(|(known, _)| *known == kind).map_or("", |(_, name)| *name);
-        ComboBox::from_id_salt("integrator").selected_text(name(present)).show_ui(ui, |ui| {
+        let choice = ComboBox::from_id_salt("integrator").selected_text(name(present)).show_ui(ui, |ui| {
             for (kind, name) in INTEGRATORS {
                 ui.selectable_value(&mut chosen, kind, name);
             }
         });
+        choice.response.labelled_by(title.id);
         if chosen != present {
             self.gesture += 1;
             self.apply(&Command::SetIntegrator { body, integrator: chosen });

@@ -1,10 +1,11 @@
 //! How the three views lie beside each other, what links them, and what of them is remembered.
 
 use super::app::App;
-use super::pane::{Pane, PaneKind, View3d};
+use super::pane::{Frame, Pane, PaneKind, View3d};
 use crate::sketch::View;
-use egui::Ui;
+use egui::{Pos2, Rect, Ui};
 use egui_tiles::{Behavior, Container, Linear, LinearDir, Tile, TileId, Tiles, Tree, UiResponse};
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// Under this name the layout is remembered.
@@ -47,6 +48,15 @@ fn panes(views: &Tree<Pane>) -> impl Iterator<Item = &Pane> {
     })
 }
 
+/// The drawing views and where they lay in the last frame; none before the first.
+fn drawing_views(views: &Tree<Pane>) -> Vec<(View, Rect)> {
+    let drawing = panes(views).filter_map(|pane| match pane.kind {
+        PaneKind::Drawing(view) => Some((view, pane.rect)),
+        PaneKind::Result => None,
+    });
+    drawing.filter(|(_, rect)| rect.is_positive()).collect()
+}
+
 impl App {
     /// Goes on with the views and colours of the last time.
     pub(super) fn recall(&mut self, ctx: &egui::Context, storage: &dyn eframe::Storage) {
@@ -71,6 +81,7 @@ impl App {
     pub(super) fn views(&mut self, ui: &mut Ui) {
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
             let mut panes = std::mem::replace(&mut self.panes, Tree::empty(egui::Id::unique("no panes")));
+            self.drawing = drawing_views(&panes);
             panes.ui(&mut Layout { app: self }, ui);
             self.panes = panes;
         });
@@ -80,6 +91,12 @@ impl App {
             // Should a notification be missed, the next picture still comes.
             ui.ctx().request_repaint_after_secs(0.1);
         }
+    }
+
+    /// Where the result view shows a point of the world [m]; none behind its eye.
+    pub fn shown_at(&self, point: DVec3) -> Option<Pos2> {
+        let result = panes(&self.panes).find(|pane| pane.kind == PaneKind::Result)?;
+        Frame { rect: result.rect, camera: result.camera }.screen(point)
     }
 
     fn panes_mut(&mut self) -> impl Iterator<Item = &mut Pane> {
@@ -104,9 +121,11 @@ impl App {
             let kind = match pane.kind {
                 PaneKind::Drawing(view) if view == old => PaneKind::Drawing(new),
                 PaneKind::Drawing(view) if view == new => PaneKind::Drawing(old),
-                _ => continue,
+                // Both are fitted anew, to one scale.
+                PaneKind::Drawing(view) => PaneKind::Drawing(view),
+                PaneKind::Result => continue,
             };
-            *pane = Pane::new(kind);
+            *pane = Pane { rect: pane.rect, ..Pane::new(kind) };
         }
     }
 

@@ -199,7 +199,8 @@ impl App {
     /// The region that a person wants pinned.
     fn new_pin(&self, ui: &mut Ui, regions: &[Region]) -> Option<Region> {
         let mut chosen = None;
-        ComboBox::from_id_salt("new pin").selected_text("Pin a region…").show_ui(ui, |ui| {
+        let title = ui.label("Pin a region");
+        let choice = ComboBox::from_id_salt("new pin").selected_text("Choose…").show_ui(ui, |ui| {
             for region in regions {
                 if ui.selectable_label(false, &region.id).clicked() {
                     chosen = Some(region.clone());
@@ -222,6 +223,7 @@ impl App {
                 }
             }
         });
+        choice.response.labelled_by(title.id);
         chosen
     }
 

@@ -79,9 +79,8 @@ fn drag(window: &mut Window, path: &[Pos2]) {
     button(window, path[0], PointerButton::Primary, true);
     window.step();
     for samples in path[1..].chunks(4) {
-        for &at in samples {
-            window.event(Event::PointerMoved(at));
-        }
+        // Straight into one frame's input: what is queued goes one event to a frame.
+        window.input_mut().events.extend(samples.iter().map(|&at| Event::PointerMoved(at)));
         window.step();
     }
     button(window, path[path.len() - 1], PointerButton::Primary, false);

@@ -27,7 +27,11 @@ fn strokes_that_hardly_overlap_are_refused_with_the_share_and_can_be_stretched()
     draw(&mut window, "Front", |s| [0.05 * s, 0.5 * s - 0.25]);
     draw(&mut window, "Side", |s| [0.05 * s, 0.2 * s - 0.25]);
     assert_eq!(fibres(&window), before);
-    assert!(said(&window).contains("overlap only 40 % in height"), "{}", said(&window));
+    let text = said(&window);
+    assert!(
+        ["39", "40", "41"].iter().any(|share| text.contains(&format!("overlap only {share} % in height"))),
+        "{text}"
+    );
     click(&mut window, "Stretch instead");
     assert_eq!(fibres(&window), before + 1, "{}", said(&window));
 }
@@ -63,8 +67,8 @@ fn strokes_that_run_flat_cannot_give_depth() {
 #[test]
 fn a_fibre_outside_the_solid_is_discarded_with_its_distance() {
     let mut window = still();
-    draw(&mut window, "Front", |s| [0.6, 0.5 * s - 0.25]);
-    draw(&mut window, "Side", |s| [0.6, 0.5 * s - 0.25]);
+    draw(&mut window, "Front", |s| [0.39, 0.5 * s - 0.25]);
+    draw(&mut window, "Side", |s| [0.39, 0.5 * s - 0.25]);
     until(&mut window, |app| app.message().is_some_and(|text| text.contains("nearest material")));
     assert!(said(&window).contains(" h away"), "{}", said(&window));
 }
@@ -72,7 +76,7 @@ fn a_fibre_outside_the_solid_is_discarded_with_its_distance() {
 #[test]
 fn ends_that_stick_out_are_trimmed_with_their_count() {
     let mut window = still();
-    draw(&mut window, "Front", |s| [0.02 * s, 0.9 * s - 0.45]);
-    draw(&mut window, "Side", |s| [0.02 * s, 0.9 * s - 0.45]);
+    draw(&mut window, "Front", |s| [0.4 * s, 0.5 * s - 0.25]);
+    draw(&mut window, "Side", |s| [0.02 * s, 0.5 * s - 0.25]);
     until(&mut window, |app| app.message().is_some_and(|text| text.contains("points outside the solid were trimmed")));
 }

@@ -25,8 +25,8 @@ fn buttons_play_hold_step_and_reset() {
     until(&mut window, |app| !app.published().status.playing);
 }
 
-/// A frame of this takes a second or more: a thousand steps of some thousand particles.
-const SLOW: &str = r#"{"version": 1, "time": {"step": {"manual": {"dt": 1e-6, "substeps_per_frame": 4000}}},
+/// A frame of this takes a good part of a second: hundreds of steps of some thousand particles.
+const SLOW: &str = r#"{"version": 1, "time": {"step": {"manual": {"dt": 1e-6, "substeps_per_frame": 400}}},
     "bodies": [{"id": "block", "shape": {"box": {"size": [0.2, 0.2, 0.2]}},
         "material": {"young_modulus": 1e5, "mass": {"density": 1000}, "support_radius": 0.025}}]}"#;
 
@@ -42,7 +42,7 @@ fn frames_keep_coming_while_a_step_takes_long() {
         std::thread::sleep(Duration::from_millis(1));
         assert!(start.elapsed() < super::PATIENCE);
     }
-    assert!(frames > 10, "{frames} frames while the solver took {:?}", start.elapsed());
+    assert!(frames > 5, "{frames} frames while the solver took {:?}", start.elapsed());
 }
 
 #[test]

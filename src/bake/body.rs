@@ -1,5 +1,6 @@
 //! One body of the scene: particles, forces, start, stable step.
 
+use super::limits::{Resistance, SolidParameter};
 use super::matter::Matter;
 use super::{BakeError, BakeStage, Note, fibres, supports};
 use crate::geometry::kernel::Kernel;
@@ -13,7 +14,6 @@ use crate::solver::integrators::{
     BackwardEuler, ExplicitEuler, Integrator, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet,
 };
 use crate::solver::neighbourhood::Neighbourhood;
-use crate::solver::stable_step::highest_frequency_squared;
 use crate::solver::state::ParticleState;
 use glam::{DQuat, DVec3};
 use std::collections::HashMap;
@@ -28,9 +28,6 @@ pub(super) struct Draft {
 
 /// Friction below its Coulomb limit acts like a damper of this share of the contact's critical rate.
 const STICKING: f64 = 0.5;
-
-/// Share of the bound of a damping rate that the stiffest mode is sure to see.
-const ASSURED: f64 = 0.25;
 
 /// Net force below which a particle counts as at rest, in units of E D².
 const REST_FORCE: f64 = 2e-7;
@@ -79,7 +76,11 @@ pub(super) fn draft(
         orientation,
     ))];
     let rods = fibres::rods(body, &embedder, volume, &placed);
+    let strongest = fibres::strongest(body, &placed, &rods);
+    let mut weaker = None;
     if !rods.is_empty() {
+        let half: Arc<[_]> = rods.iter().map(|rod| rod.clone().scaled(0.5)).collect();
+        weaker = Some([forces.clone(), vec![Box::new(FibreForce::new(half, orientation))]].concat());
         forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
     }
     let gravity = DVec3::from_array(scene.gravity);
@@ -96,9 +97,14 @@ pub(super) fn draft(
     progress(name, BakeStage::StableStep);
     let contact = Contact { planes: room_planes(scene), law: contact_law(scene, body, mass) };
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
-    let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
     let integrator = integrator(body.integrator);
-    let stable_dt = stable_step(integrator.as_ref(), &forces, contact_limit, &state, spacing);
+    let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
+    let resistance = Resistance::measured(&forces, weaker, &state, spacing, contact_limit, material.damping.air);
+    let stable_dt = resistance.stable_step(integrator.as_ref());
+    let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| match (parameter, strongest) {
+        (SolidParameter::Fibres, Some(fibre)) => format!("{path}/fibres/{fibre}/stiffness"),
+        (parameter, _) => format!("{path}/{}", parameter.pointer()),
+    });
     let law = contact.law;
     if !contact.planes.is_empty() {
         forces.push(Box::new(contact));
@@ -130,6 +136,7 @@ pub(super) fn draft(
         mean_neighbours: neighbourhood.mean_neighbours(),
         dt: stable_dt,
         stable_dt,
+        limited_by,
         step_parameter: match &scene.time.step {
             TimeStep::Automatic(_) => "/time/step/automatic/safety".to_owned(),
             TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
@@ -162,30 +169,6 @@ fn contact_law(scene: &Scene, body: &Body, mass: f64) -> ContactLaw {
         friction: scene.room.friction,
         sticking: STICKING * critical,
     }
-}
-
-/// Greatest stable step [s] under `forces` and a contact that may come.
-fn stable_step(
-    integrator: &dyn Integrator,
-    forces: &[Box<dyn Force>],
-    contact: StepLimit,
-    state: &ParticleState,
-    spacing: f64,
-) -> f64 {
-    let mut frequency_squared = contact.frequency_squared;
-    let mut assured = 0.0;
-    for force in forces {
-        let limit = force.step_limit(state);
-        frequency_squared += limit.frequency_squared;
-        assured += limit.damping_rate;
-    }
-    // On a copy: the forces' warm starts must be those of the start when the run begins.
-    frequency_squared += highest_frequency_squared(&mut forces.to_vec(), state, spacing);
-    let frequency = frequency_squared.sqrt();
-    // Damping shortens the step of some integrators and is all that holds others: explicit Euler may count only on what
-    // every particle has all the time, and the bound of each rate is up to four times what a mode sees.
-    let with_least = integrator.stable_step(frequency, ASSURED * assured);
-    integrator.stable_step(frequency, assured + contact.damping_rate).min(with_least)
 }
 
 pub(super) fn turn(rotation: &Rotation) -> DQuat {

@@ -201,17 +201,16 @@ pub(super) fn matrix_share(body: &Body, particles: &[DVec3], kernel: Kernel, pla
     volume_fractions(particles, &runs, &curve).into_iter().map(|fraction| 1.0 - fraction).collect()
 }
 
-/// Rods of the placed fibres; a fibre of no volume fraction carries nothing and is left out, to the bit.
+/// Rods of the placed fibres that carry anything.
 pub(super) fn rods(
     body: &Body,
     embedder: &Embedder<'_>,
     particle_volume: f64,
     placed: &[PlacedFibre],
 ) -> Vec<FibreRest> {
-    let carries = |run: &&PlacedFibre| body.fibres[run.fibre].volume_fraction > 0.0;
     placed
         .iter()
-        .filter(carries)
+        .filter(|run| carries(body, run))
         .map(|run| {
             let fibre = &body.fibres[run.fibre];
             let (ea, ei) = fibre.stiffness.rigidity(particle_volume);
@@ -227,4 +226,15 @@ pub(super) fn rods(
             FibreRest::new(run.stencils[run.active.clone()].to_vec(), vertices, ea, ei, fibre.volume_fraction, turns)
         })
         .collect()
+}
+
+/// Index in the scene of the fibre whose rods resist a move of a structure particle most; none without rods.
+pub(super) fn strongest(body: &Body, placed: &[PlacedFibre], rods: &[FibreRest]) -> Option<usize> {
+    let carrying = placed.iter().filter(|run| carries(body, run));
+    carrying.zip(rods).max_by(|(_, a), (_, b)| a.stiffest().total_cmp(&b.stiffest())).map(|(run, _)| run.fibre)
+}
+
+/// A fibre of no volume fraction carries nothing and is left out, to the bit.
+fn carries(body: &Body, run: &PlacedFibre) -> bool {
+    body.fibres[run.fibre].volume_fraction > 0.0
 }

@@ -3,6 +3,8 @@
 
 mod body;
 mod fibres;
+mod layer_model;
+mod limits;
 mod matter;
 mod measures;
 mod supports;
@@ -98,6 +100,46 @@ pub enum BakeError {
         /// Signed volume [m³], or area [m²].
         volume: f64,
     },
+    /// A two-layer body whose outer layer would have holes.
+    #[error(
+        "{path}: the surface is not closed ({open_edges} open edges), so that no gas stays in it; close it in the program \
+         it is from"
+    )]
+    NotClosed {
+        /// Pointer to the mesh's path.
+        path: String,
+        /// Edges of one face only.
+        open_edges: usize,
+    },
+    /// A two-layer body of more particles than are allowed.
+    #[error("{path}: the mesh has {points} points where {limit} are allowed; simplify it")]
+    TooManyPoints {
+        /// Pointer to the mesh's path.
+        path: String,
+        /// Points of the mesh.
+        points: usize,
+        /// Greatest number.
+        limit: usize,
+    },
+    /// An inner layer that does not fit into the outer one.
+    #[error(
+        "{path}: {value} turns the inner layer inside out (faces turned over: {turned}, pairs that pass through each \
+         other: {crossings}, volume inside: {volume:.2e} m³); {remedy}"
+    )]
+    InnerLayer {
+        /// Pointer to the offset.
+        path: String,
+        /// The offset, as given.
+        value: f64,
+        /// Faces that would look the other way.
+        turned: usize,
+        /// Pairs of faces that would pass through each other.
+        crossings: usize,
+        /// Volume inside [m³].
+        volume: f64,
+        /// What to give.
+        remedy: String,
+    },
     /// A reference to something that is not there.
     #[error("{path}: {what} \"{id}\" does not exist; there are: {known}")]
     Unknown {
@@ -123,7 +165,7 @@ pub enum BakeError {
     /// More steps to a frame than anybody can wait for.
     #[error(
         "{path}: a frame of {frame_seconds:.3e} s would take {steps:.2e} steps of at most {stable_dt:.2e} s for \"{body}\"; \
-         raise the frame rate, or soften its material or fibres"
+         raise the frame rate, or {}", softer(.limited_by.as_deref())
     )]
     TooManySteps {
         /// Pointer to the frame rate.
@@ -136,6 +178,8 @@ pub enum BakeError {
         steps: f64,
         /// Stable step [s].
         stable_dt: f64,
+        /// Pointer to the parameter that sets it.
+        limited_by: Option<String>,
     },
     /// A reaction asked of a region that nothing holds.
     #[error("{path}: nothing holds region \"{region}\", so it has no reaction; add a pin on it")]
@@ -145,6 +189,10 @@ pub enum BakeError {
         /// The region.
         region: String,
     },
+}
+
+fn softer(limited_by: Option<&str>) -> String {
+    limited_by.map_or("soften its material or fibres".to_owned(), |pointer| format!("lower {pointer}"))
 }
 
 fn remedy(suggested: Option<f64>) -> String {
@@ -232,18 +280,20 @@ pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeS
         drafts.push(body::draft(scene, &body, &matter, &path, &mut notes, progress)?);
     }
     for (index, body) in scene.two_layer.iter().enumerate() {
-        drafts.push(two_layer::draft(scene, body, &format!("/two_layer/{index}"), progress)?);
+        let path = format!("/two_layer/{index}");
+        drafts.push(two_layer::draft(scene, body, assets, &path, &mut notes, progress)?);
     }
     let plan = plan(scene, &drafts)?;
     for (index, (draft, &substeps)) in drafts.iter_mut().zip(&plan.substeps).enumerate() {
         let dt = plan.frame_seconds / f64::from(plan.outer_steps) / f64::from(substeps);
         draft.parts.dt = dt;
         if dt > draft.parts.stable_dt {
+            let set_by = draft.parts.limited_by.as_ref().map_or(String::new(), |pointer| format!(", set by {pointer}"));
             notes.push(Note {
                 path: "/time/step/manual/dt".to_owned(),
                 text: format!(
-                    "{dt:.3e} s is beyond the stable step {:.3e} s of body {index} (\"{}\"), which will most likely \
-                     diverge; give at most {:.2e} s or use the automatic step",
+                    "{dt:.3e} s is beyond the stable step {:.3e} s of body {index} (\"{}\"{set_by}), which will most \
+                     likely diverge; give at most {:.2e} s or use the automatic step",
                     draft.parts.stable_dt,
                     draft.parts.name,
                     0.7 * draft.parts.stable_dt
@@ -289,8 +339,14 @@ fn plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, BakeError> {
                 let stable_dt = draft.parts.stable_dt;
                 let steps = frame / (automatic.safety * stable_dt);
                 if steps.is_nan() || steps > MOST_STEPS {
-                    let (body, path) = (draft.parts.name.clone(), "/time/frames_per_second".to_owned());
-                    return Err(BakeError::TooManySteps { path, body, frame_seconds: frame, steps, stable_dt });
+                    return Err(BakeError::TooManySteps {
+                        path: "/time/frames_per_second".to_owned(),
+                        body: draft.parts.name.clone(),
+                        frame_seconds: frame,
+                        steps,
+                        stable_dt,
+                        limited_by: draft.parts.limited_by.clone(),
+                    });
                 }
             }
             let wanted = drafts.iter().map(|draft| count(draft.parts.stable_dt)).collect();

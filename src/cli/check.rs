@@ -103,6 +103,7 @@ fn steps(world: &World) -> Table {
         ("body", Align::Left),
         ("time step [s]", Align::Right),
         ("stable up to [s]", Align::Right),
+        ("limited by", Align::Left),
         ("steps a frame", Align::Right),
         ("particle steps a second", Align::Right),
     ]);
@@ -114,6 +115,7 @@ fn steps(world: &World) -> Table {
             label,
             figures(body.parts().dt),
             figures(body.parts().stable_dt),
+            body.parts().limited_by.clone().unwrap_or_else(|| "-".to_owned()),
             a_frame.to_string(),
             figures(cost(body, a_frame / plan.frame_seconds)),
         ]);

@@ -6,7 +6,7 @@ use super::{CliError, Console, Outcome};
 use crate::geometry::fill::{FillError, Fineness, fill};
 use crate::geometry::solid::Solid;
 use crate::io::{IoError, load_model};
-use crate::scene::{Axis, Extra, MAX_PARTICLES, MeshShape, one_line};
+use crate::scene::{Axis, MAX_PARTICLES, ModelFile, one_line};
 use clap::{Args, ValueEnum};
 use std::path::Path;
 
@@ -57,11 +57,11 @@ pub fn check_model(path: &Path, options: &ModelOptions, console: &mut Console) -
         Up::Y => Axis::Y,
         Up::Z => Axis::Z,
     };
-    let shape = MeshShape { path: String::new(), scale: options.scale, up, particles: None, extra: Extra::new() };
+    let file = ModelFile { path: "", scale: options.scale, up };
     console.begin();
     console.stage(&"reading");
     let mut model = load_model(path)?;
-    model.stand_up(shape.up_axis(), shape.scale);
+    model.stand_up(file.up_axis(), file.scale);
     console.stage(&"looking for an inside");
     let refused = |refusal| IoError::InFile { file: path.to_owned(), error: Box::new(IoError::Refused(refusal)) };
     let solid = Solid::new(&model).map_err(refused)?;

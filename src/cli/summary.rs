@@ -49,6 +49,7 @@ fn bodies(report: &Report, world: &World) -> Table {
         ("vertices", Align::Right),
         ("time step [s]", Align::Right),
         ("steps a frame", Align::Right),
+        ("limited by", Align::Left),
         ("", Align::Left),
     ]);
     for (body, substeps) in report.bodies.iter().zip(&world.plan().substeps) {
@@ -61,6 +62,7 @@ fn bodies(report: &Report, world: &World) -> Table {
             body.structure_particles.to_string(),
             figures(body.dt),
             (u64::from(*substeps) * u64::from(world.plan().outer_steps)).to_string(),
+            body.limited_by.clone().unwrap_or_else(|| "-".to_owned()),
             if body.diverged.is_some() { "diverged".to_owned() } else { String::new() },
         ]);
     }

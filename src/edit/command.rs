@@ -50,7 +50,7 @@ pub enum Command {
         pins: Vec<Pin>,
     },
     /// Puts a two-layer body in the place of the one with the same identifier.
-    SetTwoLayer(TwoLayer),
+    SetTwoLayer(Box<TwoLayer>),
     /// Changes frame rate, length and time step.
     SetTime(Time),
     /// Changes gravity [m/s²].
@@ -105,19 +105,19 @@ impl Command {
                 None => body_of(scene, body)?.integrator = *integrator,
             },
             Self::SetPins { body, regions, pins } => {
-                let (old_regions, old_pins) = match scene.two_layer.iter_mut().find(|old| old.id == *body) {
-                    Some(body) => (&mut body.regions, &mut body.pins),
-                    None => {
-                        let body = body_of(scene, body)?;
-                        (&mut body.regions, &mut body.pins)
-                    }
+                let two_layer = scene.two_layer.iter_mut().find(|old| old.id == *body);
+                let (old_regions, old_pins) = if let Some(body) = two_layer {
+                    (&mut body.regions, &mut body.pins)
+                } else {
+                    let body = body_of(scene, body)?;
+                    (&mut body.regions, &mut body.pins)
                 };
                 old_regions.clone_from(regions);
                 old_pins.clone_from(pins);
             }
             Self::SetTwoLayer(body) => {
                 let old = scene.two_layer.iter_mut().find(|old| old.id == body.id);
-                *old.ok_or_else(|| format!("there is no two-layer body \"{}\"", body.id))? = body.clone();
+                *old.ok_or_else(|| format!("there is no two-layer body \"{}\"", body.id))? = (**body).clone();
             }
             Self::SetTime(time) => scene.time = time.clone(),
             Self::SetGravity(gravity) => scene.gravity = *gravity,

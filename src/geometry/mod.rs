@@ -15,6 +15,7 @@ pub mod mesh;
 pub mod model;
 pub mod neighbours;
 pub mod octahedron;
+pub mod offset;
 pub mod orient;
 pub mod report;
 pub mod rig;

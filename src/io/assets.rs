@@ -31,7 +31,7 @@ pub fn complete_assets(
         if assets.solid(shape).is_some() {
             continue;
         }
-        let path = folder.join(&shape.path);
+        let path = folder.join(shape.path);
         let asset = |error: IoError| IoError::Asset { pointer: format!("{pointer}/path"), error: Box::new(error) };
         progress(&format!("{}: reading", shape.path));
         let mut model = load_model(&path).map_err(asset)?;

@@ -1,18 +1,51 @@
 //! What a scene refers to but does not hold: the solids that its meshes stand for.
 
-use super::{Axis, MeshShape, Scene, Shape};
+use super::{Axis, ClosedMesh, MeshShape, Scene, Shape, TwoLayerShape};
 use crate::geometry::model::Up;
 use crate::geometry::solid::Solid;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Solids by the shapes that name them, each loaded and checked once. Copies share them.
+/// Solids by the files that shapes name, each loaded and checked once. Copies share them.
 #[derive(Clone, Debug, Default)]
 pub struct Assets {
     solids: BTreeMap<Key, Arc<Solid>>,
 }
 
-/// All that a solid follows from, but for the content of its file.
+/// A model as a shape names it: all that its solid follows from, but for the content of the file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelFile<'a> {
+    /// The file, relative to the scene file.
+    pub path: &'a str,
+    /// Metres to a unit of the file.
+    pub scale: f64,
+    /// Axis of the file that points up.
+    pub up: Axis,
+}
+
+impl<'a> From<&'a MeshShape> for ModelFile<'a> {
+    fn from(shape: &'a MeshShape) -> Self {
+        Self { path: &shape.path, scale: shape.scale, up: shape.up }
+    }
+}
+
+impl<'a> From<&'a ClosedMesh> for ModelFile<'a> {
+    fn from(shape: &'a ClosedMesh) -> Self {
+        Self { path: &shape.path, scale: shape.scale, up: shape.up }
+    }
+}
+
+impl ModelFile<'_> {
+    /// The axis that points up, as importers have it.
+    pub fn up_axis(&self) -> Up {
+        match self.up {
+            Axis::X => Up::X,
+            Axis::Y => Up::Y,
+            Axis::Z => Up::Z,
+        }
+    }
+}
+
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Key {
     path: String,
@@ -21,20 +54,20 @@ struct Key {
 }
 
 impl Key {
-    fn of(shape: &MeshShape) -> Self {
-        Self { path: shape.path.clone(), scale: shape.scale.to_bits(), up: shape.up.index() }
+    fn of(file: ModelFile<'_>) -> Self {
+        Self { path: file.path.to_owned(), scale: file.scale.to_bits(), up: file.up.index() }
     }
 }
 
 impl Assets {
     /// The solid that a shape stands for, once it has been put in.
-    pub fn solid(&self, shape: &MeshShape) -> Option<&Arc<Solid>> {
-        self.solids.get(&Key::of(shape))
+    pub fn solid<'a>(&self, shape: impl Into<ModelFile<'a>>) -> Option<&Arc<Solid>> {
+        self.solids.get(&Key::of(shape.into()))
     }
 
     /// Puts in the solid that a shape stands for: upright and in metres.
-    pub fn insert(&mut self, shape: &MeshShape, solid: Arc<Solid>) {
-        self.solids.insert(Key::of(shape), solid);
+    pub fn insert<'a>(&mut self, shape: impl Into<ModelFile<'a>>, solid: Arc<Solid>) {
+        self.solids.insert(Key::of(shape.into()), solid);
     }
 
     /// Number of solids.
@@ -48,23 +81,17 @@ impl Assets {
     }
 }
 
-impl MeshShape {
-    /// The axis that points up, as importers have it.
-    pub fn up_axis(&self) -> Up {
-        match self.up {
-            Axis::X => Up::X,
-            Axis::Y => Up::Y,
-            Axis::Z => Up::Z,
-        }
-    }
-}
-
 impl Scene {
-    /// The mesh shapes of the scene, each with its JSON pointer.
-    pub fn meshes(&self) -> impl Iterator<Item = (String, &MeshShape)> {
-        self.bodies.iter().enumerate().filter_map(|(index, body)| match &body.shape {
-            Shape::Mesh(shape) => Some((format!("/bodies/{index}/shape/mesh"), shape)),
+    /// The models that the scene's shapes name, each with the JSON pointer of the shape.
+    pub fn meshes(&self) -> impl Iterator<Item = (String, ModelFile<'_>)> {
+        let solids = self.bodies.iter().enumerate().filter_map(|(index, body)| match &body.shape {
+            Shape::Mesh(shape) => Some((format!("/bodies/{index}/shape/mesh"), ModelFile::from(shape))),
             Shape::Box(_) => None,
-        })
+        });
+        let layers = self.two_layer.iter().enumerate().filter_map(|(index, body)| match &body.shape {
+            TwoLayerShape::Mesh(shape) => Some((format!("/two_layer/{index}/shape/mesh"), ModelFile::from(shape))),
+            _ => None,
+        });
+        solids.chain(layers)
     }
 }

@@ -16,7 +16,7 @@ mod two_layer;
 mod validate;
 mod world;
 
-pub use assets::Assets;
+pub use assets::{Assets, ModelFile};
 pub use body::{
     Body, BodyKind, BoxShape, Damping, Falloff, Impulse, Initial, IntegratorKind, Mass, Material, MeshShape, Placement,
     Region, Rotation, Selector, Shape,
@@ -25,7 +25,8 @@ pub use fibre::{Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidit
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 pub use support::{Axis, Distance, Easing, Keyframe, Motion, Pin, Ramp, Side, Turn};
 pub use two_layer::{
-    Ball, ContactKind, Drag, PressureIn, RegionMass, Ring, Segment, TwoLayer, TwoLayerContact, TwoLayerShape,
+    Ball, ClosedMesh, ContactKind, Drag, InnerOffset, PressureIn, RegionMass, Ring, Segment, TwoLayer, TwoLayerContact,
+    TwoLayerShape,
 };
 pub use validate::SceneError;
 pub(crate) use validate::{brief, one_line};

@@ -1,7 +1,7 @@
 //! Two-layer bodies: elastic objects of an outer and an inner layer of particles joined by springs, with gas inside
 //! (Song and Grogono: *A framework for dynamic deformation of uniform elastic two-layer 2D and 3D objects*, C3S2E 2008).
 
-use super::{Extra, Impulse, Initial, IntegratorKind, Pin, Placement, Region};
+use super::{Axis, Extra, Impulse, Initial, IntegratorKind, Pin, Placement, Region};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -93,6 +93,8 @@ pub enum TwoLayerShape {
     Ring(Ring),
     /// 3D: two spheres, an octahedron subdivided.
     Ball(Ball),
+    /// 3D: a closed mesh from a file, and the same moved inwards.
+    Mesh(ClosedMesh),
 }
 
 impl TwoLayerShape {
@@ -101,25 +103,7 @@ impl TwoLayerShape {
         match self {
             Self::Segment(_) => 1,
             Self::Ring(_) => 2,
-            Self::Ball(_) => 3,
-        }
-    }
-
-    /// Half the extent of the body [m].
-    pub fn radius(&self) -> f64 {
-        match self {
-            Self::Segment(segment) => 0.5 * segment.length,
-            Self::Ring(ring) => ring.outer_radius,
-            Self::Ball(ball) => ball.outer_radius,
-        }
-    }
-
-    /// Particles of each layer.
-    pub fn particles_of_a_layer(&self) -> usize {
-        match self {
-            Self::Segment(_) => 2,
-            Self::Ring(ring) => ring.sides as usize,
-            Self::Ball(ball) => crate::geometry::octahedron::vertex_count(ball.subdivisions),
+            Self::Ball(_) | Self::Mesh(_) => 3,
         }
     }
 
@@ -129,6 +113,7 @@ impl TwoLayerShape {
             Self::Segment(_) => false,
             Self::Ring(ring) => !ring.single_layer,
             Self::Ball(ball) => !ball.single_layer,
+            Self::Mesh(mesh) => !mesh.single_layer,
         }
     }
 }
@@ -193,6 +178,45 @@ pub struct Ball {
 impl Default for Ball {
     fn default() -> Self {
         Self { subdivisions: 1, outer_radius: 2.0, inner_radius: 1.0, single_layer: false, extra: Extra::new() }
+    }
+}
+
+/// A 3D body of any shape: the outer layer is the surface of a closed mesh from an OBJ, STL, PLY, glTF or GLB file, one
+/// particle wherever its vertices meet; the inner layer is the same surface, moved inwards along its normals.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ClosedMesh {
+    /// The file, relative to the scene file.
+    pub path: String,
+    /// Metres to a unit of the file: 0.001 for a file in millimetres.
+    #[serde(default = "default_scale")]
+    pub scale: f64,
+    /// Axis of the file that points up; it becomes Y.
+    #[serde(default = "default_up")]
+    pub up: Axis,
+    /// How far inside the outer layer the inner one lies.
+    #[serde(default)]
+    pub inner_offset: InnerOffset,
+    /// Whether the outer layer stands alone.
+    #[serde(default)]
+    pub single_layer: bool,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// Distance from the outer layer to the inner one, along the normals.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum InnerOffset {
+    /// In metres.
+    Metres(f64),
+    /// As a fraction of half the mesh's least extent: 0.5 puts the inner layer of a sphere at half its radius.
+    Fraction(f64),
+}
+
+impl Default for InnerOffset {
+    fn default() -> Self {
+        Self::Fraction(0.25)
     }
 }
 
@@ -269,6 +293,14 @@ pub struct Drag {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+fn default_scale() -> f64 {
+    1.0
+}
+
+fn default_up() -> Axis {
+    Axis::Y
 }
 
 fn default_ks() -> f64 {

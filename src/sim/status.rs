@@ -42,8 +42,8 @@ pub struct Stepping {
     pub dt: f64,
     /// Greatest stable time step that was measured [s].
     pub stable_dt: f64,
-    /// JSON pointer of the parameter that sets it.
-    pub step_parameter: String,
+    /// JSON pointer of the parameter that sets that; none where no single one does.
+    pub limited_by: Option<String>,
     /// Steps in a frame.
     pub substeps: u32,
 }

@@ -316,7 +316,7 @@ impl Loop {
                 name: body.parts().name.clone(),
                 dt: body.parts().dt,
                 stable_dt: body.parts().stable_dt,
-                step_parameter: body.parts().step_parameter.clone(),
+                limited_by: body.parts().limited_by.clone(),
                 substeps: count * plan.outer_steps,
             };
             self.status.bodies = world.bodies().iter().zip(&plan.substeps).map(stepping).collect();

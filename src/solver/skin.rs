@@ -111,18 +111,18 @@ impl Skin {
         Some(skin)
     }
 
-    /// A surface whose vertices are the first `count` particles themselves.
-    pub fn of_particles(count: u32, triangles: &[[u32; 3]]) -> Self {
-        let point_of: Vec<u32> = (0..count).collect();
+    /// A surface whose points are the first particles themselves, in their order.
+    pub fn of_particles(shape: &SkinShape<'_>) -> Self {
+        let count = shape.points.len() as u32;
         Self {
             starts: (0..=count).collect(),
-            particles: point_of.clone(),
+            particles: (0..count).collect(),
             weights: vec![1.0; count as usize],
-            shading: Shading::new(&point_of, &[], triangles),
-            triangles: triangles.into(),
-            colours: Arc::default(),
+            point_of: shape.point_of.to_vec(),
+            shading: Shading::new(shape.point_of, shape.normals, shape.triangles),
+            triangles: shape.triangles.into(),
+            colours: shape.colours.into(),
             rig: OnceLock::new(),
-            point_of,
         }
     }
 

@@ -3,7 +3,7 @@
 use super::body::Body;
 pub use super::forces::springs::SpringKind;
 use super::layers::Layers;
-use super::skin::Skin;
+use super::skin::{Skin, SkinShape};
 use super::world::World;
 use crate::geometry::rig::Rig;
 use glam::{DVec3, Vec3};
@@ -52,7 +52,9 @@ pub struct SkinEmbedding(Option<Arc<Skin>>);
 impl SkinEmbedding {
     /// A skin whose vertices are the first `count` particles.
     pub fn of_particles(count: u32, triangles: &[[u32; 3]]) -> Self {
-        Self(Some(Arc::new(Skin::of_particles(count, triangles))))
+        let (points, point_of) = (vec![DVec3::ZERO; count as usize], (0..count).collect::<Vec<_>>());
+        let shape = SkinShape { points: &points, point_of: &point_of, normals: &[], colours: &[], triangles };
+        Self(Some(Arc::new(Skin::of_particles(&shape))))
     }
 }
 

@@ -92,23 +92,27 @@ impl App {
         } else {
             format!("{:.2} s", status.time)
         };
-        let steps = status.bodies.iter().max_by(|a, b| a.substeps.cmp(&b.substeps));
-        let mut why = format!("{} particles", status.particles);
-        if let Some(body) = steps {
-            why += &format!(
-                "\n{} steps a frame of {:.3e} s, which {} needs: its stable step is {:.3e} s",
+        let mut why = vec![format!("{} particles", status.particles)];
+        if let Some(body) = status.bodies.iter().max_by_key(|body| body.substeps) {
+            why.push(format!(
+                "{} steps a frame of {:.3e} s, which {} needs: its stable step is {:.3e} s",
                 body.substeps, body.dt, body.name, body.stable_dt
-            );
+            ));
         }
         if slow && status.playing {
-            why += "\nSlow motion: these steps take longer to compute than they last. Softer materials and fibres, \
-                    fewer particles or a greater density need fewer";
+            let slow = "Slow motion: these steps take longer to compute than they last. Softer materials and fibres, fewer \
+                        particles or a greater density need fewer";
+            why.push(slow.to_owned());
         }
-        if self.painter.as_ref().is_some_and(super::picture::Painter::saves_work) {
-            why += "\nDrawn in software: no anti-aliasing, and views are drawn anew only when what they show changes";
+        let software = self.painter.as_ref().is_some_and(super::picture::Painter::saves_work);
+        if software {
+            let saves =
+                "Drawn in software: no anti-aliasing, and views are drawn anew only when what they show changes";
+            why.push(saves.to_owned());
         }
+        let why = why.join("\n");
         ui.label(RichText::new(text).monospace()).on_hover_text(&why);
-        if self.painter.as_ref().is_some_and(super::picture::Painter::saves_work) {
+        if software {
             ui.label(RichText::new("software driver").weak()).on_hover_text(why);
         }
     }

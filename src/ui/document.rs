@@ -4,7 +4,7 @@ use crate::geometry::solid::Solid;
 use crate::io::{IoError, is_model, load_assets, load_scene, scene_from_json};
 use crate::scene::{
     Assets, Axis, Body, BodyKind, Damping, Extra, Falloff, Initial, IntegratorKind, Mass, Material, MeshShape,
-    Placement, Room, Scene, Shape,
+    Placement, Room, Scene, Shape, TwoLayerShape,
 };
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -63,12 +63,12 @@ impl Document {
             assets.solid(shape).map_or(HAND, |solid: &Arc<Solid>| solid.size().max_element())
         };
         let found = extent(&assets, &shape);
-        let mut note = format!("Opened {name} as a soft solid of {MODEL_PARTICLES} particles");
+        let mut scaled = String::new();
         if !(USUAL_EXTENT.0..=USUAL_EXTENT.1).contains(&found) {
             shape.scale = HAND / found;
             scene = model_scene(&name, &shape);
             assets = load_assets(&scene, &folder, &mut |_| {})?;
-            note += &format!(", scaled by {:.3e} to {HAND} m: the file measures {found:.3e} units", shape.scale);
+            scaled = format!(", scaled by {:.3e} to {HAND} m: the file measures {found:.3e} units", shape.scale);
         }
         if let Some(solid) = assets.solid(&shape) {
             let body = &mut scene.bodies[0];
@@ -77,6 +77,7 @@ impl Document {
             // What is not used is still to make sense: a fortieth of the size is about what the particles give.
             body.material.support_radius = 0.1 * solid.size().max_element();
         }
+        let note = format!("Opened {name} as a soft solid of about {MODEL_PARTICLES} particles{scaled}");
         Ok(Self { scene, assets: Arc::new(assets), path: None, folder, note: Some(note) })
     }
 }
@@ -120,6 +121,11 @@ pub(super) fn moved(scene: &Scene, from: &Path, to: &Path) -> Scene {
     }
     for body in &mut scene.bodies {
         if let Shape::Mesh(shape) = &mut body.shape {
+            shape.path = seen_from(&from.join(&shape.path), &to);
+        }
+    }
+    for body in &mut scene.two_layer {
+        if let TwoLayerShape::Mesh(shape) = &mut body.shape {
             shape.path = seen_from(&from.join(&shape.path), &to);
         }
     }

@@ -116,7 +116,7 @@ impl App {
             let mut changed = body.clone();
             show_two_layer(ui, &mut changed);
             if changed != body {
-                self.apply(&Command::SetTwoLayer(changed));
+                self.apply(&Command::SetTwoLayer(Box::new(changed)));
             }
             self.integrator(ui, body.id, body.integrator);
         } else {
@@ -150,10 +150,13 @@ impl App {
         let exceeded = step.dt > step.stable_dt;
         let text = format!("DT    {:.3e} s\nlimit {:.3e} s", step.dt, step.stable_dt);
         let colour = if exceeded { self.tone.error() } else { ui.visuals().text_color() };
-        let why = format!("The limit is the stable step of this integrator; {} sets it", step.step_parameter);
+        let set_by = step.limited_by.as_ref().map_or(String::new(), |pointer| format!(", set by {pointer}"));
+        let why = format!("The limit is the stable step of this integrator{set_by}");
         ui.label(RichText::new(text).monospace().color(colour)).on_hover_text(&why);
         if exceeded {
-            ui.colored_label(self.tone.error(), format!("Beyond the limit: lower {}", step.step_parameter));
+            ui.colored_label(self.tone.error(), format!("Beyond the limit{set_by}"));
+        } else if let Some(pointer) = &step.limited_by {
+            ui.label(RichText::new(format!("Set by {pointer}")).weak().small());
         }
     }
 }

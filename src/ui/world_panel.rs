@@ -137,7 +137,8 @@ impl App {
             .unwrap_or(Bounds { min: DVec3::new(-0.05, 0.0, -0.05), max: DVec3::new(0.05, 0.1, 0.05) });
         let extent = bounds.max - bounds.min;
         let width = PANEL_REACH * extent.x.max(extent.z);
-        let number = (1..).find(|n| others.iter().all(|plate| plate.id != format!("panel-{n}"))).unwrap_or(1);
+        let number =
+            (1..=others.len() + 1).find(|n| others.iter().all(|plate| plate.id != format!("panel-{n}"))).unwrap_or(1);
         Plate {
             id: format!("panel-{number}"),
             name: format!("Panel {number}"),
@@ -265,14 +266,13 @@ impl App {
             }
         }
         for body in &self.published.status.bodies {
+            let set_by = body.limited_by.as_ref().map_or(String::new(), |pointer| format!(", set by {pointer}"));
             if body.dt > body.stable_dt {
-                let text = format!(
-                    "{}: DT {:.3e} s is beyond its limit {:.3e} s, which {} sets",
-                    body.name, body.dt, body.stable_dt, body.step_parameter
-                );
+                let text =
+                    format!("{}: DT {:.3e} s is beyond its limit {:.3e} s{set_by}", body.name, body.dt, body.stable_dt);
                 ui.colored_label(self.tone.error(), text);
             } else {
-                ui.label(format!("{}: limit {:.3e} s", body.name, body.stable_dt));
+                ui.label(format!("{}: limit {:.3e} s{set_by}", body.name, body.stable_dt));
             }
         }
         if time != self.scene().time {
@@ -282,7 +282,7 @@ impl App {
 }
 
 fn add_pin(region: Region, regions: &mut Vec<Region>, pins: &mut Vec<Pin>) {
-    let number = (1..).find(|n| pins.iter().all(|pin| pin.id != format!("pin-{n}"))).unwrap_or(1);
+    let number = (1..=pins.len() + 1).find(|n| pins.iter().all(|pin| pin.id != format!("pin-{n}"))).unwrap_or(1);
     pins.push(Pin {
         id: format!("pin-{number}"),
         region: region.id.clone(),

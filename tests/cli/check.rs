@@ -48,3 +48,24 @@ fn what_cannot_be_put_together_is_refused() {
     let error = Desk::new(&scene).refused("check scene.json");
     assert!(error.starts_with("error: scene.json: /bodies/0/regions/0/select: "), "{error}");
 }
+
+#[test]
+fn what_sets_the_time_step_is_said_by_check_summary_and_report() {
+    let scene = json!({"version": 1, "gravity": [0, 0, 0], "time": {"duration": 0.1},
+        "two_layer": [{"id": "ring", "shape": {"ring": {}}, "integrator": "rk4"},
+            {"id": "free", "shape": {"segment": {}}, "placement": {"translation": [9, 0, 0]}, "integrator": "backward_euler"}]});
+    let desk = Desk::new(&scene);
+    for command in ["check scene.json", "simulate scene.json --report out.json"] {
+        let out = desk.done(command);
+        let limited = |start: &str| {
+            let head = out.lines().find(|line| line.contains("limited by")).unwrap_or_else(|| panic!("{out}"));
+            let below = out.lines().skip_while(|line| *line != head).find(|line| line.starts_with(start));
+            let column = head.find("limited by").unwrap();
+            below.and_then(|line| line.get(column..)?.split_whitespace().next()).unwrap_or_default().to_owned()
+        };
+        assert_eq!((limited("ring").as_str(), limited("free").as_str()), ("/two_layer/0/rkd", "-"), "{out}");
+    }
+    let report = desk.json("out.json");
+    assert_eq!(report["bodies"][0]["limited_by"], "/two_layer/0/rkd");
+    assert_eq!(report["bodies"][1]["limited_by"], json!(null));
+}

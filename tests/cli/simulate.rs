@@ -52,6 +52,8 @@ fn a_report_has_every_field() {
         "fibres",
         "structure_particles",
         "dt",
+        "stable_dt",
+        "limited_by",
         "steps",
         "diverged",
         "energy",

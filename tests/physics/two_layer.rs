@@ -8,6 +8,7 @@ use sinew::scene::Scene;
 use sinew::sim::Runner;
 use sinew::solver::body::Body;
 use sinew::solver::forces::springs::SpringKind;
+use sinew::solver::grab::Grab;
 
 /// A scene of two-layer bodies: the fields of each beside its id, b0, b1, ...; no gravity and no room unless given.
 pub fn two_layer(bodies: &[Value], rest: Value) -> Scene {
@@ -125,6 +126,41 @@ fn a_body_that_is_let_go_returns_to_rest() {
     let lowest = body.state().positions.iter().map(|x| x.y).fold(f64::INFINITY, f64::min);
     // Two particles carry the weight: each sinks by M g / 2 kc.
     assert!((lowest + 3.0 + 20.0 * 9.81 / 2.0 / 5000.0).abs() < 1e-6, "{lowest}");
+}
+
+#[test]
+fn a_picked_point_is_held_by_the_weight_over_mks_and_let_go_falls_to_rest() {
+    // A ball still rolls off the vertex on which it lands.
+    for (body_of, left) in [(ring(), 1e-9), (ball(2), 0.05)] {
+        let scene = two_layer(
+            &[with(body_of, json!({"air_drag": 1.0}))],
+            json!({"gravity": [0, -9.81, 0], "room": {"floor": -20}}),
+        );
+        let mut runner = runner(&scene);
+        let held = body(&runner, 0);
+        let top = (0..held.parts().layers.as_ref().unwrap().outer)
+            .max_by(|&a, &b| held.state().positions[a].y.total_cmp(&held.state().positions[b].y))
+            .unwrap();
+        let (point, target) = (held.point(top).unwrap(), DVec3::new(0.5, 4.0, 0.0));
+        let grab = Grab::on(held, point, target);
+        runner.body_mut(0).unwrap().grabs_mut().push(grab);
+        let go_on = |seconds: f64, runner: &mut Runner| {
+            for _ in 0..runner.frames_for(seconds) {
+                runner.advance_frame();
+            }
+        };
+        go_on(60.0, &mut runner);
+        let state = body(&runner, 0).state();
+        let (extension, expected) = (state.positions[top].distance(target), state.mass() * 9.81 / 150.0);
+        println!("{} kg: {extension:.6} m", state.mass());
+        assert!((extension / expected - 1.0).abs() < 1e-5, "{extension}, not {expected}");
+        runner.release_all();
+        go_on(40.0, &mut runner);
+        let state = body(&runner, 0).state();
+        let carried: f64 = state.positions.iter().map(|x| 5000.0 * (-20.0 - x.y).max(0.0)).sum();
+        println!("{:.2e} J left, the floor carries {carried:.4} N", state.kinetic_energy());
+        assert!(state.kinetic_energy() < left && (carried / (state.mass() * 9.81) - 1.0).abs() < 1e-3);
+    }
 }
 
 #[test]

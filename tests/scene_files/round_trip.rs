@@ -24,7 +24,16 @@ fn unknown_fields_are_kept_and_listed_everywhere() {
                 for (name, member) in members.iter_mut() {
                     let choice = matches!(
                         name.as_str(),
-                        "shape" | "mass" | "source" | "stiffness" | "select" | "motion" | "distance" | "kind" | "step"
+                        "shape"
+                            | "mass"
+                            | "source"
+                            | "stiffness"
+                            | "select"
+                            | "motion"
+                            | "distance"
+                            | "inner_offset"
+                            | "kind"
+                            | "step"
                     );
                     add(member, &format!("{path}/{name}"), added, choice);
                 }

@@ -39,6 +39,8 @@ fn schema_refuses_wrong_types() {
         ("/bodies/0/fibres/0/source/strokes/first/view", json!("back")),
         ("/bodies/0/fibres/1/source/vertices/0", json!([1.0, 2.0])),
         ("/bodies/0/regions/1/select/layers/count", json!(1.5)),
+        ("/two_layer/3/shape/mesh/inner_offset", json!({"metres": 1.0, "fraction": 0.5})),
+        ("/two_layer/3/shape/mesh/up", json!("w")),
         ("/measures/0/kind", json!({"colour": {"region": "top"}})),
     ] {
         let mut scene = value(EVERY_FIELD);
@@ -56,6 +58,7 @@ fn schema_requires_what_has_no_default() {
         ("/bodies/0/material", "support_radius"),
         ("/bodies/0/pins/1/motion/ramp", "duration"),
         ("/panels/0", "motion"),
+        ("/two_layer/3/shape/mesh", "path"),
     ] {
         let mut scene = value(EVERY_FIELD);
         let parent = scene.pointer_mut(parent).and_then(Value::as_object_mut).expect(parent);

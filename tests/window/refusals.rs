@@ -1,7 +1,7 @@
 //! What is refused is said with its figure, and nothing is lost.
 
 use super::{Window, click, drag, draw, press_key, still, until, view};
-use egui::{Key, Modifiers};
+use egui::{Event, Key, Modifiers, MouseWheelUnit};
 use egui_kittest::kittest::Queryable;
 
 fn fibres(window: &Window) -> usize {
@@ -76,7 +76,18 @@ fn a_fibre_outside_the_solid_is_discarded_with_its_distance() {
 #[test]
 fn ends_that_stick_out_are_trimmed_with_their_count() {
     let mut window = still();
-    draw(&mut window, "Front", |s| [0.4 * s, 0.5 * s - 0.25]);
-    draw(&mut window, "Side", |s| [0.02 * s, 0.5 * s - 0.25]);
+    // From further away there is room to draw beyond the solid.
+    let at = view(&window, "Front").center();
+    window.event(Event::PointerMoved(at));
+    window.event(Event::MouseWheel {
+        unit: MouseWheelUnit::Line,
+        delta: egui::vec2(0.0, -12.0),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Unknown,
+        modifiers: Modifiers::NONE,
+    });
+    window.run_steps(30);
+    draw(&mut window, "Front", |s| [0.02 * s, 0.8 * s - 0.4]);
+    draw(&mut window, "Side", |s| [0.02 * s, 0.8 * s - 0.4]);
     until(&mut window, |app| app.message().is_some_and(|text| text.contains("points outside the solid were trimmed")));
 }

@@ -1,12 +1,13 @@
 //! `sinew make-models`: the models in assets/, made anew. What they look like is in the code here, nothing is drawn by
 //! hand; the same code gives the same files on the same machine.
 //!
-//! Sizes follow Table 1 of the fibre paper: vertices within 2 %, and a volume that holds its number of particles at the
+//! Sizes of the fibre solids follow Table 1 of the fibre paper: vertices within 2 %, and a volume that holds its number of particles at the
 //! spacing of 6 mm that follows from its support radius of 15 mm.
 
 mod bars;
 mod field;
 mod plants;
+mod tube;
 
 use super::{CliError, Console, Outcome, output};
 use crate::geometry::model::Model;
@@ -43,6 +44,7 @@ pub fn run(args: &MakeModels, console: &mut Console) -> Result<Outcome, CliError
         ("long_bar", coloured(bars::bar(SPACING * DVec3::new(5.0, 15.0, 5.0), [20.0, 63.0, 20.0]), [0.22, 0.42, 0.66])),
         ("plant", coloured(of_particles(plants::plant(SEED), 2723.0), [0.17, 0.42, 0.13])),
         ("leaf", coloured(of_particles(plants::leaf(), 1159.0), [0.26, 0.50, 0.12])),
+        ("tube", coloured(tube::tube(), [0.16, 0.17, 0.19])),
     ] {
         let path = args.folder.join(format!("{name}.glb"));
         write_glb(&path, &model, name)?;

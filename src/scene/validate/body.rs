@@ -6,8 +6,8 @@ use super::check::{
 };
 use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
-    Body, Distance, Fibre, FibreSource, Impulse, Initial, MAX_PARTICLES, Mass, Material, Motion, Pin, Region, Rotation,
-    Selector, Shape, Stiffness, ViewStroke,
+    Body, Distance, Fibre, FibreSource, Impulse, Initial, MAX_PARTICLES, Mass, Material, ModelFile, Motion, Pin,
+    Region, Rotation, Selector, Shape, Stiffness, ViewStroke,
 };
 use glam::{DMat3, DVec3};
 
@@ -54,15 +54,7 @@ fn shape(at: &At<'_>, shape: &Shape) -> Checked {
         }
         Shape::Mesh(shape) => {
             let at = at.field("mesh");
-            let path = at.field("path");
-            require(
-                &path,
-                &shape.path,
-                !shape.path.trim().is_empty(),
-                "names no file",
-                || "name an OBJ, STL, PLY, glTF or GLB file, relative to the scene file",
-            )?;
-            positive(&at.field("scale"), shape.scale, "m")?;
+            model_file(&at, shape.into())?;
             let Some(count) = shape.particles else { return Ok(()) };
             let possible = (LEAST_PARTICLES..=MAX_PARTICLES).contains(&(count as usize));
             require(&at.field("particles"), &count, possible, "is no number of particles to fill a mesh with", || {
@@ -70,6 +62,17 @@ fn shape(at: &At<'_>, shape: &Shape) -> Checked {
             })
         }
     }
+}
+
+pub(super) fn model_file(at: &At<'_>, file: ModelFile<'_>) -> Checked {
+    require(
+        &at.field("path"),
+        &file.path,
+        !file.path.trim().is_empty(),
+        "names no file",
+        || "name an OBJ, STL, PLY, glTF or GLB file, relative to the scene file",
+    )?;
+    positive(&at.field("scale"), file.scale, "m")
 }
 
 pub(super) fn rotation(at: &At<'_>, rotation: &Rotation) -> Checked {

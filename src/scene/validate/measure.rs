@@ -51,7 +51,7 @@ fn layers(at: &At<'_>, measure: &Measure, body: &TwoLayer) -> Checked {
         }
         MeasureKind::Volume => {
             let closed = body.shape.dimension() > 1;
-            require(at, &measure.kind, closed, "has nothing enclosed to measure", || "measure a ring or a ball")
+            require(at, &measure.kind, closed, "has nothing enclosed to measure", || "measure a ring, a ball or a mesh")
         }
         _ => Ok(()),
     }

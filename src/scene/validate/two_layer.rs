@@ -1,8 +1,8 @@
 //! Checks of the two-layer bodies.
 
-use super::body::{impulses, initial, pins, regions, rotation};
+use super::body::{impulses, initial, model_file, pins, regions, rotation};
 use super::check::{At, Checked, Ids, finite, not_negative, number, ordered, positive, require, vector};
-use crate::scene::{Body, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
+use crate::scene::{Body, InnerOffset, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
 
 /// Regions that every two-layer body has.
 pub(super) const BUILT_IN: [&str; 3] = ["outer", "inner", "everything"];
@@ -61,6 +61,20 @@ fn shape(at: &At<'_>, shape: &TwoLayerShape) -> Checked {
                 format!("give 0 to {MOST_SUBDIVISIONS}")
             })?;
             radii(&at, ball.outer_radius, ball.inner_radius, ball.single_layer)
+        }
+        TwoLayerShape::Mesh(mesh) => {
+            let at = at.field("mesh");
+            model_file(&at, mesh.into())?;
+            let at = at.field("inner_offset");
+            // Whether the offset fits is a matter of the mesh, which is not in the document: baking finds out.
+            match mesh.inner_offset {
+                InnerOffset::Metres(metres) => positive(&at.field("metres"), metres, "m"),
+                InnerOffset::Fraction(share) => {
+                    let at = at.field("fraction");
+                    positive(&at, share, "of half the least extent")?;
+                    require(&at, &share, share < 1.0, "leaves no room inside", || "give a number below 1")
+                }
+            }
         }
     }
 }

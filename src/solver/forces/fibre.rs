@@ -108,6 +108,23 @@ impl FibreRest {
         let edges = lengths.iter().map(|&length| (fraction * ea / length, length)).collect();
         Self { vertices, edges, bends }
     }
+
+    /// The same fibre with its stiffnesses multiplied by `by`.
+    #[must_use]
+    pub fn scaled(mut self, by: f64) -> Self {
+        self.edges.iter_mut().for_each(|(stiffness, _)| *stiffness *= by);
+        self.bends.iter_mut().for_each(|bend| bend.stiffness *= by);
+        self
+    }
+
+    /// Greatest stiffness [N/m] with which it resists a move of one vertex, by stretching or by bending.
+    pub fn stiffest(&self) -> f64 {
+        let shortest = self.edges.iter().map(|&(_, length)| length).fold(f64::INFINITY, f64::min);
+        let stretching = self.edges.iter().map(|&(stiffness, _)| stiffness).fold(0.0, f64::max);
+        // A vertex bends its own corner by twice its move over the edge, `kb = 2 x / l`, and the energy is `S kb²`.
+        let bending = self.bends.iter().map(|bend| 8.0 * bend.stiffness / shortest.powi(2)).fold(0.0, f64::max);
+        stretching.max(bending)
+    }
 }
 
 /// Stretching and bending of all fibres of a body.

@@ -31,23 +31,86 @@ const SLOW: f64 = 0.02;
 /// A mode is taken once its residual is below this share of the fastest rate.
 const RESIDUAL: f64 = 5e-3;
 
+/// Eigenvalues nearer to the real axis than this share of the fastest are real.
+const REAL: f64 = 1e-6;
+
 /// More than this many real modes are not paired: the fastest ones set the step.
 const REAL_MODES: usize = 3;
 
 /// The fastest modes of `state` under `forces`, around the velocity zero; `scale` [m] is the length against which a
 /// displacement counts as small. None where nothing resists.
-pub fn fastest_modes(forces: &mut [Box<dyn Force>], state: &ParticleState, scale: f64) -> Vec<Mode> {
+pub fn fastest_modes(forces: &mut [Box<dyn Force>], state: &ParticleState, scale: f64) -> Modes {
     let stiffest = highest_frequency_squared(forces, state, scale).sqrt();
     let rate = forces.iter().map(|force| force.step_limit(state).damping_rate).fold(stiffest, f64::max);
     if rate <= 0.0 {
-        return Vec::new();
+        return Modes::default();
     }
     Linearised::new(forces, state, scale, rate).modes()
 }
 
+/// Modes and what moves in them.
+#[derive(Clone, Debug, Default)]
+pub struct Modes {
+    found: Vec<(Mode, Vec<Complex>)>,
+    /// Of displacements times the root of the mass; the modes are sums of these.
+    basis: Vec<Vec<DVec3>>,
+    /// Rate by which displacements are scaled against velocities [1/s].
+    rate: f64,
+}
+
+/// What moves in a mode, times the root of the mass: the parts in phase and a quarter of a swing behind.
+#[derive(Clone, Debug)]
+pub struct ModeShape([Vec<DVec3>; 2]);
+
+impl Modes {
+    /// Greatest step [s] at which `integrator` keeps every mode from growing.
+    pub fn greatest_stable_step(&self, integrator: &dyn Integrator) -> f64 {
+        greatest_stable_step(integrator, self.found.iter().map(|(mode, _)| *mode))
+    }
+
+    /// The shapes of the modes that would grow first, `most` at most.
+    pub fn limiting(&self, integrator: &dyn Integrator, most: usize) -> Vec<ModeShape> {
+        let mut order: Vec<(f64, &[Complex])> = self
+            .found
+            .iter()
+            .map(|(mode, vector)| (integrator.stable_step(mode.frequency, mode.damping), vector.as_slice()))
+            .collect();
+        order.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        order.into_iter().take(most).map(|(_, vector)| ModeShape(combined(vector, &self.basis))).collect()
+    }
+
+    /// What becomes of modes of these shapes under other forces: their Rayleigh quotients, exact to second order in
+    /// what the shapes would change by.
+    pub fn under(
+        &self,
+        forces: &mut [Box<dyn Force>],
+        state: &ParticleState,
+        scale: f64,
+        shapes: &[ModeShape],
+    ) -> Vec<Mode> {
+        let mut linearised = Linearised::new(forces, state, scale, self.rate);
+        shapes.iter().map(|ModeShape(parts)| linearised.quotients(parts)).collect()
+    }
+}
+
 /// Greatest step [s] at which `integrator` keeps every mode from growing.
-pub fn greatest_stable_step(integrator: &dyn Integrator, modes: &[Mode]) -> f64 {
-    modes.iter().map(|mode| integrator.stable_step(mode.frequency, mode.damping)).fold(f64::INFINITY, f64::min)
+pub fn greatest_stable_step(integrator: &dyn Integrator, modes: impl IntoIterator<Item = Mode>) -> f64 {
+    modes.into_iter().map(|mode| integrator.stable_step(mode.frequency, mode.damping)).fold(f64::INFINITY, f64::min)
+}
+
+/// The sum of base vectors by complex shares, its common phase such that the greatest share is real.
+fn combined(shares: &[Complex], basis: &[Vec<DVec3>]) -> [Vec<DVec3>; 2] {
+    let largest = shares.iter().copied().fold(Complex::default(), |a, b| if b.abs() > a.abs() { b } else { a });
+    let mut parts = [vec![DVec3::ZERO; basis[0].len()], vec![DVec3::ZERO; basis[0].len()]];
+    for (share, base) in shares.iter().zip(basis) {
+        let turned = [share.re * largest.re + share.im * largest.im, share.im * largest.re - share.re * largest.im];
+        for (part, share) in parts.iter_mut().zip(turned) {
+            for (sum, base) in part.iter_mut().zip(base) {
+                *sum += (share / largest.abs()) * *base;
+            }
+        }
+    }
+    parts
 }
 
 /// The motion around a state, in variables in which both halves weigh the same: `(rate sqrt(m) x, sqrt(m) v)`.
@@ -96,50 +159,65 @@ impl<'a> Linearised<'a> {
         out
     }
 
-    fn modes(mut self) -> Vec<Mode> {
-        let (basis, matrix, beside) = self.arnoldi();
+    fn modes(mut self) -> Modes {
+        let (mut basis, matrix, beside) = self.arnoldi();
+        // From here on only displacements are asked for.
+        for base in &mut basis {
+            base.truncate(self.state.len());
+        }
         let values = eigenvalues(&matrix);
         let fastest = values.iter().map(|value| value.abs()).fold(0.0, f64::max);
+        // One of each conjugate pair; real ones lie on either side of the axis by round-off.
+        let on_axis = REAL * fastest;
         let found: Vec<(Complex, Vec<Complex>)> = values
             .into_iter()
-            .filter(|value| value.im >= 0.0 && value.abs() > SLOW * fastest)
+            .filter(|value| value.im >= -on_axis && value.abs() > SLOW * fastest)
             .map(|value| (value, eigenvector(&matrix, value)))
             .filter(|(_, vector)| vector.last().map_or(0.0, |last| last.abs()) * beside <= RESIDUAL * fastest)
             .collect();
-        let is_real = |value: &Complex| value.im <= 1e-6 * fastest;
-        let mut modes: Vec<Mode> = found
-            .iter()
-            .filter(|(value, _)| !is_real(value))
-            .map(|(value, _)| Mode { frequency: value.abs(), damping: at_least_zero(-2.0 * value.re) })
-            .collect();
-        let mut real: Vec<_> = found.iter().filter(|(value, _)| is_real(value)).collect();
+        let (mut real, swinging): (Vec<_>, Vec<_>) = found.into_iter().partition(|(value, _)| value.im <= on_axis);
+        let mode = |value: Complex| Mode { frequency: value.abs(), damping: at_least_zero(-2.0 * value.re) };
+        let mut found: Vec<_> = swinging.into_iter().map(|(value, vector)| (mode(value), vector)).collect();
         real.sort_by(|(a, _), (b, _)| a.re.total_cmp(&b.re));
         for (value, vector) in real.into_iter().take(REAL_MODES) {
-            modes.extend(self.overdamped(value.re, vector, &basis));
+            if let Some(mode) = self.overdamped(value.re, &combined(&vector, &basis)[0]) {
+                found.push((mode, vector));
+            }
         }
-        modes
+        Modes { found, basis, rate: self.rate }
     }
 
     /// The mode to which a real eigenvalue belongs: its stiffness is its vector's Rayleigh quotient.
-    fn overdamped(&mut self, value: f64, vector: &[Complex], basis: &[Vec<DVec3>]) -> Option<Mode> {
-        let n = self.state.len();
-        // Real up to a common phase, which its largest entry tells.
-        let largest = vector.iter().copied().fold(Complex::default(), |a, b| if b.abs() > a.abs() { b } else { a });
-        let mut y = vec![DVec3::ZERO; 2 * n];
-        for (share, base) in vector.iter().zip(basis) {
-            let share = (share.re * largest.re + share.im * largest.im) / largest.abs();
-            for (y, base) in y[..n].iter_mut().zip(base) {
-                *y += share * *base;
-            }
-        }
-        let square = dot(&y[..n], &y[..n]);
+    fn overdamped(&mut self, value: f64, shape: &[DVec3]) -> Option<Mode> {
+        let square = dot(shape, shape);
         if square <= 0.0 {
             return None;
         }
-        let pull = self.apply(&y);
-        let stiffness = -self.rate * dot(&y[..n], &pull[n..]) / square;
+        let [stiffness, _] = self.resistance(shape).map(|resistance| resistance / square);
         let damping = at_least_zero(-(value * value + stiffness) / value);
         Some(Mode { frequency: stiffness.max(0.0).sqrt(), damping })
+    }
+
+    /// What a shape of these two parts resists with.
+    fn quotients(&mut self, parts: &[Vec<DVec3>; 2]) -> Mode {
+        let mut sums = [0.0; 3];
+        for part in parts.iter().filter(|part| dot(part, part) > 0.0) {
+            let [stiffness, damping] = self.resistance(part);
+            for (sum, value) in sums.iter_mut().zip([dot(part, part), stiffness, damping]) {
+                *sum += value;
+            }
+        }
+        let [square, stiffness, damping] = sums;
+        Mode { frequency: (stiffness / square).max(0.0).sqrt(), damping: at_least_zero(damping / square) }
+    }
+
+    /// `y . M^-1/2 K M^-1/2 y` [1/s²] and `y . M^-1/2 C M^-1/2 y` [1/s].
+    fn resistance(&mut self, y: &[DVec3]) -> [f64; 2] {
+        let n = y.len();
+        let still = vec![DVec3::ZERO; n];
+        let pull = self.apply(&[y, &still].concat());
+        let brake = self.apply(&[&still, y].concat());
+        [-self.rate * dot(y, &pull[n..]), -dot(y, &brake[n..])]
     }
 
     /// An orthonormal basis of the Krylov space, the motion in it row by row, and the length of what leads out of it.

@@ -1,0 +1,164 @@
+//! Which parameter sets the stable step of a body: the one that, halved, raises it most.
+//!
+//! Measuring the step anew for every parameter would take as many times as long as measuring it once, and on a fine body
+//! that is seconds. Two-layer bodies therefore ask only what becomes of the few modes that would grow first (their
+//! Rayleigh quotients under the halved parameter); fibre solids, whose frequency is one number, how much of it the fibres
+//! hold.
+
+use crate::scene::TwoLayer;
+use crate::solver::forces::{Force, StepLimit};
+use crate::solver::integrators::Integrator;
+use crate::solver::modes::{Modes, greatest_stable_step};
+use crate::solver::stable_step::highest_frequency_squared;
+use crate::solver::state::ParticleState;
+
+/// A parameter that raises the step by less than this share does not set it.
+const NOTICEABLE: f64 = 0.01;
+
+/// Modes that are looked at.
+const MODES: usize = 8;
+
+/// A parameter by its pointer from the body, and how it is scaled; whether there is any of it.
+type Parameter = (&'static str, fn(&mut TwoLayer, f64) -> bool);
+
+/// What may set the step of a two-layer body. Contact brakes with the greater of cc and ct in all directions.
+const PARAMETERS: [Parameter; 11] = [
+    ("ks", |body, by| scale(&mut body.ks, by)),
+    ("kd", |body, by| scale(&mut body.kd, by)),
+    ("rks", |body, by| scale(&mut body.rks, by)),
+    ("rkd", |body, by| scale(&mut body.rkd, by)),
+    ("mks", |body, by| !body.drags.is_empty() && scale(&mut body.mks, by)),
+    ("mkd", |body, by| !body.drags.is_empty() && scale(&mut body.mkd, by)),
+    ("pressure", |body, by| scale(&mut body.pressure, by)),
+    ("air_drag", |body, by| scale(&mut body.air_drag, by)),
+    ("contact/kc", |body, by| scale(&mut body.contact.kc, by)),
+    ("contact/cc", |body, by| {
+        let contact = &mut body.contact;
+        contact.cc >= contact.ct && { scale(&mut contact.ct, by) | scale(&mut contact.cc, by) }
+    }),
+    ("contact/ct", |body, by| body.contact.ct > body.contact.cc && scale(&mut body.contact.ct, by)),
+];
+
+fn scale(value: &mut f64, by: f64) -> bool {
+    *value *= by;
+    *value > 0.0
+}
+
+/// The pointer from a two-layer body to the parameter that sets its step; none where no single one does. `forces_of`
+/// gives the forces of a body with other parameters.
+pub(super) fn of_two_layer(
+    body: &TwoLayer,
+    modes: &Modes,
+    integrator: &dyn Integrator,
+    state: &ParticleState,
+    extent: f64,
+    forces_of: impl Fn(&TwoLayer) -> Vec<Box<dyn Force>>,
+) -> Option<&'static str> {
+    let shapes = modes.limiting(integrator, MODES);
+    let step = |body: &TwoLayer| {
+        let halved = modes.under(&mut forces_of(body), state, extent, &shapes);
+        greatest_stable_step(integrator, halved)
+    };
+    let present = step(body);
+    let raised = PARAMETERS.iter().filter_map(|(name, scale)| {
+        let mut halved = body.clone();
+        scale(&mut halved, 0.5).then(|| (*name, step(&halved)))
+    });
+    greatest(present, raised)
+}
+
+/// The one of some parameters that raises a step most from what it is now.
+fn greatest<T>(present: f64, raised: impl Iterator<Item = (T, f64)>) -> Option<T> {
+    let noticeable = raised.filter(|(_, step)| present.is_finite() && *step > (1.0 + NOTICEABLE) * present);
+    // Of equals the first.
+    noticeable.reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(name, _)| name)
+}
+
+/// Share of the bound of a damping rate that the stiffest mode is sure to see.
+const ASSURED: f64 = 0.25;
+
+/// What sets the step of a fibre solid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum SolidParameter {
+    YoungModulus,
+    Fibres,
+    PairDamping,
+    AirDrag,
+}
+
+impl SolidParameter {
+    const ALL: [Self; 4] = [Self::YoungModulus, Self::Fibres, Self::PairDamping, Self::AirDrag];
+
+    /// Pointer from the body.
+    pub(super) fn pointer(self) -> &'static str {
+        match self {
+            Self::YoungModulus => "material/young_modulus",
+            Self::Fibres => "fibres",
+            Self::PairDamping => "material/damping/pair",
+            Self::AirDrag => "material/damping/air",
+        }
+    }
+}
+
+/// What resists the stiffest motion of a fibre solid: squares of angular frequencies [1/s²] and rates of damping [1/s], by
+/// what they come from.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Resistance {
+    /// Matrix and fibres.
+    all: f64,
+    fibres: f64,
+    contact: StepLimit,
+    pair: f64,
+    air: f64,
+}
+
+impl Resistance {
+    /// Of a body under `forces`, `weaker` with its fibres half as stiff where it has any, and a contact that may come;
+    /// `air` is the rate of air drag among the forces.
+    pub(super) fn measured(
+        forces: &[Box<dyn Force>],
+        weaker: Option<Vec<Box<dyn Force>>>,
+        state: &ParticleState,
+        spacing: f64,
+        contact: StepLimit,
+        air: f64,
+    ) -> Self {
+        // On copies: the forces' warm starts must be those of the start when the run begins.
+        let all = highest_frequency_squared(&mut forces.to_vec(), state, spacing);
+        let half = weaker.map_or(all, |mut weaker| highest_frequency_squared(&mut weaker, state, spacing));
+        let fibres = (2.0 * (all - half)).clamp(0.0, all);
+        let damping: f64 = forces.iter().map(|force| force.step_limit(state).damping_rate).sum();
+        Self { all, fibres, contact, pair: damping - air, air }
+    }
+
+    /// Greatest stable step [s].
+    pub(super) fn stable_step(&self, integrator: &dyn Integrator) -> f64 {
+        let frequency = (self.contact.frequency_squared + self.all).sqrt();
+        let assured = self.pair + self.air;
+        // Damping shortens the step of some integrators and is all that holds others: explicit Euler may count only on
+        // what every particle has all the time, and the bound of each rate is up to four times what a mode sees.
+        let with_least = integrator.stable_step(frequency, ASSURED * assured);
+        integrator.stable_step(frequency, assured + self.contact.damping_rate).min(with_least)
+    }
+
+    /// What sets that step; none where no single parameter does.
+    pub(super) fn limited_by(&self, integrator: &dyn Integrator) -> Option<SolidParameter> {
+        let raised = SolidParameter::ALL.map(|parameter| (parameter, self.halved(parameter).stable_step(integrator)));
+        greatest(self.stable_step(integrator), raised.into_iter())
+    }
+
+    fn halved(mut self, parameter: SolidParameter) -> Self {
+        match parameter {
+            SolidParameter::YoungModulus => {
+                self.all -= 0.5 * (self.all - self.fibres);
+                // Contact is as stiff as the material, and damped in proportion to the root of that.
+                self.contact.frequency_squared *= 0.5;
+                self.contact.damping_rate *= 0.5_f64.sqrt();
+            }
+            SolidParameter::Fibres => self.all -= 0.5 * self.fibres,
+            SolidParameter::PairDamping => self.pair *= 0.5,
+            SolidParameter::AirDrag => self.air *= 0.5,
+        }
+        self
+    }
+}

@@ -12,6 +12,7 @@ mod press;
 mod rods;
 mod shipped;
 mod stable_step;
+mod stencil;
 mod two_layer;
 mod two_layer_forces;
 mod two_layer_limits;

@@ -22,7 +22,7 @@
 //!
 //! - *stencil*, for particles on a lattice: an offset there has the same weight all over the body, so that whole rows of
 //!   particles are added at a time, without looking any neighbour up. The one in use wherever it can be.
-//! - *pair list*: particle by particle through its neighbours, eight times slower. It takes any spacing, says in few lines
+//! - *pair list*: particle by particle through its neighbours, four to five times slower. It takes any spacing, says in few lines
 //!   what is computed, and is what the stencil is held against.
 
 mod lanes;

@@ -88,7 +88,7 @@ pub(super) fn draft(
         forces.push(Box::new(Gravity { acceleration: gravity }));
     }
     if material.damping.pair > 0.0 {
-        forces.push(Box::new(PairDamping::new(material.damping.pair, &neighbourhood, spacing)));
+        forces.push(Box::new(PairDamping::new(material.damping.pair, &neighbourhood)));
     }
     if material.damping.air > 0.0 {
         forces.push(Box::new(AirDrag { rate: material.damping.air }));

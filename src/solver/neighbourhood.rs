@@ -24,11 +24,30 @@ pub struct RestBond {
     pub weight: f64,
 }
 
+/// The lattice that the particles lie on: there neighbour sums are stencils, the same for every particle.
+#[derive(Clone, Debug)]
+pub struct Lattice {
+    /// Lattice index of every particle.
+    pub cells: Arc<[IVec3]>,
+    /// Spacing D [m].
+    pub spacing: f64,
+    /// Unit axes in the model frame, as columns: particles whose indices differ by `o` are `D axes o` apart.
+    pub axes: DMat3,
+    kernel: Kernel,
+    volume: f64,
+}
+
+impl Lattice {
+    /// `w_ij` [1/m²] of particles whose indices differ by an `o` with `|o|² = norm_squared`; zero out of support.
+    pub fn weight(&self, norm_squared: u32) -> f64 {
+        self.volume * self.kernel.minus_slope_over_r(self.spacing * f64::from(norm_squared).sqrt())
+    }
+}
+
 /// Rest neighbourhoods and what follows from them.
 #[derive(Clone, Debug)]
 pub struct Neighbourhood {
-    /// Lattice index of every particle: on a lattice neighbour sums are stencils, for a kernel that wants them so.
-    cells: Arc<[IVec3]>,
+    lattice: Lattice,
     starts: Vec<u32>,
     neighbours: Vec<u32>,
     bonds: Vec<u32>,
@@ -73,7 +92,7 @@ impl Neighbourhood {
         let grid = PointGrid::new(points, kernel.support_radius);
         let lists: Vec<Vec<u32>> = points.par_iter().map(|&point| grid.within(point)).collect();
         let mut this = Self {
-            cells: cells.as_slice().into(),
+            lattice: Lattice { cells: cells.as_slice().into(), spacing: *spacing, axes: *axes, kernel, volume },
             starts: vec![0],
             neighbours: Vec::new(),
             bonds: Vec::new(),
@@ -90,9 +109,7 @@ impl Neighbourhood {
                     continue;
                 }
                 let step = cells[j as usize] - cells[i];
-                let bond = *known
-                    .entry(step)
-                    .or_insert_with(|| this.add_bond(*axes * (*spacing * step.as_dvec3()), kernel, volume));
+                let bond = *known.entry(step).or_insert_with(|| this.add_bond(step));
                 this.neighbours.push(j);
                 this.bonds.push(bond);
             }
@@ -102,8 +119,10 @@ impl Neighbourhood {
         Ok(this)
     }
 
-    fn add_bond(&mut self, offset: DVec3, kernel: Kernel, volume: f64) -> u32 {
-        let weight = volume * kernel.minus_slope_over_r(offset.length());
+    fn add_bond(&mut self, step: IVec3) -> u32 {
+        let offset = self.lattice.axes * (self.lattice.spacing * step.as_dvec3());
+        // From |o|², so that offsets of one length have one weight to the last bit.
+        let weight = self.lattice.weight(step.length_squared() as u32);
         self.palette.push(RestBond { weighted_offset: weight * offset, weight });
         self.offsets.push(offset);
         self.palette.len() as u32 - 1
@@ -144,9 +163,9 @@ impl Neighbourhood {
         }
     }
 
-    /// Lattice index of every particle.
-    pub fn cells(&self) -> &[IVec3] {
-        &self.cells
+    /// The lattice that the particles lie on.
+    pub fn lattice(&self) -> &Lattice {
+        &self.lattice
     }
 
     /// Number of particles.

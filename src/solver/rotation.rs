@@ -8,9 +8,9 @@
 use glam::{DMat3, DQuat, DVec3};
 
 /// Angle [rad] below which one more Newton step is exact to round-off.
-const LAST_STEP: f64 = 1e-8;
+pub(super) const LAST_STEP: f64 = 1e-8;
 /// Newton steps longer than this [rad] are not trusted.
-const LONGEST_NEWTON_STEP: f64 = 0.5;
+pub(super) const LONGEST_NEWTON_STEP: f64 = 0.5;
 const MAX_ITERATIONS: usize = 100;
 
 /// The rotation R that maximises `tr(R^T F)`, starting from `start`; R is exact to round-off.

@@ -5,21 +5,28 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 use sinew::bake::bake;
+use sinew::geometry::kernel::Kernel;
+use sinew::geometry::lattice::{Cuboid, fill_box};
 use sinew::scene::{Assets, Scene};
 use sinew::sketch::{LiftOptions, Stroke, View, lift};
-use sinew::solver::forces::Force;
+use sinew::solver::forces::{Elasticity, Force, MatrixForce};
+use sinew::solver::neighbourhood::Neighbourhood;
 use sinew::solver::state::ParticleState;
+use sinew::solver::world::World;
+use std::sync::Arc;
 
 fn main() {
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool of this process");
     divan::main();
 }
 
-/// A block of layers at the paper's spacing with four vertical fibres of one vertex a layer, slightly deformed.
-fn block([x, y, z]: [u32; 3]) -> (Vec<Box<dyn Force>>, ParticleState) {
-    let d = 0.006;
+const D: f64 = 0.006;
+
+/// A block of layers at the paper's spacing with four vertical fibres of one vertex a layer.
+fn block([x, y, z]: [u32; 3], rest_shape: &str) -> World {
+    let d = D;
     let size = [f64::from(x) * d, f64::from(y) * d, f64::from(z) * d];
     let fibres: Vec<serde_json::Value> = [[-0.012, -0.012], [-0.012, 0.012], [0.012, -0.012], [0.012, 0.012]]
         .iter()
@@ -28,7 +35,7 @@ fn block([x, y, z]: [u32; 3]) -> (Vec<Box<dyn Force>>, ParticleState) {
             let vertices: Vec<[f64; 3]> =
                 (0..=y).map(|layer| [*x, (f64::from(layer) - 0.5 * f64::from(y)) * d, *z]).collect();
             serde_json::json!({
-                "id": format!("f{k}"), "source": {"vertices": vertices}, "rest_shape": "straight",
+                "id": format!("f{k}"), "source": {"vertices": vertices}, "rest_shape": rest_shape,
                 "stiffness": {"paper": {"kb": 5e5, "ks": 2.5e5}}
             })
         })
@@ -37,17 +44,27 @@ fn block([x, y, z]: [u32; 3]) -> (Vec<Box<dyn Force>>, ParticleState) {
         "version": 1, "gravity": [0, 0, 0],
         "bodies": [{
             "id": "block", "shape": {"box": {"size": size}}, "fibres": fibres,
+            "initial": {"angular_velocity": [300, 500, -200]},
             "material": {"young_modulus": 5e7, "mass": {"per_particle": 4e-4}, "support_radius": 0.015}
         }]
     });
     let scene: Scene = serde_json::from_value(scene).expect("a scene");
-    let baked = bake(&scene, &Assets::default(), &mut |_, _| {}).expect("a world");
-    let parts = baked.world.bodies()[0].parts();
+    bake(&scene, &Assets::default(), &mut |_, _| {}).expect("a world").world
+}
+
+/// The forces of a block, and its particles slightly out of their places.
+fn deformed_block(layers: [u32; 3]) -> (Vec<Box<dyn Force>>, ParticleState) {
+    let world = block(layers, "straight");
+    let parts = world.bodies()[0].parts();
     let mut state = parts.state.clone();
-    for x in &mut state.positions {
+    deform(&mut state.positions);
+    (parts.forces.clone(), state)
+}
+
+fn deform(positions: &mut [DVec3]) {
+    for x in positions {
         *x += 1e-4 * DVec3::new((300.0 * x.y).sin(), (200.0 * x.z).sin(), (250.0 * x.x).sin());
     }
-    (parts.forces.clone(), state)
 }
 
 const SIZES: [[u32; 3]; 4] = [[7, 12, 7], [13, 14, 15], [22, 22, 22], [37, 37, 37]];
@@ -59,13 +76,40 @@ fn evaluate(bencher: Bencher<'_, '_>, force: &mut dyn Force, state: &ParticleSta
 
 #[divan::bench(args = SIZES, sample_count = 20)]
 fn matrix(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
-    let (mut forces, state) = block(layers);
+    let (mut forces, state) = deformed_block(layers);
     evaluate(bencher, forces[0].as_mut(), &state, state.len());
+}
+
+/// The matrix by its other kernel.
+#[divan::bench(args = SIZES, sample_count = 20)]
+fn matrix_by_pairs(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
+    let shape = Cuboid { center: DVec3::ZERO, size: D * DVec3::from_array(layers.map(f64::from)) };
+    let sample = fill_box(&shape, D, DMat3::IDENTITY);
+    let n = sample.points.len();
+    let mut positions = sample.points.clone();
+    deform(&mut positions);
+    let state = ParticleState { positions, velocities: vec![DVec3::ZERO; n], masses: vec![4e-4; n] };
+    let neighbourhood = Neighbourhood::on_lattice(&sample, Kernel::new(2.5 * D), D.powi(3)).expect("no thin part");
+    let elasticity = Elasticity::new(5e7, 0.33, D);
+    let share = vec![1.0; n].into();
+    let force =
+        MatrixForce::new(Arc::new(neighbourhood), sample.points.into(), elasticity, D.powi(3), share, DQuat::IDENTITY);
+    evaluate(bencher, &mut force.with_pair_list(), &state, n);
+}
+
+/// Whole steps of a block in motion; items are particles times steps.
+#[divan::bench(args = [("straight", SIZES[0]), ("as_drawn", SIZES[0]), ("as_drawn", SIZES[1])], sample_count = 20)]
+fn whole_step(bencher: Bencher<'_, '_>, (rest_shape, layers): (&str, [u32; 3])) {
+    let mut world = block(layers, rest_shape);
+    world.advance_frame();
+    let body = &world.bodies()[0];
+    let items = body.steps() as usize * body.state().len();
+    bencher.counter(ItemsCount::new(items)).bench_local(|| world.advance_frame());
 }
 
 #[divan::bench(args = SIZES)]
 fn four_fibres(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
-    let (mut forces, state) = block(layers);
+    let (mut forces, state) = deformed_block(layers);
     evaluate(bencher, forces[1].as_mut(), &state, 4 * (layers[1] as usize + 1));
 }
 

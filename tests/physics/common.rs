@@ -1,5 +1,6 @@
 //! Scenes put together for tests: scene in, report out.
 
+use glam::DVec3;
 use sinew::bake::{Baked, bake};
 use sinew::scene::{
     Assets, Axis, Body, BoxShape, Damping, Distance, Easing, Extra, Fibre, FibreSource, Initial, IntegratorKind, Mass,
@@ -130,4 +131,16 @@ pub fn scalar(runner: &Runner, index: usize) -> f64 {
         sinew::solver::measure::MeasureValue::Scalar(value) => value,
         sinew::solver::measure::MeasureValue::Vector(value) => panic!("a vector: {value}"),
     }
+}
+
+/// A reproducible vector in a cube of half width 1.
+pub fn wobble(i: usize, salt: u64) -> DVec3 {
+    let mut seed = (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ salt.wrapping_mul(0xD1B5_4A32_D192_ED03);
+    let mut next = || {
+        seed ^= seed >> 31;
+        seed = seed.wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        seed ^= seed >> 29;
+        (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    };
+    DVec3::new(next(), next(), next())
 }

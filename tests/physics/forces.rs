@@ -7,18 +7,6 @@ use sinew::solver::body::Body;
 use sinew::solver::energy::Energies;
 use sinew::solver::state::ParticleState;
 
-/// A reproducible vector in a cube of half width 1.
-fn wobble(i: usize, salt: u64) -> DVec3 {
-    let mut seed = (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ salt.wrapping_mul(0xD1B5_4A32_D192_ED03);
-    let mut next = || {
-        seed ^= seed >> 31;
-        seed = seed.wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        seed ^= seed >> 29;
-        (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    };
-    DVec3::new(next(), next(), next())
-}
-
 fn total_force(body: &Body, state: &ParticleState) -> Vec<DVec3> {
     let mut forces = vec![DVec3::ZERO; state.len()];
     for force in &body.parts().forces {

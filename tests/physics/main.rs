@@ -12,6 +12,7 @@ mod press;
 mod rods;
 mod shipped;
 mod stable_step;
+mod stencil;
 mod step_parameters;
 mod two_layer;
 mod two_layer_forces;

@@ -4,7 +4,7 @@ use super::list::{DrawList, Faces, Hung, Line, Mesh, PickId, PickKind, Points, S
 use super::options::{Display, SkinStyle};
 use super::surroundings;
 use super::tube::tube;
-use super::{Bounds, Theme};
+use super::{Bounds, Colour, Theme};
 use crate::scene::Scene;
 use crate::solver::snapshot::{BodySnapshot, LayersSnapshot, Snapshot, SpringKind};
 use glam::{DVec3, Vec3};
@@ -95,6 +95,7 @@ impl Pen<'_> {
         let surface = if self.display.skin == SkinStyle::XRay { Surface::XRay } else { Surface::Solid };
         if let (true, Some(mut mesh)) = (self.display.skin != SkinStyle::Hidden, skin_mesh(list, body, surface)) {
             mesh.pick = self.number(PickKind::Skin, 1, list);
+            mesh.colour = self.tint().unwrap_or(mesh.colour);
             list.meshes.push(mesh);
             has_skin = true;
         }
@@ -111,16 +112,21 @@ impl Pen<'_> {
             let pick = self.number(PickKind::Particle, body.particles.len(), list);
             let outer = body.layers.as_ref().map_or(body.particles.len(), |layers| layers.outer);
             let (outer, inner) = body.particles.split_at(outer.min(body.particles.len()));
-            self.balls(outer, MATERIAL_RADIUS, self.theme.material, pick, list);
+            let cool = self.tint().unwrap_or(self.theme.material);
+            self.balls(outer, MATERIAL_RADIUS, cool, pick, list);
             self.balls(inner, MATERIAL_RADIUS, self.theme.structure, pick + outer.len() as u32, list);
         }
+    }
+
+    fn tint(&self) -> Option<Colour> {
+        self.display.tints.get(self.index as usize).copied()
     }
 
     fn springs(&self, layers: &LayersSnapshot, at: &[DVec3], list: &mut DrawList) {
         let theme = self.theme;
         for (kind, range) in &layers.kinds {
             let colour = match kind {
-                SpringKind::Structural => theme.text.with_alpha(0.8),
+                SpringKind::Structural => self.tint().unwrap_or(theme.text.with_alpha(0.8)),
                 SpringKind::Radius => theme.axes[1],
                 SpringKind::ShearLeft => theme.axes[0],
                 SpringKind::ShearRight => theme.axes[2],
@@ -158,7 +164,7 @@ impl Pen<'_> {
         }
     }
 
-    fn balls(&self, at: &[DVec3], radius: f64, colour: super::Colour, pick: u32, list: &mut DrawList) {
+    fn balls(&self, at: &[DVec3], radius: f64, colour: Colour, pick: u32, list: &mut DrawList) {
         let centres = at.iter().map(|&point| list.local(point)).collect();
         let size = Size::Metres((radius * self.spacing) as f32);
         list.points.push(Points { centres, size, colour, through: 0.0, pick });

@@ -1,5 +1,7 @@
 //! What a person wants to see.
 
+use super::Colour;
+
 /// What is shown.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(clippy::struct_excessive_bools, reason = "independent switches, as a person flips them")]
@@ -22,6 +24,8 @@ pub struct Display {
     pub axes: bool,
     /// Walls and ceiling of the room, faintly.
     pub room: bool,
+    /// Colours of the bodies in the order of the snapshot; the theme's where there is none.
+    pub tints: Vec<Colour>,
     /// Fibres that are selected: (body, fibre), in the order of the snapshot.
     pub selected: Vec<[u32; 2]>,
 }
@@ -50,6 +54,7 @@ impl Default for Display {
             grid: true,
             axes: true,
             room: true,
+            tints: Vec::new(),
             selected: Vec::new(),
         }
     }

@@ -4,7 +4,7 @@ use super::linear_map::LinearMap;
 use std::collections::HashMap;
 
 /// A mesh with more triangles than this looks round as it is.
-const FINE: usize = 6000;
+const FINE: usize = 2500;
 
 /// Loop's subdivision (1987), by which every triangle becomes four and the outline loses its corners, until a mesh of
 /// `count` vertices is fine: the new vertices as sums of the old ones, and the new faces. None for a mesh that is fine

@@ -1,6 +1,6 @@
 //! What can be asked of a running world. None of it is saved, none of it is undone.
 
-use crate::scene::{Assets, Scene};
+use crate::scene::{Assets, IntegratorKind, Scene};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -38,6 +38,14 @@ pub enum SimCommand {
     PinGrab,
     /// Let go of everything that was pinned.
     ReleaseAll,
+    /// Run the scene under several integrators side by side from its start, each in steps of exactly `dt` [s]; none ends
+    /// the comparison.
+    Compare {
+        /// Which.
+        integrators: Vec<IntegratorKind>,
+        /// Time step [s].
+        dt: f64,
+    },
     /// Strike a whole body.
     Strike {
         /// Index of the body.

@@ -5,12 +5,15 @@ mod command;
 mod compare;
 mod report;
 mod runner;
+mod side_by_side;
 mod status;
+mod study;
 mod worker;
 
 pub use command::SimCommand;
 pub use compare::{Trial, order, reference};
 pub use report::{BodyReport, EnergyReport, MeasureReport, Report};
 pub use runner::Runner;
-pub use status::{Published, Status, Stepping};
+pub use status::{Compared, Published, Reading, Status, Stepping};
+pub use study::{Convergence, study};
 pub use worker::Worker;

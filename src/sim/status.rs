@@ -1,5 +1,6 @@
 //! What a window is told of a running world.
 
+use crate::scene::IntegratorKind;
 use crate::solver::measure::MeasureValue;
 use crate::solver::snapshot::Snapshot;
 use std::sync::Arc;
@@ -48,6 +49,36 @@ pub struct Stepping {
     pub substeps: u32,
 }
 
+/// One of the runs that are compared side by side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// Its integrator.
+    pub integrator: IntegratorKind,
+    /// Greatest step that the integrator is estimated to take [s].
+    pub stable_dt: f64,
+    /// When it blew up [s].
+    pub blew_up_at: Option<f64>,
+    /// Bodies of the snapshot that are its own; the runs follow each other.
+    pub bodies: usize,
+    /// What is plotted.
+    pub reading: Reading,
+}
+
+/// What is plotted of a run at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// Simulated time [s].
+    pub time: f64,
+    /// Total energy [J].
+    pub energy: f64,
+    /// Linear momentum [kg m/s].
+    pub momentum: f64,
+    /// Volume [m³] or area [m²] of the first two-layer body.
+    pub volume: Option<f64>,
+    /// Pressure of the gas in it [Pa], in 2D for each metre of depth.
+    pub pressure: Option<f64>,
+}
+
 /// A picture of the world and what is to be said about it.
 #[derive(Clone, Debug, Default)]
 pub struct Published {
@@ -57,4 +88,6 @@ pub struct Published {
     pub at_rest: Arc<Snapshot>,
     /// The rest.
     pub status: Status,
+    /// Runs that are compared; the snapshot shows them side by side then. Empty where none are.
+    pub compared: Vec<Compared>,
 }

@@ -3,10 +3,11 @@
 //! The window never waits for the solver and the solver never waits for the window. The worker paces the [`Runner`]'s
 //! frames by the clock and takes no other step than the command line does.
 
+use super::side_by_side::SideBySide;
 use super::status::{Published, Status, Stepping};
 use super::{Runner, SimCommand};
 use crate::bake::{Baked, bake};
-use crate::scene::{Assets, Scene};
+use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
 use crate::solver::grab::Grab;
 use crate::solver::snapshot::Snapshot;
@@ -96,6 +97,9 @@ struct Loop {
     speed: f64,
     /// Body of the grab that follows the pointer; it is the last of the body's grabs.
     grabbed: Option<usize>,
+    /// Integrators and step [s] that are compared, and the comparison.
+    wanted: (Vec<IntegratorKind>, f64),
+    side_by_side: Option<SideBySide>,
     status: Status,
     out: Out,
     rate: Rate,
@@ -118,6 +122,8 @@ impl Loop {
             edited: false,
             speed: 1.0,
             grabbed: None,
+            wanted: (Vec::new(), 0.0),
+            side_by_side: None,
             status: Status { playing, ..Status::default() },
             out,
             rate: Rate { since: Instant::now(), frames: 0 },
@@ -164,7 +170,8 @@ impl Loop {
     }
 
     fn runs(&self) -> bool {
-        self.status.playing && self.runner.as_ref().is_some_and(|runner| !runner.all_stopped())
+        let ready = self.runner.as_ref().is_some_and(|runner| self.side_by_side.is_some() || !runner.all_stopped());
+        self.status.playing && ready
     }
 
     fn frame_seconds(&self) -> f64 {
@@ -182,8 +189,13 @@ impl Loop {
                 self.status.playing = false;
                 self.advance();
             }
+            SimCommand::Compare { integrators, dt } => {
+                self.wanted = (integrators, dt);
+                self.start_comparison();
+            }
             SimCommand::Reset => {
                 self.grabbed = None;
+                self.start_comparison();
                 if self.start.is_some() {
                     self.runner.clone_from(&self.start);
                     self.status.failure = None;
@@ -202,6 +214,7 @@ impl Loop {
                 self.assets = assets;
                 self.status.edits += 1;
                 self.grabbed = None;
+                self.wanted.0.clear();
                 self.put_together(false);
             }
             SimCommand::Strike { body, impulse } => {
@@ -265,6 +278,7 @@ impl Loop {
                     runner.adopt(before);
                 }
                 self.runner = Some(runner);
+                self.start_comparison();
             }
             Ok(Err(problem)) => self.status.failure = Some(problem),
             Err(panic) => self.status.failure = Some(describe(panic.as_ref())),
@@ -286,9 +300,26 @@ impl Loop {
         .map_err(|error| error.to_string())
     }
 
+    /// Starts what is to be compared from the start of the scene; nothing where nothing is.
+    fn start_comparison(&mut self) {
+        self.side_by_side = None;
+        let (integrators, dt) = &self.wanted;
+        if integrators.is_empty() {
+            return;
+        }
+        match SideBySide::new(&self.scene, &self.assets, integrators, *dt) {
+            Ok(side_by_side) => self.side_by_side = Some(side_by_side),
+            Err(problem) => self.status.failure = Some(problem.to_string()),
+        }
+    }
+
     fn advance(&mut self) {
+        let seconds = self.frame_seconds();
         let Some(runner) = &mut self.runner else { return };
-        let outcome = catch_unwind(AssertUnwindSafe(|| runner.advance_frame()));
+        let outcome = catch_unwind(AssertUnwindSafe(|| match &mut self.side_by_side {
+            Some(side_by_side) => side_by_side.advance(seconds),
+            None => runner.advance_frame(),
+        }));
         if let Err(panic) = outcome {
             // What the world holds after a panic cannot be trusted; the document and the last picture can.
             self.runner = None;
@@ -324,8 +355,14 @@ impl Loop {
             self.status.divergence = world.divergence().map(ToString::to_string);
             self.status.measures = world.measures();
         }
+        let mut compared = Vec::new();
+        if let Some(side_by_side) = &self.side_by_side {
+            snapshot = side_by_side.snapshot();
+            self.status.time = snapshot.time;
+            compared = side_by_side.compared();
+        }
         let at_rest = Arc::clone(&self.at_rest);
-        self.out.publish(Published { snapshot, at_rest, status: self.status.clone() });
+        self.out.publish(Published { snapshot, at_rest, status: self.status.clone(), compared });
     }
 }
 
@@ -338,3 +375,6 @@ fn describe(panic: &(dyn std::any::Any + Send)) -> String {
         .unwrap_or_else(|| "no message".to_owned());
     format!("the solver failed ({said}); the document is unharmed: undo the last change or reset")
 }
+
+#[cfg(test)]
+mod tests;

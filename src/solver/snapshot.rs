@@ -80,6 +80,17 @@ impl BodySnapshot {
         }
     }
 
+    /// The same body elsewhere.
+    #[must_use]
+    pub fn moved(&self, by: DVec3) -> Self {
+        let mut moved = self.clone();
+        let fibres = moved.fibres.iter_mut().flat_map(|fibre| &mut fibre.vertices);
+        for point in moved.particles.iter_mut().chain(&mut moved.skin).chain(fibres) {
+            *point += by;
+        }
+        moved
+    }
+
     /// The surface that pictures show, over the particles; none for a body without a skin.
     pub fn rig(&self) -> Option<&Arc<Rig>> {
         self.embedding.0.as_ref().map(|skin| skin.rig())

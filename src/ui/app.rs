@@ -1,6 +1,7 @@
 //! The window's state and what becomes of every action.
 
 use super::action::Action;
+use super::comparison::Comparison;
 use super::dialogs::Dialog;
 use super::document::{Document, moved};
 use super::pane::Pane;
@@ -11,7 +12,7 @@ use crate::draw::Display;
 use crate::edit::{Command, Editor};
 use crate::io::save_scene;
 use crate::render::Camera;
-use crate::scene::{Body, Pin, Region, Scene, TwoLayer};
+use crate::scene::{Assets, Body, Pin, Region, Scene, TwoLayer};
 use crate::sim::{Published, SimCommand, Worker};
 use crate::sketch::View;
 use crate::solver::snapshot::Snapshot;
@@ -38,6 +39,8 @@ pub enum PropertyTab {
     Body,
     /// What surrounds the bodies.
     World,
+    /// The scene under several integrators.
+    Comparison,
 }
 
 /// A point of a body that is being pulled.
@@ -77,6 +80,8 @@ pub struct App {
     /// Fibre that was drawn last: how its strokes were taken can still be chosen beside the message.
     pub(super) drawn_last: Option<String>,
     pub(super) tab: PropertyTab,
+    pub(super) comparison: Comparison,
+    pub(super) assets: Arc<Assets>,
     /// Impulse that the strike button gives [N s].
     pub(super) impulse: [f64; 3],
     pub(super) pull: Option<Pull>,
@@ -94,6 +99,8 @@ pub struct App {
     pub(super) dialog: Option<Dialog>,
     /// Changes of one drag are one step of undo.
     pub(super) gesture: u64,
+    /// When the last frames were shown [s].
+    pub(super) frame_times: std::collections::VecDeque<f64>,
     /// Whether the coach still explains the first fibre.
     pub(super) coach: bool,
     title: String,
@@ -108,7 +115,8 @@ impl App {
         tone.apply(ctx);
         let editor = Editor::new(scene);
         let repaint = ctx.clone();
-        let worker = Worker::start(Arc::clone(editor.scene()), assets, true, move || repaint.request_repaint());
+        let worker =
+            Worker::start(Arc::clone(editor.scene()), Arc::clone(&assets), true, move || repaint.request_repaint());
         Self {
             editor,
             path,
@@ -126,6 +134,8 @@ impl App {
             selected: None,
             drawn_last: None,
             tab: PropertyTab::default(),
+            comparison: Comparison::default(),
+            assets,
             impulse: [0.1, 0.0, 0.0],
             pull: None,
             drawing: Vec::new(),
@@ -137,6 +147,7 @@ impl App {
             hint: "",
             dialog: None,
             gesture: 0,
+            frame_times: std::collections::VecDeque::new(),
             coach: true,
             title: String::new(),
         }
@@ -235,10 +246,11 @@ impl App {
                 self.editor = Editor::new(scene);
                 self.path = path;
                 self.folder = folder;
+                self.assets = assets;
                 self.selected = None;
                 self.tool = SketchTool::default();
                 self.pull = None;
-                if self.worker.send(SimCommand::Open(Arc::clone(self.editor.scene()), assets)) {
+                if self.worker.send(SimCommand::Open(Arc::clone(self.editor.scene()), Arc::clone(&self.assets))) {
                     self.sent_edits += 1;
                 }
                 self.active = 0;
@@ -277,6 +289,7 @@ impl App {
             let notes = (published.status.notes != self.published.status.notes).then(|| published.status.notes.clone());
             let fresh = !Arc::ptr_eq(&published.at_rest, &self.published.at_rest);
             self.published = published;
+            self.comparison.record(&self.published.compared);
             if fresh {
                 self.active = self.active.min(self.published.at_rest.bodies.len().saturating_sub(1));
                 self.take_model();
@@ -321,15 +334,26 @@ impl App {
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
         self.listen(&ctx);
+        self.count_frame(&ctx);
         self.top_bar(ui);
         // The bar shows what the views found under the pointer one frame ago.
         self.status_bar(ui);
         self.hint = "Draw a stroke in the front or the side view to begin a fibre";
         self.left_panel(ui);
         self.right_panel(ui);
+        self.plots(ui);
         self.views(ui);
         self.dialogs(&ctx);
         self.show_title(&ctx);
+    }
+
+    /// Keeps the times of the last second's frames.
+    fn count_frame(&mut self, ctx: &egui::Context) {
+        let now = ctx.input(|input| input.time);
+        self.frame_times.push_back(now);
+        while self.frame_times.front().is_some_and(|time| *time < now - 1.0) {
+            self.frame_times.pop_front();
+        }
     }
 
     fn show_title(&mut self, ctx: &egui::Context) {

@@ -86,8 +86,11 @@ impl App {
         } else if status.real_time_factor > 0.0 && status.playing {
             let pace = if slow { "slow motion, " } else { "" };
             format!(
-                "{:.2} s   {:.0} frames/s   {pace}{:.2} × real time",
-                status.time, status.frames_per_second, status.real_time_factor
+                "{:.2} s   {:.0} frames/s, {} drawn   {pace}{:.2} × real time",
+                status.time,
+                status.frames_per_second,
+                self.frame_times.len(),
+                status.real_time_factor
             )
         } else {
             format!("{:.2} s", status.time)

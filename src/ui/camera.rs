@@ -70,7 +70,9 @@ impl View3d<'_> {
     /// Fits the camera, where that was asked for, and moves it on where it is on its way.
     pub(super) fn settle_camera(&mut self, ui: &Ui, rect: Rect) {
         let now = ui.input(|input| input.time);
+        // Before the first frame it is not known where the drawing views lie, whose scales depend on each other.
         if !self.pane.framed
+            && !self.app.drawing.is_empty()
             && let Some(bounds) = self.to_fit()
         {
             let mut camera = self.pane.camera;

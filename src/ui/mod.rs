@@ -7,6 +7,7 @@ mod action;
 mod app;
 mod bars;
 mod camera;
+mod comparison;
 mod corner;
 mod dialogs;
 mod document;

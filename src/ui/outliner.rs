@@ -6,6 +6,7 @@ use super::field::Field;
 use super::theme::{self, GRID, SIDE_WIDTH};
 use crate::edit::Command;
 use crate::scene::{Fibre, FibreSource, PaperStiffness, RestShape, Rigidity, Stiffness};
+use crate::solver::snapshot::SpringKind;
 use egui::{Panel, ScrollArea, Ui};
 
 const EA: Field = Field {
@@ -52,6 +53,7 @@ impl App {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.add_space(GRID);
                 self.bodies(ui);
+                self.layers(ui);
                 self.fibres(ui);
             });
         });
@@ -80,6 +82,25 @@ impl App {
             }
         }
         ui.add_space(2.0 * GRID);
+    }
+
+    /// What a two-layer body is made of.
+    fn layers(&self, ui: &mut Ui) {
+        let (Some(body), Some(shown)) = (self.active_two_layer(), self.model.bodies.first()) else { return };
+        ui.heading(if body.name.is_empty() { &body.id } else { &body.name });
+        let Some(layers) = &shown.layers else { return };
+        ui.label(format!("Two-layer body of {} dimensions", body.shape.dimension()));
+        ui.label(format!("{} particles outside, {} inside", layers.outer, shown.particles.len() - layers.outer));
+        let theme = self.tone.pictures();
+        for (kind, range) in &layers.kinds {
+            let (name, colour) = match kind {
+                SpringKind::Structural => ("structural", theme.text),
+                SpringKind::Radius => ("radius", theme.axes[1]),
+                SpringKind::ShearLeft => ("shear-left", theme.axes[0]),
+                SpringKind::ShearRight => ("shear-right", theme.axes[2]),
+            };
+            ui.colored_label(theme::color(colour), format!("{} {name} springs", range.len()));
+        }
     }
 
     fn fibres(&mut self, ui: &mut Ui) {

@@ -198,7 +198,7 @@ impl View3d<'_> {
             PaneKind::Drawing(_) => {
                 Display { skin: SkinStyle::XRay, grid: true, room: false, selected, ..Display::default() }
             }
-            PaneKind::Result => Display { selected, ..self.app.display.clone() },
+            PaneKind::Result => Display { selected, tints: self.app.tints(), ..self.app.display.clone() },
         };
         let theme = self.app.tone.pictures();
         ui.painter().rect_filled(rect, 0.0, theme::color(theme.background_bottom));

@@ -93,7 +93,7 @@ const MASS: Field = parameter(
 );
 const INNER_MASS: Field = parameter("Inner mass", "kg", 1e-9..=1e6, 1.0, "Mass of a particle of the inner layer");
 
-const INTEGRATORS: [(IntegratorKind, &str); 7] = [
+pub(super) const INTEGRATORS: [(IntegratorKind, &str); 7] = [
     (IntegratorKind::LeapFrog, "Leap-frog"),
     (IntegratorKind::ExplicitEuler, "Explicit Euler"),
     (IntegratorKind::Midpoint, "Midpoint"),
@@ -102,6 +102,10 @@ const INTEGRATORS: [(IntegratorKind, &str); 7] = [
     (IntegratorKind::Verlet, "Verlet"),
     (IntegratorKind::BackwardEuler, "Backward Euler"),
 ];
+
+pub(super) fn integrator_name(kind: IntegratorKind) -> &'static str {
+    INTEGRATORS.iter().find(|(known, _)| *known == kind).map_or("", |(_, name)| *name)
+}
 
 impl App {
     pub(super) fn body_tab(&mut self, ui: &mut Ui) {
@@ -135,8 +139,7 @@ impl App {
         ui.add_space(2.0 * GRID);
         let title = ui.heading("Integrator");
         let mut chosen = present;
-        let name = |kind| INTEGRATORS.iter().find(|(known, _)| *known == kind).map_or("", |(_, name)| *name);
-        let choice = ComboBox::from_id_salt("integrator").selected_text(name(present)).show_ui(ui, |ui| {
+        let choice = ComboBox::from_id_salt("integrator").selected_text(integrator_name(present)).show_ui(ui, |ui| {
             for (kind, name) in INTEGRATORS {
                 ui.selectable_value(&mut chosen, kind, name);
             }

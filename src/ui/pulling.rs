@@ -22,6 +22,7 @@ impl View3d<'_> {
         let starts = response.drag_started_by(primary) || response.drag_started_by(PointerButton::Secondary);
         if starts
             && !alt
+            && self.app.published.compared.is_empty()
             && let Some(at) = origin
         {
             self.app.pull = self.hit(frame, at);

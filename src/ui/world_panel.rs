@@ -73,11 +73,13 @@ impl App {
             ui.horizontal(|ui| {
                 ui.selectable_value(&mut self.tab, PropertyTab::Body, "Material");
                 ui.selectable_value(&mut self.tab, PropertyTab::World, "World");
+                ui.selectable_value(&mut self.tab, PropertyTab::Comparison, "Compare");
             });
             ui.separator();
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| match self.tab {
                 PropertyTab::Body => self.body_tab(ui),
                 PropertyTab::World => self.world_tab(ui),
+                PropertyTab::Comparison => self.comparison_tab(ui),
             });
         });
     }

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Types a value into a field.
-fn set(window: &mut Window, label: &str, value: &str) {
+pub(super) fn set(window: &mut Window, label: &str, value: &str) {
     window.get_by_role_and_label(Role::SpinButton, label).click();
     window.step();
     window.step();

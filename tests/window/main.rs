@@ -2,6 +2,7 @@
 #![cfg(feature = "gui")]
 
 mod commands;
+mod comparing;
 mod editing;
 mod picture;
 mod pulling;

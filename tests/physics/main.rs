@@ -6,6 +6,7 @@ mod behaviours;
 mod common;
 mod conservation;
 mod fibres;
+mod figures;
 mod forces;
 mod meeting;
 mod press;

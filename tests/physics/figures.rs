@@ -137,3 +137,24 @@ fn figure_9_the_vein_cuts_the_sag_at_least_fivefold() {
     println!("sag {soft:.1} mm without, {veined:.1} mm with");
     assert!(soft > 100.0 && veined > 1.0 && soft > 5.0 * veined, "{soft} and {veined} mm");
 }
+
+#[test]
+fn figure_10_the_stalk_snaps_and_the_leaf_hangs_from_it() {
+    let snapping = scene("figure_10_soft.json");
+    let on_threads = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| ran(&snapping, 0.2))
+    };
+    let (broken, other) = (on_threads(1), on_threads(3));
+    let whole = ran(&scene("figure_10_without_soft.json"), 0.2);
+    let (sag, without) = (-vector(&broken, "sag").y, -vector(&whole, "sag").y);
+    println!("sag {sag:.1} mm, {without:.1} mm where nothing breaks");
+    assert!(sag > 100.0 && without < 0.3 * sag, "{sag} and {without} mm");
+    assert_eq!(whole.snapshot().bodies[0].breaks, []);
+    let breaks = broken.snapshot().bodies[0].breaks.clone();
+    assert!(!breaks.is_empty() && breaks[0].time > 0.0 && breaks[0].time < 0.2, "{breaks:?}");
+    assert_eq!(other.snapshot().bodies[0].breaks, breaks, "on other threads");
+    // A report tells how many there were and when it began.
+    let report = sinew::sim::Report::new(&snapping, &broken, 1.0, Vec::new());
+    assert_eq!((report.bodies[0].breaks, report.bodies[0].first_break), (breaks.len(), Some(breaks[0].time)));
+}

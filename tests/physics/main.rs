@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
 
 mod behaviours;
+mod breaking;
 mod common;
 mod conservation;
 mod fibres;

@@ -6,6 +6,7 @@ use crate::scene::{Body, Falloff, Fibre, FibreSource, Mismatch, RestShape, ViewS
 use crate::sketch::{LiftOptions, Placed, SketchError, SketchNote, Stroke, lift, structure_particles, trim};
 use crate::solver::body::FibreLine;
 use crate::solver::embedding::{Embedder, Stencil};
+use crate::solver::forces::breaking::BreakLimits;
 use crate::solver::forces::fibre::FibreRest;
 use crate::solver::volume_fraction::volume_fractions;
 use glam::{DVec2, DVec3};
@@ -210,8 +211,9 @@ pub(super) fn rods(
 ) -> Vec<FibreRest> {
     placed
         .iter()
-        .filter(|run| carries(body, run))
-        .map(|run| {
+        .enumerate()
+        .filter(|(_, run)| carries(body, run))
+        .map(|(line, run)| {
             let fibre = &body.fibres[run.fibre];
             let (ea, ei) = fibre.stiffness.rigidity(particle_volume);
             let vertices = &run.vertices[run.active.clone()];
@@ -224,8 +226,18 @@ pub(super) fn rods(
                 })
                 .collect();
             FibreRest::new(run.stencils[run.active.clone()].to_vec(), vertices, ea, ei, fibre.volume_fraction, turns)
+                .on_line(line as u32, run.active.start as u32)
+                .breaking(limits(fibre))
         })
         .collect()
+}
+
+fn limits(fibre: &Fibre) -> BreakLimits {
+    let past = fibre.break_past.as_ref();
+    BreakLimits {
+        angle: past.and_then(|past| past.angle).map_or(f64::INFINITY, f64::to_radians),
+        tension: past.and_then(|past| past.tension).unwrap_or(f64::INFINITY),
+    }
 }
 
 /// Index in the scene of the fibre whose rods resist a move of a structure particle most; none without rods.

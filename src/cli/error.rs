@@ -34,6 +34,18 @@ pub enum CliError {
         /// Length of a frame [s].
         frame: f64,
     },
+    /// Scenes that a command needs are not where it looks.
+    #[error(
+        "{}: there is no {}; run this in the project's folder, or give the folder of its scenes by --scenes DIR",
+        printable(folder),
+        missing.iter().map(|path| printable(path)).collect::<Vec<_>>().join(" and no ")
+    )]
+    NoScenes {
+        /// Folder that was looked in.
+        folder: PathBuf,
+        /// Files that are missing.
+        missing: Vec<PathBuf>,
+    },
     /// Options of pictures where none are made.
     #[error("--view, --size, --x-ray, --particles and --theme say how pictures look; give --png DIR to make some")]
     NoPicturesAsked,

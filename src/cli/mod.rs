@@ -23,6 +23,7 @@ mod simulate;
 mod summary;
 mod sweep;
 mod table;
+mod table1;
 mod vary;
 
 pub use console::Console;
@@ -58,6 +59,8 @@ pub enum Command {
     Compare(compare::Compare),
     /// Look a scene or a model over without running it
     Check(check::Check),
+    /// Measure the fibre paper's Table 1 again, beside its print
+    Table1(table1::Table1),
     /// Print the JSON Schema of scene files
     Schema,
     /// Make the models in assets/ anew
@@ -87,6 +90,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Command::Sweep(args) => sweep::run(args, console),
         Command::Compare(args) => compare::run(args, console),
         Command::Check(args) => check::run(args, console),
+        Command::Table1(args) => table1::run(args, console),
         Command::Schema => schema::run(console),
         Command::MakeModels(args) => make_models::run(args, console),
     };

@@ -103,7 +103,10 @@ impl Node {
 
     /// The definition that this part refers to, or itself.
     fn resolve(self) -> Self {
-        let target = self.0.get("$ref").and_then(Value::as_str).and_then(|target| target.strip_prefix('#'));
+        // What may be left out is itself or null.
+        let optional = self.0.get("anyOf").and_then(Value::as_array);
+        let schema = optional.and_then(|any| any.iter().find(|part| part.get("$ref").is_some())).unwrap_or(self.0);
+        let target = schema.get("$ref").and_then(Value::as_str).and_then(|target| target.strip_prefix('#'));
         target.and_then(|pointer| SCHEMA.pointer(pointer)).map_or(self, Self)
     }
 }

@@ -23,6 +23,24 @@ pub struct Fibre {
     /// The shape in which it carries no bending energy.
     #[serde(default)]
     pub rest_shape: RestShape,
+    /// What it breaks past; it never breaks unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub break_past: Option<BreakPast>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// What a fibre breaks past, into two. What is left out never breaks it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct BreakPast {
+    /// Turn of a vertex away from the rest shape [degrees], up to 180: past it the fibre no longer bends there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle: Option<f64>,
+    /// Force that an edge carries, the volume fraction included [N]: past it the fibre is cut there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tension: Option<f64>,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,

@@ -21,7 +21,9 @@ pub use body::{
     Body, BodyKind, BoxShape, Damping, Falloff, Impulse, Initial, IntegratorKind, Mass, Material, MeshShape, Placement,
     Region, Rotation, Selector, Shape,
 };
-pub use fibre::{Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke};
+pub use fibre::{
+    BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
+};
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 pub use support::{Axis, Distance, Easing, Keyframe, Motion, Pin, Ramp, Side, Turn};
 pub use two_layer::{

@@ -54,6 +54,10 @@ pub struct BodyReport {
     /// JSON pointer of the parameter that sets the stable step: of all, halving it raises that step most. Null where no
     /// single one does by more than a hundredth.
     pub limited_by: Option<String>,
+    /// Breaks of its fibres.
+    pub breaks: usize,
+    /// Time of the first of them [s]; null if there is none.
+    pub first_break: Option<f64>,
     /// Time steps taken.
     pub steps: u64,
     /// Force evaluations made.
@@ -153,6 +157,8 @@ impl BodyReport {
             dt: parts.dt,
             stable_dt: parts.stable_dt,
             limited_by: parts.limited_by.clone(),
+            breaks: body.breaks().count(),
+            first_break: body.breaks().map(|at| at.time).reduce(f64::min),
             steps: body.steps(),
             evaluations: body.evaluations(),
             diverged: body.divergence().map(ToString::to_string),

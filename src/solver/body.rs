@@ -4,6 +4,7 @@ use super::constraint::Constraint;
 use super::dynamics::Dynamics;
 use super::embedding::Stencil;
 use super::energy::Energies;
+use super::forces::breaking::FibreBreak;
 use super::forces::{ContactLaw, Force};
 use super::grab::Grab;
 use super::integrators::Integrator;
@@ -212,6 +213,11 @@ impl Body {
         self.evaluations
     }
 
+    /// Breaks of its fibres, those of one force in the order of time.
+    pub fn breaks(&self) -> impl Iterator<Item = &FibreBreak> {
+        self.parts.forces.iter().flat_map(|force| force.breaks())
+    }
+
     /// Why the body was stopped, if it was.
     pub fn divergence(&self) -> Option<&Divergence> {
         self.divergence.as_ref()
@@ -274,8 +280,14 @@ impl Body {
             if self.parts.layers.as_ref().is_some_and(|layers| layers.put_back(&mut self.parts.state)) {
                 self.current = false;
             }
+            let end = start + dt;
+            for force in &mut self.parts.forces {
+                if force.end_step(end, &self.parts.state) {
+                    self.current = false;
+                }
+            }
             self.steps += 1;
-            self.guard(start + dt);
+            self.guard(end);
             after_step(self);
         }
     }

@@ -1,6 +1,7 @@
 //! What the solver shows of itself: plain positions at one time.
 
 use super::body::Body;
+pub use super::forces::breaking::{BreakPlace, FibreBreak};
 pub use super::forces::springs::SpringKind;
 use super::layers::Layers;
 use super::skin::{Skin, SkinShape};
@@ -31,6 +32,8 @@ pub struct BodySnapshot {
     pub particles: Vec<DVec3>,
     /// Structure particles of each fibre [m].
     pub fibres: Vec<FibreSnapshot>,
+    /// Where those are broken: indices into `fibres` and their vertices.
+    pub breaks: Vec<FibreBreak>,
     /// Vertices of the skin [m]; empty where only the particles were taken, see [`BodySnapshot::surface`].
     pub skin: Vec<DVec3>,
     /// Unit normals of the skin's vertices; empty where only the particles were taken.
@@ -161,6 +164,7 @@ impl Snapshot {
                             vertices: fibre.vertices.iter().map(|vertex| vertex.gather(positions)).collect(),
                         })
                         .collect(),
+                    breaks: body.breaks().copied().collect(),
                     normals: moved.map_or_else(Vec::new, |skin| skin.normals(&vertices)),
                     skin: vertices,
                     triangles: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.triangles())),

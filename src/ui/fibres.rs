@@ -46,6 +46,7 @@ impl App {
             stiffness: Stiffness::Rigidity(usual_rigidity(body)),
             volume_fraction: 0.5,
             rest_shape: RestShape::AsDrawn,
+            break_past: None,
             extra: Extra::new(),
         };
         let body = body.id.clone();

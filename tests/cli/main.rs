@@ -6,6 +6,7 @@ mod errors;
 mod pictures;
 mod simulate;
 mod sweep;
+mod table1;
 
 use serde_json::{Value, json};
 use std::fs;

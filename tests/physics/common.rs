@@ -100,6 +100,7 @@ pub fn fibre(
         stiffness,
         volume_fraction,
         rest_shape,
+        break_past: None,
         extra: Extra::new(),
     }
 }

@@ -3,9 +3,11 @@
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
 
 mod behaviours;
+mod breaking;
 mod common;
 mod conservation;
 mod fibres;
+mod figures;
 mod forces;
 mod meeting;
 mod press;

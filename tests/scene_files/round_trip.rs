@@ -171,15 +171,22 @@ fn fibre() -> impl Strategy<Value = Fibre> {
             extra
         })),
     ];
-    (any::<String>(), source, stiffness, 0.0..=1.0, extra()).prop_map(|(name, source, stiffness, share, extra)| Fibre {
-        id: "fibre".to_owned(),
-        name,
-        source,
-        stiffness,
-        volume_fraction: share,
-        rest_shape: RestShape::Straight,
-        extra,
-    })
+    let past = proptest::option::of(
+        (proptest::option::of(1.0..=180.0), proptest::option::of(above_zero()), extra())
+            .prop_map(|(angle, tension, extra)| BreakPast { angle, tension, extra }),
+    );
+    (any::<String>(), source, stiffness, 0.0..=1.0, past, extra()).prop_map(
+        |(name, source, stiffness, share, past, extra)| Fibre {
+            id: "fibre".to_owned(),
+            name,
+            source,
+            stiffness,
+            volume_fraction: share,
+            rest_shape: RestShape::Straight,
+            break_past: past,
+            extra,
+        },
+    )
 }
 
 fn body() -> impl Strategy<Value = Body> {

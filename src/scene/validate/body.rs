@@ -238,6 +238,16 @@ fn fibre(at: &At<'_>, fibre: &Fibre) -> Checked {
     for (name, value, unit) in values {
         not_negative(&stiffness.field(kind).field(name), value, unit)?;
     }
+    if let Some(past) = &fibre.break_past {
+        let at = at.field("break_past");
+        if let Some(angle) = past.angle {
+            positive(&at.field("angle"), angle, "degrees")?;
+            within(&at.field("angle"), angle, 0.0, 180.0, "degrees")?;
+        }
+        if let Some(tension) = past.tension {
+            positive(&at.field("tension"), tension, "N")?;
+        }
+    }
     fraction(&at.field("volume_fraction"), fibre.volume_fraction)
 }
 

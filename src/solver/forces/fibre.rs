@@ -9,6 +9,7 @@
 //! fibre folds back on itself; below `c = -1/2` it continues linearly in c.
 
 use super::Force;
+use super::breaking::{BreakLimits, Breakage, FibreBreak};
 use crate::solver::embedding::{Stencil, TurnStencil};
 use crate::solver::energy::Energies;
 use crate::solver::neighbourhood::outer;
@@ -26,6 +27,12 @@ pub struct FibreRest {
     pub edges: Vec<(f64, f64)>,
     /// Bending of every inner vertex, the first one's at index 0.
     pub bends: Vec<Bend>,
+    /// What it stands before it breaks.
+    pub limits: BreakLimits,
+    /// Index of the centre line that it is part of, among the body's.
+    pub line: u32,
+    /// Index on that line of its first vertex.
+    pub first_vertex: u32,
 }
 
 /// Bending at one inner vertex.
@@ -106,7 +113,19 @@ impl FibreRest {
             })
             .collect();
         let edges = lengths.iter().map(|&length| (fraction * ea / length, length)).collect();
-        Self { vertices, edges, bends }
+        Self { vertices, edges, bends, ..Self::default() }
+    }
+
+    /// The same fibre, which breaks past `limits`.
+    #[must_use]
+    pub fn breaking(self, limits: BreakLimits) -> Self {
+        Self { limits, ..self }
+    }
+
+    /// The same fibre as the part of centre line `line` that begins with its vertex `first_vertex`.
+    #[must_use]
+    pub fn on_line(self, line: u32, first_vertex: u32) -> Self {
+        Self { line, first_vertex, ..self }
     }
 
     /// The same fibre with its stiffnesses multiplied by `by`.
@@ -133,6 +152,7 @@ pub struct FibreForce {
     fibres: Arc<[FibreRest]>,
     /// Last turn at every bend of every fibre, the warm start of the next.
     turns: Vec<DQuat>,
+    broken: Breakage,
     vertices: Vec<DVec3>,
     pulls: Vec<DVec3>,
 }
@@ -141,20 +161,25 @@ impl FibreForce {
     /// Forces of `fibres`; `orientation` is the turn of the model frame in the world at the start.
     pub fn new(fibres: Arc<[FibreRest]>, orientation: DQuat) -> Self {
         let bends = fibres.iter().map(|fibre| fibre.bends.len()).sum();
-        Self { fibres, turns: vec![orientation; bends], vertices: Vec::new(), pulls: Vec::new() }
+        let broken = Breakage::none(&fibres);
+        Self { fibres, turns: vec![orientation; bends], broken, vertices: Vec::new(), pulls: Vec::new() }
     }
 }
 
 impl Force for FibreForce {
     fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        let mut turns = self.turns.iter_mut();
+        let mut turns = self.turns.iter_mut().zip(&self.broken.bends);
+        let mut edges_broken = self.broken.edges.iter();
         for fibre in self.fibres.iter() {
             self.vertices.clear();
             self.vertices.extend(fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)));
             self.pulls.clear();
             self.pulls.resize(self.vertices.len(), DVec3::ZERO);
             let (x, pulls) = (&self.vertices, &mut self.pulls);
-            for (k, &(stiffness, rest_length)) in fibre.edges.iter().enumerate() {
+            for (k, (&(stiffness, rest_length), &broken)) in fibre.edges.iter().zip(edges_broken.by_ref()).enumerate() {
+                if broken {
+                    continue;
+                }
                 let edge = x[k + 1] - x[k];
                 let length = edge.length();
                 if length > 0.0 {
@@ -163,7 +188,10 @@ impl Force for FibreForce {
                     pulls[k + 1] -= pull;
                 }
             }
-            for (k, (bend, turn)) in fibre.bends.iter().zip(turns.by_ref()).enumerate() {
+            for (k, (bend, (turn, &broken))) in fibre.bends.iter().zip(turns.by_ref()).enumerate() {
+                if broken {
+                    continue;
+                }
                 let Some(corner) = Corner::at(x, k) else { continue };
                 let (before, after) = match &bend.curved {
                     None => corner.straight_slopes(bend.stiffness),
@@ -190,14 +218,21 @@ impl Force for FibreForce {
     }
 
     fn add_energy(&self, _time: f64, state: &ParticleState, energies: &mut Energies) {
-        let mut turns = self.turns.iter();
+        let mut turns = self.turns.iter().zip(&self.broken.bends);
+        let mut edges_broken = self.broken.edges.iter();
         for fibre in self.fibres.iter() {
             let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)).collect();
-            for (k, &(stiffness, rest_length)) in fibre.edges.iter().enumerate() {
+            for (k, (&(stiffness, rest_length), &broken)) in fibre.edges.iter().zip(edges_broken.by_ref()).enumerate() {
+                if broken {
+                    continue;
+                }
                 let stretch = x[k + 1].distance(x[k]) - rest_length;
                 energies.stretching += 0.5 * stiffness * stretch * stretch;
             }
-            for (k, (bend, turn)) in fibre.bends.iter().zip(turns.by_ref()).enumerate() {
+            for (k, (bend, (turn, &broken))) in fibre.bends.iter().zip(turns.by_ref()).enumerate() {
+                if broken {
+                    continue;
+                }
                 let Some(corner) = Corner::at(&x, k) else { continue };
                 energies.bending += match &bend.curved {
                     None => 4.0 * bend.stiffness * straight_energy(corner.cosine).0,
@@ -211,8 +246,68 @@ impl Force for FibreForce {
         }
     }
 
+    fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
+        let before = self.broken.breaks.len();
+        let (mut first_bend, mut first_edge) = (0, 0);
+        for fibre in self.fibres.iter() {
+            if fibre.limits.is_finite() {
+                let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)).collect();
+                let pulls = (0..fibre.edges.len())
+                    .filter(|k| !self.broken.edges[first_edge + k])
+                    .map(|k| (fibre.tension(&x, k) / fibre.limits.tension, k));
+                let turns = (0..fibre.bends.len())
+                    .filter(|k| !self.broken.bends[first_bend + k])
+                    .map(|k| (fibre.turn(&x, k, &state.positions, self.turns[first_bend + k]) / fibre.limits.angle, k));
+                let (pull, turn) = (furthest(pulls), furthest(turns));
+                match (pull, turn) {
+                    ((by, k), (less, _)) if by > 1.0 && by >= less => {
+                        self.broken.at_edge(fibre, [first_bend, first_edge], k, time);
+                    }
+                    (_, (by, k)) if by > 1.0 => self.broken.at_vertex(fibre, first_bend, k, time),
+                    _ => {}
+                }
+            }
+            first_bend += fibre.bends.len();
+            first_edge += fibre.edges.len();
+        }
+        self.broken.breaks.len() > before
+    }
+
+    fn name(&self) -> &'static str {
+        "fibres"
+    }
+
+    fn breaks(&self) -> &[FibreBreak] {
+        &self.broken.breaks
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
+    }
+}
+
+/// The greatest share of a limit and where it is; zero where there is none.
+fn furthest(shares: impl Iterator<Item = (f64, usize)>) -> (f64, usize) {
+    shares.fold((0.0, 0), |most, share| if share.0 > most.0 { share } else { most })
+}
+
+impl FibreRest {
+    /// Force [N] that edge `k` carries between vertices at `x`; negative where it is pressed.
+    fn tension(&self, x: &[DVec3], k: usize) -> f64 {
+        let (stiffness, rest_length) = self.edges[k];
+        stiffness * (x[k + 1].distance(x[k]) - rest_length)
+    }
+
+    /// Turn [rad] of bend `k` away from its rest shape, `2 atan(|kb - R_s kb0| / 2)`: the turning angle of eq. 6 itself
+    /// where the rest shape is straight.
+    fn turn(&self, x: &[DVec3], k: usize, positions: &[DVec3], warm_start: DQuat) -> f64 {
+        let Some(corner) = Corner::at(x, k) else { return 0.0 };
+        let across = corner.before.cross(corner.after);
+        let Some(curved) = &self.bends[k].curved else { return across.length().atan2(corner.cosine) };
+        // Not the binormal that is continued beyond a fold: that one falls again as the fibre closes.
+        let binormal = 2.0 * across / (1.0 + corner.cosine).max(f64::EPSILON);
+        let (r, _) = turned(&curved.turn, positions, &mut warm_start.clone());
+        2.0 * (0.5 * (binormal - r * curved.binormal).length()).atan()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Forces: one file a force. A body is a [`ParticleState`] with a list of these.
 
 mod air_drag;
+pub mod breaking;
 mod contact;
 mod drag_spring;
 pub mod fibre;
@@ -58,6 +59,22 @@ pub trait Force: Send + Sync {
     /// What is wrong with a state, where the force has no meaning in it; the body is stopped then.
     fn fault(&self, _state: &ParticleState) -> Option<&'static str> {
         None
+    }
+
+    /// Told of the state at the end of every step, `time` [s], so that a force that breaks can do so; true if it is
+    /// another force from now on.
+    fn end_step(&mut self, _time: f64, _state: &ParticleState) -> bool {
+        false
+    }
+
+    /// What the force is called where forces are timed one by one.
+    fn name(&self) -> &'static str {
+        "other"
+    }
+
+    /// What has broken so far, in the order of time.
+    fn breaks(&self) -> &[breaking::FibreBreak] {
+        &[]
     }
 
     /// A copy in a box; bodies are cloned to be replayed or probed.

@@ -204,6 +204,10 @@ impl Force for MatrixForce {
         }
     }
 
+    fn name(&self) -> &'static str {
+        "matrix"
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

@@ -1,0 +1,185 @@
+//! `sinew table1`: the fibre paper's Table 1, measured again beside its print.
+
+use super::drive::drive;
+use super::prepare::{load, put_together};
+use super::table::figures;
+use super::{CliError, Console, Outcome, output};
+use crate::bake::Baked;
+use crate::sim::Runner;
+use crate::solver::body::Body;
+use clap::Args;
+use glam::DVec3;
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Arguments of `sinew table1`.
+#[derive(Debug, Args)]
+pub struct Table1 {
+    /// Folder with short_bar.json, long_bar.json, plant.json and leaf.json
+    #[arg(long, value_name = "DIR", default_value = "scenes")]
+    scenes: PathBuf,
+    /// Write the rows as JSON
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+}
+
+/// A row as the paper prints it.
+struct Printed {
+    model: &'static str,
+    file: &'static str,
+    particles: usize,
+    fibres: usize,
+    structure_particles: usize,
+    matrix_ms: f64,
+    fibre_ms: f64,
+}
+
+const fn printed(
+    names: [&'static str; 2],
+    [particles, fibres, structure_particles]: [usize; 3],
+    [matrix_ms, fibre_ms]: [f64; 2],
+) -> Printed {
+    Printed { model: names[0], file: names[1], particles, fibres, structure_particles, matrix_ms, fibre_ms }
+}
+
+const PAPER: [Printed; 4] = [
+    printed(["Short bar", "short_bar.json"], [588, 4, 52], [1.755, 0.072]),
+    printed(["Long bar", "long_bar.json"], [375, 2, 28], [1.067, 0.045]),
+    printed(["Plant", "plant.json"], [2723, 5, 90], [18.75, 0.235]),
+    printed(["Leaf", "leaf.json"], [1159, 5, 86], [7.422, 0.198]),
+];
+
+/// A row as measured here.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Row {
+    model: &'static str,
+    particles: usize,
+    fibres: usize,
+    structure_particles: usize,
+    /// Elastic force of the matrix, one evaluation [ms].
+    matrix_ms: f64,
+    /// Bending and stretching of the fibres, one evaluation [ms].
+    fibre_ms: f64,
+    /// Time step [s].
+    dt: f64,
+    /// Simulated over wall seconds, everything included.
+    real_time_factor: f64,
+}
+
+/// Steps of each scene that are run for the real-time factor.
+const STEPS: f64 = 200.0;
+
+/// Evaluations of each force that are timed; the least counts, which other programs disturb least.
+const EVALUATIONS: u32 = 50;
+
+/// Runs the four scenes and prints a table in Markdown.
+///
+/// # Errors
+/// A scene that is missing or cannot be used, a report that cannot be written.
+pub fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliError> {
+    let missing: Vec<PathBuf> =
+        PAPER.iter().map(|row| args.scenes.join(row.file)).filter(|path| !path.is_file()).collect();
+    if !missing.is_empty() {
+        return Err(CliError::NoScenes { folder: args.scenes.clone(), missing });
+    }
+    output::check(None, &[("--report", args.report.as_ref())])?;
+    let mut rows = Vec::new();
+    let mut diverged = false;
+    for printed in &PAPER {
+        let path = args.scenes.join(printed.file);
+        let scene = load(Some(&path), &super::prepare::Sets::default(), None)?;
+        let baked = put_together(&scene, Some(&path), console)?;
+        let (row, stopped) = measured(printed.model, baked)?;
+        rows.push(row);
+        diverged |= stopped;
+    }
+    let mut text = markdown(&rows);
+    if let Some(path) = &args.report {
+        output::write_json(path, &rows)?;
+        text += "\n";
+        text += &output::wrote("report", path);
+    }
+    console.print(&text)?;
+    Ok(if diverged { Outcome::Diverged } else { Outcome::Done })
+}
+
+/// Runs one scene for a while, then times its forces in the state that it has come to; tells whether it diverged.
+fn measured(model: &'static str, baked: Baked) -> Result<(Row, bool), CliError> {
+    let mut runner = Runner::new(baked);
+    let dt = runner.world().bodies().first().map_or(0.0, |body| body.parts().dt);
+    let frames = runner.frames_for(STEPS * dt).max(1);
+    let ran = drive(&mut runner, frames, false, &mut |_| Ok(()))?;
+    let world = runner.world();
+    let mut row = Row {
+        model,
+        particles: 0,
+        fibres: 0,
+        structure_particles: 0,
+        matrix_ms: 0.0,
+        fibre_ms: 0.0,
+        dt,
+        real_time_factor: world.time() / ran.wall_seconds.max(f64::MIN_POSITIVE),
+    };
+    for body in world.bodies() {
+        let parts = body.parts();
+        row.particles += body.state().len();
+        row.fibres += parts.fibres.len();
+        row.structure_particles += parts.fibres.iter().map(|fibre| fibre.vertices.len()).sum::<usize>();
+        row.matrix_ms += milliseconds(body, "matrix");
+        row.fibre_ms += milliseconds(body, "fibres");
+    }
+    Ok((row, world.divergence().is_some()))
+}
+
+/// Shortest time of one evaluation of the forces with this name [ms].
+fn milliseconds(body: &Body, name: &str) -> f64 {
+    let mut forces: Vec<_> = body.parts().forces.iter().filter(|force| force.name() == name).cloned().collect();
+    if forces.is_empty() {
+        return 0.0;
+    }
+    let mut sums = vec![DVec3::ZERO; body.state().len()];
+    let mut least = f64::INFINITY;
+    for _ in 0..EVALUATIONS {
+        let begun = Instant::now();
+        for force in &mut forces {
+            force.add_forces(0.0, body.state(), &mut sums);
+        }
+        least = least.min(begun.elapsed().as_secs_f64());
+    }
+    1e3 * least
+}
+
+/// Our rows above the paper's.
+fn markdown(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "| model | | particles | fibres / structure particles | matrix [ms] | fibres [ms] | fibres / matrix | dt [s] | real time |\n\
+         | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
+    );
+    for (row, paper) in rows.iter().zip(&PAPER) {
+        let Row { model, particles, fibres, structure_particles, matrix_ms, fibre_ms, .. } = row;
+        let share = |fibre: f64, matrix: f64| format!("{:.1} %", 100.0 * fibre / matrix);
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "| {model} | here | {particles} | {fibres} / {structure_particles} | {} | {} | {} | {} | {} |",
+            figures(*matrix_ms),
+            figures(*fibre_ms),
+            share(*fibre_ms, *matrix_ms),
+            figures(row.dt),
+            figures(row.real_time_factor),
+        );
+        let _ = writeln!(
+            text,
+            "| | paper | {} | {} / {} | {} | {} | {} | | |",
+            paper.particles,
+            paper.fibres,
+            paper.structure_particles,
+            figures(paper.matrix_ms),
+            figures(paper.fibre_ms),
+            share(paper.fibre_ms, paper.matrix_ms),
+        );
+    }
+    text
+}

@@ -1,0 +1,90 @@
+//! Change of topology: a fibre that breaks into two (sec. 7, figure 10).
+//!
+//! A fibre that turns too far breaks at that vertex. Both parts still meet there, but nothing resists their turn any
+//! more: the bending energy jumps down by exactly what the vertex stored, and no other term changes. A fibre that is
+//! pulled too hard loses the edge, and with it the bending of the vertices at both ends, whose turn is no longer
+//! defined. Of several places past their limits in one step only the one furthest past it breaks; that relieves the others.
+
+use super::fibre::FibreRest;
+
+/// What a fibre stands before it breaks; infinite where it never does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BreakLimits {
+    /// Turn away from the rest shape at a vertex [rad].
+    pub angle: f64,
+    /// Force that an edge carries, the volume fraction included [N].
+    pub tension: f64,
+}
+
+impl Default for BreakLimits {
+    fn default() -> Self {
+        Self { angle: f64::INFINITY, tension: f64::INFINITY }
+    }
+}
+
+impl BreakLimits {
+    /// Whether it can break at all.
+    pub fn is_finite(&self) -> bool {
+        self.angle.is_finite() || self.tension.is_finite()
+    }
+}
+
+/// Where along its centre line a fibre is broken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BreakPlace {
+    /// At this vertex: it no longer bends there.
+    Vertex(u32),
+    /// Between this vertex and the next.
+    Edge(u32),
+}
+
+/// One break.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FibreBreak {
+    /// Index of the fibre among the body's centre lines.
+    pub fibre: u32,
+    /// Where on it, counted from the first vertex of the centre line.
+    pub place: BreakPlace,
+    /// When [s]: the end of the step in which it passed its limit.
+    pub time: f64,
+}
+
+/// What is broken in the fibres of one body.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Breakage {
+    /// Bends of all fibres, one after another, that carry nothing any more.
+    pub(super) bends: Vec<bool>,
+    /// Edges likewise.
+    pub(super) edges: Vec<bool>,
+    /// Every break in the order of time.
+    pub(super) breaks: Vec<FibreBreak>,
+}
+
+impl Breakage {
+    /// Nothing broken.
+    pub(super) fn none(fibres: &[FibreRest]) -> Self {
+        Self {
+            bends: vec![false; fibres.iter().map(|fibre| fibre.bends.len()).sum()],
+            edges: vec![false; fibres.iter().map(|fibre| fibre.edges.len()).sum()],
+            breaks: Vec::new(),
+        }
+    }
+
+    /// Breaks the vertex of bend `k` of a fibre whose first bend is `first_bend` of all.
+    pub(super) fn at_vertex(&mut self, fibre: &FibreRest, first_bend: usize, k: usize, time: f64) {
+        self.bends[first_bend + k] = true;
+        let place = BreakPlace::Vertex(fibre.first_vertex + k as u32 + 1);
+        self.breaks.push(FibreBreak { fibre: fibre.line, place, time });
+    }
+
+    /// Breaks edge `k` of a fibre whose first bend and edge are these of all.
+    pub(super) fn at_edge(&mut self, fibre: &FibreRest, [first_bend, first_edge]: [usize; 2], k: usize, time: f64) {
+        self.edges[first_edge + k] = true;
+        // The bends at both ends of edge k; a fibre's ends have none.
+        for bend in k.saturating_sub(1)..fibre.bends.len().min(k + 1) {
+            self.bends[first_bend + bend] = true;
+        }
+        let place = BreakPlace::Edge(fibre.first_vertex + k as u32);
+        self.breaks.push(FibreBreak { fibre: fibre.line, place, time });
+    }
+}

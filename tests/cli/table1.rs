@@ -1,0 +1,37 @@
+//! The paper's Table 1, measured again.
+
+use super::{Desk, pressed};
+use std::path::Path;
+
+#[test]
+fn four_rows_stand_beside_the_papers() {
+    let desk = Desk::new(&pressed());
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    // A name with a space in it would be split by the desk.
+    let out = desk.done(&format!("table1 --scenes {} --report rows.json", scenes.display()));
+    let rows = desk.json("rows.json");
+    let rows = rows.as_array().unwrap();
+    let expected = [("Short bar", 588), ("Long bar", 375), ("Plant", 2723), ("Leaf", 1159)];
+    assert_eq!(rows.len(), expected.len());
+    for (row, (model, particles)) in rows.iter().zip(expected) {
+        assert_eq!(row["model"], model);
+        let share = row["particles"].as_f64().unwrap() / f64::from(particles);
+        assert!((share - 1.0).abs() < 0.02, "{model}: {row}");
+        for name in ["fibres", "structure_particles", "matrix_ms", "fibre_ms", "dt", "real_time_factor"] {
+            assert!(row[name].as_f64().unwrap() > 0.0, "{model}: {name} of {row}");
+        }
+    }
+    assert_eq!((&rows[0]["fibres"], &rows[0]["structure_particles"]), (&4.into(), &52.into()));
+    // Head, rule, two lines a model, and where the report went.
+    let lines: Vec<&str> = out.lines().collect();
+    assert_eq!(lines.len(), 12, "{out}");
+    assert!(lines[2].starts_with("| Short bar | here | 588 | 4 / 52 |"), "{out}");
+    assert_eq!(lines[3], "| | paper | 588 | 4 / 52 | 1.755 | 0.07200 | 4.1 % | | |");
+}
+
+#[test]
+fn missing_scenes_are_named() {
+    let desk = Desk::new(&pressed());
+    let said = desk.refused("table1 --report rows.json");
+    assert!(said.contains("short_bar.json") && said.contains("leaf.json") && said.contains("--scenes DIR"), "{said}");
+}

@@ -165,6 +165,9 @@ impl Pen<'_> {
     }
 
     fn balls(&self, at: &[DVec3], radius: f64, colour: Colour, pick: u32, list: &mut DrawList) {
+        if at.is_empty() {
+            return;
+        }
         let centres = at.iter().map(|&point| list.local(point)).collect();
         let size = Size::Metres((radius * self.spacing) as f32);
         list.points.push(Points { centres, size, colour, through: 0.0, pick });

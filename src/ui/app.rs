@@ -288,7 +288,11 @@ impl App {
         if let Some(published) = self.worker.take() {
             let notes = (published.status.notes != self.published.status.notes).then(|| published.status.notes.clone());
             let fresh = !Arc::ptr_eq(&published.at_rest, &self.published.at_rest);
+            let other_runs = published.compared.len() != self.published.compared.len();
             self.published = published;
+            if other_runs {
+                self.reframe(false);
+            }
             self.comparison.record(&self.published.compared);
             if fresh {
                 self.active = self.active.min(self.published.at_rest.bodies.len().saturating_sub(1));

@@ -7,13 +7,15 @@ use super::theme::{self, GRID};
 use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::sim::{Compared, Convergence, Reading, SimCommand, study};
 use egui::{Color32, RichText, Ui};
-use egui_plot::{Legend, Line, MarkerShape, Plot, PlotPoints, Points};
+use egui_plot::{Line, MarkerShape, Plot, PlotPoints, Points};
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 /// Readings of a run that are kept: half a minute at sixty frames a second.
 const KEPT: usize = 1800;
+/// Height of the plots below the views [points].
+const PLOTS_HEIGHT: f32 = 180.0;
 /// The study of orders: its length [frames], its coarsest run [steps a frame] and how often the step is halved.
 const STUDY_SECONDS: f64 = 0.1;
 const STUDY_STEPS: u32 = 32;
@@ -100,12 +102,10 @@ impl App {
                 self.comparison.histories.clear();
                 self.ask(SimCommand::Compare { integrators: self.comparison.chosen.clone(), dt });
                 self.ask(SimCommand::Play);
-                self.reframe(false);
             }
             let running = !self.published.compared.is_empty();
             if ui.add_enabled(running, egui::Button::new("End")).on_hover_text("Goes back to the scene").clicked() {
                 self.ask(SimCommand::Compare { integrators: Vec::new(), dt });
-                self.reframe(false);
             }
         });
         self.runs(ui, dt);
@@ -189,26 +189,25 @@ impl App {
         if self.published.compared.is_empty() {
             return;
         }
-        egui::Panel::bottom("plots").default_size(170.0).resizable(true).show(ui, |ui| {
-            let height = ui.available_height() - 6.0 * GRID;
+        egui::Panel::bottom("plots").exact_size(PLOTS_HEIGHT).show(ui, |ui| {
             ui.columns(4, |columns| {
                 let [energy, momentum, volume, pressure] = columns else { return };
-                self.plot(energy, "Energy [J]", height, |reading| Some(reading.energy));
-                self.plot(momentum, "Momentum [kg m/s]", height, |reading| Some(reading.momentum));
-                self.plot(volume, "Volume [m³], area [m²]", height, |reading| reading.volume);
-                self.plot(pressure, "Pressure [Pa]", height, |reading| reading.pressure);
+                self.plot(energy, "Energy [J]", |reading| Some(reading.energy));
+                self.plot(momentum, "Momentum [kg m/s]", |reading| Some(reading.momentum));
+                self.plot(volume, "Volume [m³], area [m²]", |reading| reading.volume);
+                self.plot(pressure, "Pressure [Pa]", |reading| reading.pressure);
             });
         });
     }
 
-    fn plot(&self, ui: &mut Ui, title: &str, height: f32, value: impl Fn(&Reading) -> Option<f64>) {
+    fn plot(&self, ui: &mut Ui, title: &str, value: impl Fn(&Reading) -> Option<f64>) {
         ui.label(RichText::new(title).small());
         let histories = self.published.compared.iter().zip(&self.comparison.histories);
         if !self.comparison.histories.iter().flatten().any(|reading| value(reading).is_some()) {
             ui.label(RichText::new("The scene has no two-layer body that encloses gas").weak().small());
             return;
         }
-        still(Plot::new(title).legend(Legend::default())).height(height).show(ui, |plot| {
+        still(Plot::new(title)).height(PLOTS_HEIGHT - 7.0 * GRID).show(ui, |plot| {
             for (run, history) in histories {
                 let points: Vec<[f64; 2]> =
                     history.iter().filter_map(|reading| Some([reading.time, value(reading)?])).collect();

@@ -11,7 +11,7 @@ const CUBE: &str = r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{
         "damping": {"pair": 20, "air": 5}}
 }]}"#;
 
-const RING: &str = r#"{"version": 1, "gravity": [0, -9.81, 0], "two_layer": [{"id": "ring", "shape": {"ring": {}},
+const RING: &str = r#"{"version": 1, "gravity": [0, -9.81, 0], "room": {"floor": -5}, "two_layer": [{"id": "ring", "shape": {"ring": {}},
     "air_drag": 2, "pins": []}]}"#;
 
 fn center(app: &App) -> DVec3 {
@@ -92,7 +92,8 @@ fn a_drag_beside_the_body_pulls_nothing() {
     assert!(center(window.state()).distance(start) < 1e-9);
 }
 
-/// A two-layer body hangs from the pointer by a spring MKS: it comes to rest M g / MKS below it.
+/// A two-layer body hangs from the pointer by a spring MKS: it comes to rest M g / MKS below it, and on the floor once it
+/// is let go.
 #[test]
 fn a_two_layer_body_hangs_from_the_pointer_by_its_own_spring() {
     let mut window = open(scene(RING));
@@ -116,4 +117,24 @@ fn a_two_layer_body_hangs_from_the_pointer_by_its_own_spring() {
     let expected = 20.0 * 9.81 / 150.0;
     let sag = (target - held).y;
     assert!((sag - expected).abs() < 0.02 * expected, "{sag} against {expected}");
+    // Let go, it falls and comes to rest on the floor.
+    button(&window, at, PointerButton::Primary, false);
+    window.step();
+    window.step();
+    assert!(window.state().pulled().is_none());
+    let particles = |app: &App| app.published().snapshot.bodies[body].particles.clone();
+    let start = std::time::Instant::now();
+    let rest = loop {
+        assert!(start.elapsed() < super::PATIENCE, "it never comes to rest");
+        let before = particles(window.state());
+        let time = window.state().published().status.time;
+        until(&mut window, |app| app.published().status.time > time + 0.5);
+        let after = particles(window.state());
+        // What still falls moves by metres, what swings by centimetres.
+        if after.iter().zip(&before).all(|(a, b)| a.distance(*b) < 1e-3) {
+            break after;
+        }
+    };
+    let low = rest.iter().map(|x| x.y).fold(f64::INFINITY, f64::min);
+    assert!((low + 5.0).abs() < 0.1, "{low}");
 }

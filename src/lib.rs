@@ -1,7 +1,7 @@
 //! **sinew** is an interactive stroke-based fibre editor for soft solids: a fibre drawn by one stroke in each of two
 //! orthogonal views makes a soft body bend, shear, twist or stiffen, with no constitutive parameters to tune. This
-//! crate is its core and command line: on one machine
-//! the same scene gives the same motion, bit for bit, on any number of threads.
+//! crate is its core, its command line and its window: on one machine the same scene gives the same motion, bit for bit,
+//! on any number of threads.
 //!
 //! # The way through the house
 //!
@@ -13,8 +13,8 @@
 //!
 //! # Rooms
 //!
-//! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, surface meshes. Knows
-//!   nothing of scenes or physics.
+//! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, models and how they are checked,
+//!   filled and moved inwards, rigs of skins. Knows nothing of scenes or physics.
 //! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not. Pure
 //!   functions.
 //! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, time, measures; data and validation only.
@@ -24,8 +24,8 @@
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
 //!   world.
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
-//!   paces it for a window; the comparison of integrators.
-//! - [`io`]: the only file access. Scene JSON and its schema, OBJ sequences, atomic writes.
+//!   paces it for a window; the comparison of integrators, by numbers and side by side.
+//! - [`io`]: the only file access. Scene JSON and its schema, models, OBJ sequences, atomic writes.
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.
 //! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,

@@ -2,14 +2,14 @@
 
 use super::Note;
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, Falloff, Fibre, FibreSource, Mismatch, RestShape, ViewStroke};
-use crate::sketch::{LiftOptions, Placed, SketchError, SketchNote, Stroke, lift, structure_particles, trim};
+use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape};
+use crate::sketch::{Placed, SketchError, SketchNote, structure_particles, trim};
 use crate::solver::body::FibreLine;
 use crate::solver::embedding::{Embedder, Stencil};
 use crate::solver::forces::breaking::BreakLimits;
 use crate::solver::forces::fibre::FibreRest;
 use crate::solver::volume_fraction::volume_fractions;
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
@@ -77,12 +77,7 @@ impl Placing<'_> {
         let particles = match &fibre.source {
             FibreSource::Vertices(vertices) => vertices.iter().map(|&x| DVec3::from_array(x)).collect(),
             FibreSource::Strokes(pair) => {
-                let options = LiftOptions {
-                    flip_second: pair.flip_second,
-                    stretch: pair.mismatch == Mismatch::Stretch,
-                    model_diagonal: self.diagonal,
-                };
-                let lifted = lift(&stroke(&pair.first), &stroke(&pair.second), &options)?;
+                let lifted = pair.lifted(self.diagonal)?;
                 for note in &lifted.notes {
                     let warning = matches!(note, SketchNote::PoorMatch { .. } | SketchNote::Strays { .. });
                     self.note(path, warning, note.to_string());
@@ -182,10 +177,6 @@ impl Placing<'_> {
             self.note(&format!("{path}/stiffness"), true, text);
         }
     }
-}
-
-fn stroke(drawn: &ViewStroke) -> Stroke {
-    Stroke { view: drawn.view, points: drawn.points.iter().map(|&point| DVec2::from_array(point)).collect() }
 }
 
 /// Share of matrix, `1 - l_i`, at every particle.

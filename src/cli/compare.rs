@@ -7,7 +7,7 @@ use super::table::{Align, Table, figures};
 use super::{CliError, Console, Outcome, output};
 use crate::io::load_assets;
 use crate::scene::{Assets, IntegratorKind, Scene};
-use crate::sim::{Trial, order, reference};
+use crate::sim::{Convergence, Trial, reference};
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -84,9 +84,6 @@ struct Order {
     /// Slope of log(position error) over log(step); null with fewer than two stable runs.
     order: Option<f64>,
 }
-
-/// Errors below this share of the size of the bodies are round-off and say nothing of the order.
-const ROUND_OFF: f64 = 1e-11;
 
 /// Runs every pair, writes what was asked for and prints a table.
 ///
@@ -213,14 +210,10 @@ fn one(
 
 /// The errors of an integrator over its steps, and the order that they show.
 fn line(integrator: IntegratorKind, runs: &[Run], size: f64) -> Line {
-    let mut points: Vec<(f64, f64)> = runs
-        .iter()
-        .filter(|run| run.integrator == integrator)
-        .filter_map(|run| run.position_error.map(|error| (run.dt, error)))
-        .filter(|(_, error)| *error > ROUND_OFF * size)
-        .collect();
-    points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    Line { name: word(integrator), order: order(&points), points }
+    let own = runs.iter().filter(|run| run.integrator == integrator);
+    let errors = own.filter_map(|run| run.position_error.map(|error| (run.dt, error)));
+    let Convergence { order, points, .. } = Convergence::of(integrator, errors, size);
+    Line { name: word(integrator), order, points }
 }
 
 fn table(report: &CompareReport) -> String {

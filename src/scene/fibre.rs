@@ -1,7 +1,8 @@
 //! Fibres: strokes or vertices, stiffness, rest shape.
 
 use super::Extra;
-use crate::sketch::View;
+use crate::sketch::{LiftOptions, Lifted, SketchError, Stroke, View, lift};
+use glam::DVec2;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -74,6 +75,18 @@ pub struct StrokePair {
     pub extra: Extra,
 }
 
+impl StrokePair {
+    /// The curve that the strokes make in a model of this diagonal [m].
+    ///
+    /// # Errors
+    /// As [`lift`].
+    pub fn lifted(&self, model_diagonal: f64) -> Result<Lifted, SketchError> {
+        let stretch = self.mismatch == Mismatch::Stretch;
+        let options = LiftOptions { flip_second: self.flip_second, stretch, model_diagonal };
+        lift(&self.first.stroke(), &self.second.stroke(), &options)
+    }
+}
+
 /// A stroke as it was drawn in one view.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ViewStroke {
@@ -84,6 +97,12 @@ pub struct ViewStroke {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl ViewStroke {
+    fn stroke(&self) -> Stroke {
+        Stroke { view: self.view, points: self.points.iter().copied().map(DVec2::from_array).collect() }
+    }
 }
 
 /// What to do where two strokes cover ranges of their shared axis that differ by more than 5 % of the larger range.

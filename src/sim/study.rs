@@ -18,6 +18,15 @@ pub struct Convergence {
     pub order: Option<f64>,
 }
 
+impl Convergence {
+    /// Of errors over steps, in a scene of this size [m]: what is round-off there is left out.
+    pub fn of(integrator: IntegratorKind, errors: impl IntoIterator<Item = (f64, f64)>, size: f64) -> Self {
+        let mut points: Vec<(f64, f64)> = errors.into_iter().filter(|(_, error)| *error > ROUND_OFF * size).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Self { integrator, order: order(&points), points }
+    }
+}
+
 /// Runs the scene for `seconds` [s] under every integrator with `halvings` steps: `seconds` over `coarsest` steps, over
 /// twice as many, and so on, so that every run ends at the same time.
 ///
@@ -36,19 +45,18 @@ pub fn study(
     let particles = exact.world().bodies().iter().flat_map(|body| &body.state().positions);
     let size = particles.map(|x| x.length()).fold(0.0, f64::max);
     let errors = |integrator| {
-        let mut points = Vec::new();
+        let mut found = Vec::new();
         for &count in &counts {
             let dt = seconds / f64::from(count);
             let mut trial = Trial::new(scene, assets, integrator, dt)?;
             for _ in 0..count {
                 trial.step();
             }
-            let error = trial.position_error(&exact);
-            if trial.blew_up_at().is_none() && error > ROUND_OFF * size {
-                points.push((dt, error));
+            if trial.blew_up_at().is_none() {
+                found.push((dt, trial.position_error(&exact)));
             }
         }
-        Ok(Convergence { integrator, order: order(&points), points })
+        Ok(Convergence::of(integrator, found, size))
     };
     integrators.iter().map(|&integrator| errors(integrator)).collect()
 }

@@ -160,13 +160,7 @@ impl Body {
         if self.divergence.is_some() {
             return;
         }
-        let mut kick = vec![impulse / self.parts.state.mass(); self.parts.state.len()];
-        for constraint in &self.parts.constraints {
-            constraint.mask(&mut kick);
-        }
-        for (v, kick) in self.parts.state.velocities.iter_mut().zip(kick) {
-            *v += kick;
-        }
+        self.change_velocities(vec![impulse / self.parts.state.mass(); self.parts.state.len()]);
         self.current = false;
     }
 
@@ -243,13 +237,18 @@ impl Body {
         if self.divergence.is_some() || self.held.iter().all(|force| *force == DVec3::ZERO) {
             return;
         }
-        let mut kick: Vec<DVec3> =
-            self.held.iter().zip(&self.parts.state.masses).map(|(&force, &mass)| force * (dt / mass)).collect();
+        let masses = &self.parts.state.masses;
+        let change = self.held.iter().zip(masses).map(|(&force, &mass)| force * (dt / mass)).collect();
+        self.change_velocities(change);
+    }
+
+    /// Adds to the velocities [m/s] what the constraints leave of a change.
+    fn change_velocities(&mut self, mut change: Vec<DVec3>) {
         for constraint in &self.parts.constraints {
-            constraint.mask(&mut kick);
+            constraint.mask(&mut change);
         }
-        for (v, kick) in self.parts.state.velocities.iter_mut().zip(kick) {
-            *v += kick;
+        for (v, change) in self.parts.state.velocities.iter_mut().zip(change) {
+            *v += change;
         }
     }
 

@@ -342,7 +342,7 @@ impl App {
         self.top_bar(ui);
         // The bar shows what the views found under the pointer one frame ago.
         self.status_bar(ui);
-        self.hint = "Draw a stroke in the front or the side view to begin a fibre";
+        self.hint = "Draw a stroke in a drawing view to begin a fibre";
         self.left_panel(ui);
         self.right_panel(ui);
         self.plots(ui);

@@ -21,13 +21,8 @@ const STUDY_SECONDS: f64 = 0.1;
 const STUDY_STEPS: u32 = 32;
 const STUDY_HALVINGS: u32 = 4;
 
-const DT: Field = Field {
-    label: "Step",
-    unit: "s",
-    range: 1e-7..=1.0,
-    default: None,
-    tooltip: "DT: every run takes exactly this step, whatever comes of it",
-};
+const DT: Field =
+    Field::new("Step", "s", 1e-7..=1.0, None, "DT: every run takes exactly this step, whatever comes of it");
 
 /// What a person compares.
 #[derive(Default)]

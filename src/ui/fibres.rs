@@ -4,9 +4,8 @@ use super::app::{App, Gravity};
 use super::sketch_tool::{Outcome, SHORTEST_STROKE};
 use crate::edit::Command;
 use crate::scene::{Body, Extra, Fibre, FibreSource, Mismatch, RestShape, Rigidity, Stiffness, StrokePair};
-use crate::sketch::{LiftOptions, Lifted, Stroke, View, lift};
+use crate::sketch::{Lifted, View};
 use egui::Ui;
-use glam::DVec2;
 use std::f64::consts::PI;
 
 /// A new fibre is this many times as stiff as the material that it displaces, so that its effect is plain.
@@ -69,16 +68,7 @@ impl App {
     pub(super) fn selected_lift(&self) -> Option<(&StrokePair, Lifted)> {
         let (_, fibre) = self.selected_fibre()?;
         let FibreSource::Strokes(pair) = &fibre.source else { return None };
-        let options = LiftOptions {
-            flip_second: pair.flip_second,
-            stretch: pair.mismatch == Mismatch::Stretch,
-            model_diagonal: self.model_diagonal(),
-        };
-        let stroke = |stroke: &crate::scene::ViewStroke| Stroke {
-            view: stroke.view,
-            points: stroke.points.iter().copied().map(DVec2::from_array).collect(),
-        };
-        Some((pair, lift(&stroke(&pair.first), &stroke(&pair.second), &options).ok()?))
+        Some((pair, pair.lifted(self.model_diagonal()).ok()?))
     }
 
     /// Views in which the selected fibre's strokes were drawn.

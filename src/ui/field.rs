@@ -19,6 +19,17 @@ pub(super) struct Field {
 }
 
 impl Field {
+    /// A field.
+    pub(super) const fn new(
+        label: &'static str,
+        unit: &'static str,
+        range: RangeInclusive<f64>,
+        default: Option<f64>,
+        tooltip: &'static str,
+    ) -> Self {
+        Self { label, unit, range, default, tooltip }
+    }
+
     /// Shows it over the width of a panel; whether it was changed.
     pub(super) fn show(&self, ui: &mut Ui, value: &mut f64) -> bool {
         let tooltip = self.explained();

@@ -9,41 +9,19 @@ use crate::scene::{Fibre, FibreSource, PaperStiffness, RestShape, Rigidity, Stif
 use crate::solver::snapshot::SpringKind;
 use egui::{Panel, ScrollArea, Ui};
 
-const EA: Field = Field {
-    label: "EA",
-    unit: "N",
-    range: 0.0..=1e9,
-    default: None,
-    tooltip: "Axial rigidity: resistance to stretching, l_f EA / 2 l0 per edge",
-};
-const EI: Field = Field {
-    label: "EI",
-    unit: "N m²",
-    range: 0.0..=1e6,
-    default: None,
-    tooltip: "Bending stiffness, l_f EI / L0 per vertex (eq. 7 with EI = Kb / 2)",
-};
-const KB: Field = Field {
-    label: "Kb",
-    unit: "",
-    range: 0.0..=1e12,
-    default: None,
-    tooltip: "Table 1's bending stiffness: EI = Kb V / 2",
-};
-const KS: Field = Field {
-    label: "Ks",
-    unit: "",
-    range: 0.0..=1e9,
-    default: None,
-    tooltip: "Table 1's stretching stiffness: EA = 2 Ks",
-};
-const VOLUME_FRACTION: Field = Field {
-    label: "Volume fraction",
-    unit: "",
-    range: 0.0..=1.0,
-    default: Some(0.5),
-    tooltip: "l_f: share of the material that is fibre at its centre line (eq. 18)",
-};
+const EA: Field =
+    Field::new("EA", "N", 0.0..=1e9, None, "Axial rigidity: resistance to stretching, l_f EA / 2 l0 per edge");
+const EI: Field =
+    Field::new("EI", "N m²", 0.0..=1e6, None, "Bending stiffness, l_f EI / L0 per vertex (eq. 7 with EI = Kb / 2)");
+const KB: Field = Field::new("Kb", "", 0.0..=1e12, None, "Table 1's bending stiffness: EI = Kb V / 2");
+const KS: Field = Field::new("Ks", "", 0.0..=1e9, None, "Table 1's stretching stiffness: EA = 2 Ks");
+const VOLUME_FRACTION: Field = Field::new(
+    "Volume fraction",
+    "",
+    0.0..=1.0,
+    Some(0.5),
+    "l_f: share of the material that is fibre at its centre line (eq. 18)",
+);
 
 impl App {
     pub(super) fn left_panel(&mut self, ui: &mut Ui) {

@@ -8,62 +8,47 @@ use crate::scene::{IntegratorKind, Mass, Material, PressureIn, TwoLayer};
 use egui::{ComboBox, RichText, Ui};
 use std::ops::RangeInclusive;
 
-const YOUNG: Field = Field {
-    label: "Young's modulus",
-    unit: "Pa",
-    range: 1e2..=1e10,
-    default: Some(1e5),
-    tooltip: "E: stiffness of the matrix; enters lambda and mu of the corotated stress (eq. 1)",
-};
-const POISSON: Field = Field {
-    label: "Poisson's ratio",
-    unit: "",
-    range: 0.0..=0.49,
-    default: Some(0.33),
-    tooltip: "nu: how much it thins when pulled; enters lambda and mu",
-};
-const DENSITY: Field = Field {
-    label: "Density",
-    unit: "kg/m³",
-    range: 1.0..=1e5,
-    default: Some(1000.0),
-    tooltip: "Mass of the shape by its volume; the stable step grows with its root",
-};
-const PARTICLE_MASS: Field = Field {
-    label: "Particle mass",
-    unit: "kg",
-    range: 1e-9..=1e3,
-    default: Some(4e-4),
-    tooltip: "Mass of each material particle; the paper uses 4e-4",
-};
-const PAIR_DAMPING: Field = Field {
-    label: "Damping",
-    unit: "1/s",
-    range: 0.0..=1e5,
-    default: Some(0.0),
-    tooltip: "Radial, between neighbours; keeps linear and angular momentum",
-};
-const AIR_DRAG: Field = Field {
-    label: "Air drag",
-    unit: "1/s",
-    range: 0.0..=1e5,
-    default: Some(0.0),
-    tooltip: "Acceleration against the velocity, a = -c v",
-};
-const SUPPORT_RADIUS: Field = Field {
-    label: "Support radius",
-    unit: "m",
-    range: 1e-4..=10.0,
-    default: None,
-    tooltip: "h: reach of the kernel W (eq. 13); particles lie D / h times it apart, so this samples the shape anew",
-};
-const SPACING_RATIO: Field = Field {
-    label: "Spacing D / h",
-    unit: "",
-    range: 0.3..=0.6,
-    default: Some(0.4),
-    tooltip: "Particle spacing over support radius; this samples the shape anew",
-};
+const YOUNG: Field = Field::new(
+    "Young's modulus",
+    "Pa",
+    1e2..=1e10,
+    Some(1e5),
+    "E: stiffness of the matrix; enters lambda and mu of the corotated stress (eq. 1)",
+);
+const POISSON: Field = Field::new(
+    "Poisson's ratio",
+    "",
+    0.0..=0.49,
+    Some(0.33),
+    "nu: how much it thins when pulled; enters lambda and mu",
+);
+const DENSITY: Field = Field::new(
+    "Density",
+    "kg/m³",
+    1.0..=1e5,
+    Some(1000.0),
+    "Mass of the shape by its volume; the stable step grows with its root",
+);
+const PARTICLE_MASS: Field =
+    Field::new("Particle mass", "kg", 1e-9..=1e3, Some(4e-4), "Mass of each material particle; the paper uses 4e-4");
+const PAIR_DAMPING: Field =
+    Field::new("Damping", "1/s", 0.0..=1e5, Some(0.0), "Radial, between neighbours; keeps linear and angular momentum");
+const AIR_DRAG: Field =
+    Field::new("Air drag", "1/s", 0.0..=1e5, Some(0.0), "Acceleration against the velocity, a = -c v");
+const SUPPORT_RADIUS: Field = Field::new(
+    "Support radius",
+    "m",
+    1e-4..=10.0,
+    None,
+    "h: reach of the kernel W (eq. 13); particles lie D / h times it apart, so this samples the shape anew",
+);
+const SPACING_RATIO: Field = Field::new(
+    "Spacing D / h",
+    "",
+    0.3..=0.6,
+    Some(0.4),
+    "Particle spacing over support radius; this samples the shape anew",
+);
 
 /// A parameter of two-layer bodies with the paper's default (sec. 4.2.1).
 const fn parameter(
@@ -73,7 +58,7 @@ const fn parameter(
     default: f64,
     tooltip: &'static str,
 ) -> Field {
-    Field { label, unit, range, default: Some(default), tooltip }
+    Field::new(label, unit, range, Some(default), tooltip)
 }
 
 const KS: Field = parameter("KS", "N/m", 0.0..=1e7, 800.0, "Stiffness of structural springs, f = KS (L - L0)");

@@ -14,51 +14,30 @@ use glam::DVec3;
 
 /// A length of the room or of a panel.
 const fn length(label: &'static str, tooltip: &'static str) -> Field {
-    Field { label, unit: "m", range: -1000.0..=1000.0, default: None, tooltip }
+    Field::new(label, "m", -1000.0..=1000.0, None, tooltip)
 }
 
-const GRAVITY: Field = Field {
-    label: "Gravity",
-    unit: "m/s²",
-    range: -100.0..=100.0,
-    default: Some(-9.81),
-    tooltip: "g, upwards; enters every particle's force as m g",
-};
-const FRICTION: Field = Field {
-    label: "Friction",
-    unit: "",
-    range: 0.0..=10.0,
-    default: Some(0.4),
-    tooltip: "Coulomb's coefficient: the tangential force is at most this times the normal one",
-};
-const CONTACT_DAMPING: Field = Field {
-    label: "Contact damping",
-    unit: "",
-    range: 0.0..=1.0,
-    default: Some(0.0),
-    tooltip: "Share of critical damping in the normal direction: 0 bounces fully, 1 hardly at all",
-};
-const PANEL_MASS: Field = Field {
-    label: "Mass",
-    unit: "kg",
-    range: 1e-6..=1e6,
-    default: Some(1.0),
-    tooltip: "Matters only when the panel falls",
-};
-const DT: Field = Field {
-    label: "DT",
-    unit: "s",
-    range: 1e-7..=1.0,
-    default: None,
-    tooltip: "Time step, as it is given; beyond a body's limit it may diverge",
-};
-const SAFETY: Field = Field {
-    label: "Safety",
-    unit: "",
-    range: 0.01..=1.0,
-    default: Some(0.6),
-    tooltip: "Share of the stable step that is used; less keeps energy better",
-};
+const GRAVITY: Field =
+    Field::new("Gravity", "m/s²", -100.0..=100.0, Some(-9.81), "g, upwards; enters every particle's force as m g");
+const FRICTION: Field = Field::new(
+    "Friction",
+    "",
+    0.0..=10.0,
+    Some(0.4),
+    "Coulomb's coefficient: the tangential force is at most this times the normal one",
+);
+const CONTACT_DAMPING: Field = Field::new(
+    "Contact damping",
+    "",
+    0.0..=1.0,
+    Some(0.0),
+    "Share of critical damping in the normal direction: 0 bounces fully, 1 hardly at all",
+);
+const PANEL_MASS: Field = Field::new("Mass", "kg", 1e-6..=1e6, Some(1.0), "Matters only when the panel falls");
+const DT: Field =
+    Field::new("DT", "s", 1e-7..=1.0, None, "Time step, as it is given; beyond a body's limit it may diverge");
+const SAFETY: Field =
+    Field::new("Safety", "", 0.01..=1.0, Some(0.6), "Share of the stable step that is used; less keeps energy better");
 /// A panel is this much wider than what it presses on, and stands this share of its height above it.
 const PANEL_REACH: f64 = 1.5;
 const PANEL_GAP: f64 = 0.3;

@@ -138,3 +138,40 @@ fn a_two_layer_body_hangs_from_the_pointer_by_its_own_spring() {
     let low = rest.iter().map(|x| x.y).fold(f64::INFINITY, f64::min);
     assert!((low + 5.0).abs() < 0.1, "{low}");
 }
+
+/// Frames of 4 ms, from the pull of the pointer until a ring that touches a wall has left it, in steps of `dt` [s].
+fn frames_until_it_leaves(dt: f64) -> u32 {
+    let steps = (4e-3 / dt).round();
+    let mut window = open(scene(&format!(
+        r#"{{"version": 1, "gravity": [0, 0, 0], "room": {{"x_max": 1.99}},
+            "time": {{"step": {{"manual": {{"dt": {dt}, "substeps_per_frame": {steps}}}}}}},
+            "two_layer": [{{"id": "ring", "shape": {{"ring": {{}}}}, "initial": {{"velocity": [2, 0, 0]}}}}]}}"#
+    )));
+    super::press_key(&mut window, Modifiers::NONE, Key::Space);
+    until(&mut window, |app| !app.published().status.playing);
+    super::press_key(&mut window, Modifiers::COMMAND, Key::R);
+    until(&mut window, |app| app.published().status.time == 0.0);
+    let particles = &window.state().published().snapshot.bodies[0].particles[..10];
+    let farthest = particles.iter().copied().min_by(|a, b| a.x.total_cmp(&b.x)).expect("a ring");
+    let at = window.state().shown_at(farthest).expect("it is seen");
+    press(&mut window, at);
+    move_to(&mut window, at, at - Vec2::new(40.0, 0.0));
+    assert!(window.state().pulled().is_some());
+    for frame in 1..500 {
+        let time = window.state().published().status.time;
+        super::press_key(&mut window, Modifiers::NONE, Key::Period);
+        until(&mut window, |app| app.published().status.time > time);
+        let right = window.state().published().snapshot.bodies[0].particles.iter().map(|x| x.x);
+        if right.fold(f64::NEG_INFINITY, f64::max) < 1.99 - 1e-9 {
+            return frame;
+        }
+    }
+    panic!("it never leaves the wall");
+}
+
+#[test]
+fn a_ring_pulled_off_a_wall_leaves_it_when_it_does_whatever_the_step() {
+    let frames = [4e-4, 1e-3, 4e-3].map(frames_until_it_leaves);
+    assert!(frames[0] > 20, "it was thrown into the wall first: {frames:?}");
+    assert!(frames.iter().all(|count| count.abs_diff(frames[0]) <= 1), "{frames:?}");
+}

@@ -18,7 +18,8 @@
 //! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not. Pure
 //!   functions.
 //! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, time, measures; data and validation only.
-//! - [`edit`]: the only writer of an open document; each change is one step of undo and redo.
+//! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
+//!   fibre, as pure functions: [`edit::fibre_ops`].
 //! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of [`solver::forces`], and any of
 //!   the [`solver::integrators`] steps any body. Knows no file, clock, thread start or window.
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
@@ -34,10 +35,10 @@
 //! - `ui` (feature `gui`): the window. Reads the document and the newest snapshot; what a person does leaves as a
 //!   [`edit::Command`] or a [`sim::SimCommand`].
 //!
-//! What a room may import: geometry nothing; sketch geometry; scene geometry and sketch; edit scene; solver geometry;
-//! bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot; sim scene, bake and solver;
-//! draw scene, geometry and the solver's snapshot; render draw and geometry; cli all
-//! but ui; ui all but cli. A test holds the code to this.
+//! What a room may import: geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
+//! geometry; solver geometry; bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot;
+//! sim scene, bake and solver; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
+//! ui; ui all but cli. A test holds the code to this.
 //!
 //! # Conventions
 //!

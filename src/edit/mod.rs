@@ -1,9 +1,11 @@
 //! The only writer of an open document: named changes, each one step of undo and redo.
 //!
-//! A change is a [`Command`]; what it leaves behind is a whole scene, shared where it is the same. A scene that does not
-//! validate never becomes the document.
+//! A change is a [`Command`]; what it leaves behind is a whole scene, shared where it is the same. A scene that does
+//! not validate never becomes the document. What a command is to put there comes from pure functions: of fibres,
+//! those of [`fibre_ops`].
 
 mod command;
+pub mod fibre_ops;
 mod history;
 
 pub use command::Command;

@@ -13,6 +13,7 @@ pub mod lattice;
 pub mod linear_map;
 pub mod mesh;
 pub mod model;
+pub mod nearest;
 pub mod neighbours;
 pub mod octahedron;
 pub mod offset;

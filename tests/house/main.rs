@@ -12,7 +12,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("sketch", &["geometry"]),
     ("scene", &["geometry", "sketch"]),
     ("solver", &["geometry"]),
-    ("edit", &["scene"]),
+    ("edit", &["scene", "sketch", "geometry"]),
     ("bake", &["scene", "sketch", "geometry", "solver"]),
     ("io", &["scene", "geometry", "solver::snapshot"]),
     ("sim", &["scene", "bake", "solver"]),

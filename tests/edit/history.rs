@@ -1,14 +1,10 @@
 //! The document's history: every change is one step back and one step forth.
 
+use crate::scene;
 use proptest::prelude::*;
 use sinew::edit::{Command, EditError, Editor};
-use sinew::io::{load_scene, scene_to_json};
-use sinew::scene::{FibreSource, Scene};
-use std::path::Path;
-
-fn scene() -> Scene {
-    load_scene(&Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/short_bar.json")).expect("a scene")
-}
+use sinew::io::scene_to_json;
+use sinew::scene::FibreSource;
 
 #[test]
 fn a_refused_change_leaves_the_document_and_its_history() {

@@ -1,0 +1,128 @@
+//! Moving, turning and mirroring a fibre or some of its vertices.
+
+use super::strokes::carried;
+use super::vertices::vertices;
+use super::{Edited, FibreEditError, Sampling, chosen, with_vertices};
+use crate::scene::{Fibre, FibreSource};
+use glam::{DMat3, DQuat, DVec3};
+
+/// A turn's entries within this of -1, 0 and 1 are taken for them: right angles come out of radians with such errors.
+const ROUND_OFF: f64 = 1e-12;
+
+/// A move, turn or mirroring of the model frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transform {
+    matrix: DMat3,
+    offset: DVec3,
+}
+
+/// Where a transform that takes axes to axes takes each of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct AxisMap {
+    /// Index of the axis that an axis goes to.
+    pub(super) to: [usize; 3],
+    /// 1 or -1: which way along it.
+    pub(super) sign: [f64; 3],
+    /// Where the origin goes [m].
+    pub(super) offset: DVec3,
+}
+
+impl Transform {
+    /// A move by `offset` [m].
+    pub fn translation(offset: DVec3) -> Self {
+        Self { matrix: DMat3::IDENTITY, offset }
+    }
+
+    /// A turn about an axis of any length but zero through a pivot [m], right-handed by `radians`.
+    ///
+    /// # Errors
+    /// An axis that points nowhere.
+    pub fn rotation(pivot: DVec3, axis: DVec3, radians: f64) -> Result<Self, FibreEditError> {
+        let axis = unit(axis)?;
+        let matrix = exact(DMat3::from_quat(DQuat::from_axis_angle(axis, radians)));
+        Ok(Self { matrix, offset: pivot - matrix * pivot })
+    }
+
+    /// A mirroring in the plane through `point` [m] across a normal of any length but zero.
+    ///
+    /// # Errors
+    /// A normal that points nowhere.
+    pub fn reflection(point: DVec3, normal: DVec3) -> Result<Self, FibreEditError> {
+        let normal = unit(normal)?;
+        let across = |k: usize| 2.0 * normal[k] * normal;
+        let matrix = exact(DMat3::IDENTITY - DMat3::from_cols(across(0), across(1), across(2)));
+        Ok(Self { matrix, offset: point - matrix * point })
+    }
+
+    /// Where it takes a point [m].
+    pub fn apply(&self, point: DVec3) -> DVec3 {
+        self.matrix * point + self.offset
+    }
+
+    /// Where it takes the axes, if it takes axes to axes.
+    pub(super) fn axis_map(&self) -> Option<AxisMap> {
+        let mut map = AxisMap { to: [0; 3], sign: [0.0; 3], offset: self.offset };
+        for axis in 0..3 {
+            let image = self.matrix.col(axis);
+            let to = image.abs().max_position();
+            if image.abs() != DVec3::AXES[to] {
+                return None;
+            }
+            (map.to[axis], map.sign[axis]) = (to, image[to]);
+        }
+        Some(map)
+    }
+}
+
+fn unit(direction: DVec3) -> Result<DVec3, FibreEditError> {
+    direction.try_normalize().ok_or(FibreEditError::NoDirection(direction.to_array()))
+}
+
+fn exact(matrix: DMat3) -> DMat3 {
+    let near = |entry: f64| if (entry - entry.round()).abs() < ROUND_OFF { entry.round() } else { entry };
+    DMat3::from_cols_array(&matrix.to_cols_array().map(near))
+}
+
+/// Moves, turns or mirrors a fibre. A pair of strokes stays one under any move, and under turns and mirrorings that
+/// take axes to axes; it becomes vertices under others.
+///
+/// # Errors
+/// Numbers that are not finite, or strokes that give no curve.
+pub fn transform(fibre: &Fibre, by: &Transform, sampling: Sampling) -> Result<Edited, FibreEditError> {
+    if let (FibreSource::Strokes(pair), Some(map)) = (&fibre.source, by.axis_map()) {
+        if !by.offset.is_finite() {
+            return Err(FibreEditError::NotFinite { index: 0 });
+        }
+        let source = FibreSource::Strokes(carried(pair, &map));
+        return Ok(Edited::whole(Fibre { source, ..fibre.clone() }));
+    }
+    let moved: Vec<DVec3> = vertices(fibre, sampling)?.into_iter().map(|vertex| by.apply(vertex)).collect();
+    with_vertices(fibre, &moved)
+}
+
+/// Moves, turns or mirrors some vertices of a fibre; the others stay. All of them are [`transform`], and strokes stay
+/// strokes where they do there.
+///
+/// # Errors
+/// No such vertex, neighbours that would lie in one place, numbers that are not finite, or strokes that give no curve.
+pub fn transform_vertices(
+    fibre: &Fibre,
+    indices: &[usize],
+    by: &Transform,
+    sampling: Sampling,
+) -> Result<Edited, FibreEditError> {
+    let mut vertices = vertices(fibre, sampling)?;
+    let chosen = chosen(indices, vertices.len())?;
+    if !chosen.contains(&false) {
+        return transform(fibre, by, sampling);
+    }
+    if !chosen.contains(&true) {
+        return Ok(Edited::whole(fibre.clone()));
+    }
+    for (vertex, chosen) in vertices.iter_mut().zip(chosen) {
+        if chosen {
+            *vertex = by.apply(*vertex);
+        }
+    }
+    with_vertices(fibre, &vertices)
+}

@@ -1,10 +1,18 @@
 //! Changes of the document.
 
-use crate::scene::{Fibre, IntegratorKind, Material, Panel, Pin, Region, Room, Scene, Time, TwoLayer};
+use crate::scene::{Fibre, IntegratorKind, Material, Panel, Pin, Region, Room, Time, TwoLayer};
 
-/// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is replayed.
+/// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
+/// replayed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
+    /// Makes several changes as one, in this order: all of them or none.
+    Many {
+        /// What undo and redo call them.
+        name: String,
+        /// The changes.
+        commands: Vec<Command>,
+    },
     /// Adds a fibre to a body.
     AddFibre {
         /// Identifier of the body.
@@ -25,6 +33,27 @@ pub enum Command {
         body: String,
         /// Identifier of the fibre.
         fibre: String,
+    },
+    /// Gives a body or a fibre another name.
+    SetName {
+        /// What is renamed.
+        item: Item,
+        /// The name.
+        name: String,
+    },
+    /// Hides bodies and fibres from view or shows them again. They move all the same.
+    SetHidden {
+        /// What is hidden or shown.
+        items: Vec<Item>,
+        /// Whether it is hidden.
+        hidden: bool,
+    },
+    /// Draws bodies and fibres in a colour, red, green and blue, or in that of the theme again.
+    SetColor {
+        /// What is coloured.
+        items: Vec<Item>,
+        /// The colour.
+        color: Option<[u8; 3]>,
     },
     /// Gives a body another material.
     SetMaterial {
@@ -61,13 +90,54 @@ pub enum Command {
     SetPanels(Vec<Panel>),
 }
 
+/// Something that a person sees in the list of the document's parts.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Item {
+    /// A body of either kind, by its identifier.
+    Body(String),
+    /// A fibre.
+    Fibre {
+        /// Identifier of its body.
+        body: String,
+        /// Its own.
+        fibre: String,
+    },
+}
+
 impl Command {
+    /// Puts fibres of a body in the places of those with the same identifiers: one step, called by what was done to
+    /// them, such as "Move".
+    pub fn set_fibres(verb: &str, body: &str, fibres: Vec<Fibre>) -> Self {
+        let name = name_of(verb, &fibres);
+        let set = |fibre| Self::SetFibre { body: body.to_owned(), fibre };
+        Self::Many { name, commands: fibres.into_iter().map(set).collect() }
+    }
+
+    /// Adds fibres to a body in one step, called by what was done, such as "Duplicate". Their identifiers must be new.
+    pub fn add_fibres(verb: &str, body: &str, fibres: Vec<Fibre>) -> Self {
+        let name = name_of(verb, &fibres);
+        let add = |fibre| Self::AddFibre { body: body.to_owned(), fibre };
+        Self::Many { name, commands: fibres.into_iter().map(add).collect() }
+    }
+
+    /// Takes fibres of a body away in one step.
+    pub fn remove_fibres<'a>(body: &str, fibres: impl IntoIterator<Item = &'a str>) -> Self {
+        let remove = |fibre: &str| Self::RemoveFibre { body: body.to_owned(), fibre: fibre.to_owned() };
+        let commands: Vec<Self> = fibres.into_iter().map(remove).collect();
+        Self::Many { name: format!("Delete {}", counted(commands.len(), "fibre", "fibres")), commands }
+    }
+
     /// What undo and redo call it.
     pub fn name(&self) -> String {
         match self {
+            Self::Many { name, .. } => name.clone(),
             Self::AddFibre { fibre, .. } => format!("Add {}", title(fibre)),
             Self::SetFibre { fibre, .. } => format!("Change {}", title(fibre)),
             Self::RemoveFibre { .. } => "Delete fibre".to_owned(),
+            Self::SetName { item, .. } => format!("Rename {}", several(std::slice::from_ref(item))),
+            Self::SetHidden { items, hidden: true } => format!("Hide {}", several(items)),
+            Self::SetHidden { items, hidden: false } => format!("Show {}", several(items)),
+            Self::SetColor { items, .. } => format!("Colour {}", several(items)),
             Self::SetMaterial { .. } => "Change material".to_owned(),
             Self::SetIntegrator { .. } => "Change integrator".to_owned(),
             Self::SetPins { .. } => "Change pins".to_owned(),
@@ -78,53 +148,12 @@ impl Command {
             Self::SetPanels(_) => "Change panels".to_owned(),
         }
     }
+}
 
-    /// Changes `scene`; what is missing is said, and nothing is changed then.
-    pub(super) fn apply(&self, scene: &mut Scene) -> Result<(), String> {
-        match self {
-            Self::AddFibre { body, fibre } => {
-                let fibres = &mut body_of(scene, body)?.fibres;
-                if fibres.iter().any(|old| old.id == fibre.id) {
-                    return Err(format!("there is a fibre \"{}\" already", fibre.id));
-                }
-                fibres.push(fibre.clone());
-            }
-            Self::SetFibre { body, fibre } => {
-                let fibres = &mut body_of(scene, body)?.fibres;
-                let old = fibres.iter_mut().find(|old| old.id == fibre.id);
-                *old.ok_or_else(|| format!("there is no fibre \"{}\"", fibre.id))? = fibre.clone();
-            }
-            Self::RemoveFibre { body, fibre } => {
-                let fibres = &mut body_of(scene, body)?.fibres;
-                let index = fibres.iter().position(|old| old.id == *fibre);
-                fibres.remove(index.ok_or_else(|| format!("there is no fibre \"{fibre}\""))?);
-            }
-            Self::SetMaterial { body, material } => body_of(scene, body)?.material = material.clone(),
-            Self::SetIntegrator { body, integrator } => match scene.two_layer.iter_mut().find(|old| old.id == *body) {
-                Some(body) => body.integrator = *integrator,
-                None => body_of(scene, body)?.integrator = *integrator,
-            },
-            Self::SetPins { body, regions, pins } => {
-                let two_layer = scene.two_layer.iter_mut().find(|old| old.id == *body);
-                let (old_regions, old_pins) = if let Some(body) = two_layer {
-                    (&mut body.regions, &mut body.pins)
-                } else {
-                    let body = body_of(scene, body)?;
-                    (&mut body.regions, &mut body.pins)
-                };
-                old_regions.clone_from(regions);
-                old_pins.clone_from(pins);
-            }
-            Self::SetTwoLayer(body) => {
-                let old = scene.two_layer.iter_mut().find(|old| old.id == body.id);
-                *old.ok_or_else(|| format!("there is no two-layer body \"{}\"", body.id))? = (**body).clone();
-            }
-            Self::SetTime(time) => scene.time = time.clone(),
-            Self::SetGravity(gravity) => scene.gravity = *gravity,
-            Self::SetRoom(room) => scene.room = room.clone(),
-            Self::SetPanels(panels) => scene.panels.clone_from(panels),
-        }
-        Ok(())
+fn name_of(verb: &str, fibres: &[Fibre]) -> String {
+    match fibres {
+        [fibre] => format!("{verb} {}", title(fibre)),
+        _ => format!("{verb} {} fibres", fibres.len()),
     }
 }
 
@@ -132,6 +161,15 @@ fn title(fibre: &Fibre) -> &str {
     if fibre.name.is_empty() { &fibre.id } else { &fibre.name }
 }
 
-fn body_of<'a>(scene: &'a mut Scene, id: &str) -> Result<&'a mut crate::scene::Body, String> {
-    scene.bodies.iter_mut().find(|body| body.id == id).ok_or_else(|| format!("there is no body \"{id}\""))
+fn several(items: &[Item]) -> String {
+    let fibres = items.iter().filter(|item| matches!(item, Item::Fibre { .. })).count();
+    match (fibres, items.len() - fibres) {
+        (fibres, 0) => counted(fibres, "fibre", "fibres"),
+        (0, bodies) => counted(bodies, "body", "bodies"),
+        (fibres, bodies) => format!("{} and {}", counted(bodies, "body", "bodies"), counted(fibres, "fibre", "fibres")),
+    }
+}
+
+fn counted(count: usize, one: &str, many: &str) -> String {
+    if count == 1 { one.to_owned() } else { format!("{count} {many}") }
 }

@@ -4,9 +4,10 @@
 //! not validate never becomes the document. What a command is to put there comes from pure functions: of fibres,
 //! those of [`fibre_ops`].
 
+mod apply;
 mod command;
 pub mod fibre_ops;
 mod history;
 
-pub use command::Command;
+pub use command::{Command, Item};
 pub use history::{EditError, Editor};

@@ -104,8 +104,9 @@ fn describe(path: &str) -> String {
 
 /// What serde says of a value of another shape, without the value, which stands beside it, and in plain words.
 fn mismatch(message: &str) -> String {
-    const PLAIN: [(&str, &str); 8] = [
+    const PLAIN: [(&str, &str); 9] = [
         ("f64", "a number"),
+        ("u8", "a whole number from 0 to 255"),
         ("u32", "a whole number from 0 to 4294967295"),
         ("a sequence", "an array"),
         ("map with a single key", "an object with a single member"),

@@ -1,6 +1,6 @@
 //! Bodies: shape, material, regions, start.
 
-use super::{Axis, Extra, Fibre, Pin, Side};
+use super::{Axis, Extra, Fibre, Pin, Side, is_false};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +12,12 @@ pub struct Body {
     /// Name a person reads.
     #[serde(default)]
     pub name: String,
+    /// Whether it is left out of what is seen; it moves all the same.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub hidden: bool,
+    /// Colour in which it is drawn, red, green and blue from 0 to 255; the theme's unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub color: Option<[u8; 3]>,
     /// What kind of body it is.
     #[serde(default)]
     pub kind: BodyKind,

@@ -1,6 +1,6 @@
 //! Fibres: strokes or vertices, stiffness, rest shape.
 
-use super::Extra;
+use super::{Extra, is_false};
 use crate::sketch::{LiftOptions, Lifted, SketchError, Stroke, View, lift};
 use glam::DVec2;
 use schemars::JsonSchema;
@@ -14,6 +14,12 @@ pub struct Fibre {
     /// Name a person reads.
     #[serde(default)]
     pub name: String,
+    /// Whether it is left out of what is seen; it moves all the same.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub hidden: bool,
+    /// Colour in which it is drawn, red, green and blue from 0 to 255; the theme's unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub color: Option<[u8; 3]>,
     /// Where it runs, in the model frame.
     pub source: FibreSource,
     /// How it resists stretching and bending.

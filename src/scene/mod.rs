@@ -126,6 +126,27 @@ impl Scene {
     pub fn two_layer_body(&self, id: &str) -> Option<&TwoLayer> {
         self.two_layer.iter().find(|body| body.id == id)
     }
+
+    /// Whether another scene moves as this one does, bit for bit: they differ in what is hidden and in colours at most.
+    pub fn moves_like(&self, other: &Self) -> bool {
+        self.without_looks() == other.without_looks()
+    }
+
+    fn without_looks(&self) -> Self {
+        let mut scene = self.clone();
+        for body in &mut scene.bodies {
+            (body.hidden, body.color) = (false, None);
+            body.fibres.iter_mut().for_each(|fibre| (fibre.hidden, fibre.color) = (false, None));
+        }
+        scene.two_layer.iter_mut().for_each(|body| (body.hidden, body.color) = (false, None));
+        scene
+    }
+}
+
+/// For members that are left out of a file where they are false.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 fn earth_gravity() -> [f64; 3] {

@@ -1,7 +1,7 @@
 //! Two-layer bodies: elastic objects of an outer and an inner layer of particles joined by springs, with gas inside
 //! (Song and Grogono: *A framework for dynamic deformation of uniform elastic two-layer 2D and 3D objects*, C3S2E 2008).
 
-use super::{Axis, Extra, Impulse, Initial, IntegratorKind, Pin, Placement, Region};
+use super::{Axis, Extra, Impulse, Initial, IntegratorKind, Pin, Placement, Region, is_false};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +16,12 @@ pub struct TwoLayer {
     /// Name a person reads.
     #[serde(default)]
     pub name: String,
+    /// Whether it is left out of what is seen; it moves all the same.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub hidden: bool,
+    /// Colour in which it is drawn, red, green and blue from 0 to 255; the theme's unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub color: Option<[u8; 3]>,
     /// Rest shape, in the model frame; its dimension is the body's.
     pub shape: TwoLayerShape,
     /// Where the model frame stands in the world.

@@ -96,6 +96,8 @@ fn model_scene(name: &str, shape: &MeshShape) -> Scene {
     let body = Body {
         id: "model".to_owned(),
         name: name.to_owned(),
+        hidden: false,
+        color: None,
         kind: BodyKind::FibreSolid,
         shape: Shape::Mesh(shape.clone()),
         placement: Placement::default(),

@@ -41,6 +41,8 @@ impl App {
         let fibre = Fibre {
             id: format!("fibre-{number}"),
             name: format!("Fibre {number}"),
+            hidden: false,
+            color: None,
             source: FibreSource::Strokes(strokes),
             stiffness: Stiffness::Rigidity(usual_rigidity(body)),
             volume_fraction: 0.5,

@@ -13,6 +13,8 @@ pub fn fibre(source: FibreSource) -> Fibre {
     Fibre {
         id: "fibre-1".into(),
         name: "Fibre 1".into(),
+        hidden: false,
+        color: None,
         source,
         stiffness,
         volume_fraction: 0.5,

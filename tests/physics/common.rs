@@ -18,6 +18,8 @@ pub fn block(layers: [u32; 3], young_modulus: f64) -> Body {
     Body {
         id: "block".into(),
         name: "Block".into(),
+        hidden: false,
+        color: None,
         kind: sinew::scene::BodyKind::FibreSolid,
         shape: Shape::Box(BoxShape {
             center: [0.0, 0.5 * size[1], 0.0],
@@ -96,6 +98,8 @@ pub fn fibre(
     Fibre {
         id: id.into(),
         name: String::new(),
+        hidden: false,
+        color: None,
         source: FibreSource::Vertices(vertices),
         stiffness,
         volume_fraction,

@@ -189,3 +189,18 @@ fn fibres_are_trimmed_moved_and_warned_of_with_figures() {
     let (said, _) = notes(upright(0.0, 0.0, 1, 12), 2000.0);
     assert!(said.is_empty(), "{said}");
 }
+
+#[test]
+fn what_is_hidden_moves_all_the_same() {
+    let ends = |hidden: bool| {
+        let mut bar = short_bar(2e5);
+        let vertices = (0..12).map(|k| [0.01, 0.003 + 0.006 * f64::from(k), 0.0]).collect();
+        bar.fibres = vec![fibre("f", vertices, rigidity(3000.0, 0.05), 0.5, RestShape::Straight)];
+        bar.initial.deformation[0][1] = 0.1;
+        (bar.hidden, bar.fibres[0].hidden, bar.fibres[0].color) = (hidden, hidden, hidden.then_some([1, 2, 3]));
+        let mut runner = runner(&in_space(bar));
+        runner.advance_frame();
+        runner.world().bodies()[0].state().positions.iter().map(|x| x.to_array().map(f64::to_bits)).collect::<Vec<_>>()
+    };
+    assert_eq!(ends(true), ends(false));
+}

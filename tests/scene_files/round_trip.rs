@@ -149,6 +149,10 @@ fn selector() -> impl Strategy<Value = Selector> {
     ]
 }
 
+fn look() -> impl Strategy<Value = (bool, Option<[u8; 3]>)> {
+    (any::<bool>(), proptest::option::of(any::<[u8; 3]>()))
+}
+
 fn fibre() -> impl Strategy<Value = Fibre> {
     let stroke = |view| {
         (vec([number(), number()], 2..6), extra()).prop_map(move |(points, extra)| ViewStroke { view, points, extra })
@@ -175,10 +179,12 @@ fn fibre() -> impl Strategy<Value = Fibre> {
         (proptest::option::of(1.0..=180.0), proptest::option::of(above_zero()), extra())
             .prop_map(|(angle, tension, extra)| BreakPast { angle, tension, extra }),
     );
-    (any::<String>(), source, stiffness, 0.0..=1.0, past, extra()).prop_map(
-        |(name, source, stiffness, share, past, extra)| Fibre {
+    (any::<String>(), look(), source, stiffness, 0.0..=1.0, past, extra()).prop_map(
+        |(name, (hidden, color), source, stiffness, share, past, extra)| Fibre {
             id: "fibre".to_owned(),
             name,
+            hidden,
+            color,
             source,
             stiffness,
             volume_fraction: share,
@@ -223,10 +229,12 @@ fn body() -> impl Strategy<Value = Body> {
         motion,
         extra,
     });
-    (any::<String>(), shape, placement, material, initial, selector(), fibre(), pin, extra()).prop_map(
-        |(name, shape, placement, material, initial, select, fibre, pin, extra)| Body {
+    (any::<String>(), look(), shape, placement, material, initial, selector(), fibre(), pin, extra()).prop_map(
+        |(name, (hidden, color), shape, placement, material, initial, select, fibre, pin, extra)| Body {
             id: "body \"\\ \u{1F9B4}\n".to_owned(),
             name,
+            hidden,
+            color,
             kind: BodyKind::FibreSolid,
             shape,
             placement,

@@ -1,0 +1,99 @@
+//! What each command does to a scene.
+
+use super::{Command, Item};
+use crate::scene::{Body, Fibre, Scene, TwoLayer};
+
+impl Command {
+    /// Changes `scene`. What is missing is said; the scene may be changed in part then and is not to be used.
+    pub(super) fn apply(&self, scene: &mut Scene) -> Result<(), String> {
+        match self {
+            Self::Many { commands, .. } => commands.iter().try_for_each(|command| command.apply(scene))?,
+            Self::AddFibre { body, fibre } => {
+                let fibres = &mut body_of(scene, body)?.fibres;
+                if fibres.iter().any(|old| old.id == fibre.id) {
+                    return Err(format!("there is a fibre \"{}\" already", fibre.id));
+                }
+                fibres.push(fibre.clone());
+            }
+            Self::SetFibre { body, fibre } => *fibre_of(scene, body, &fibre.id)? = fibre.clone(),
+            Self::RemoveFibre { body, fibre } => {
+                let fibres = &mut body_of(scene, body)?.fibres;
+                let index = fibres.iter().position(|old| old.id == *fibre);
+                fibres.remove(index.ok_or_else(|| format!("there is no fibre \"{fibre}\""))?);
+            }
+            Self::SetName { item, name } => part(scene, item)?.name.clone_from(name),
+            Self::SetHidden { items, hidden } => {
+                for item in items {
+                    *part(scene, item)?.hidden = *hidden;
+                }
+            }
+            Self::SetColor { items, color } => {
+                for item in items {
+                    *part(scene, item)?.color = *color;
+                }
+            }
+            Self::SetMaterial { body, material } => body_of(scene, body)?.material = material.clone(),
+            Self::SetIntegrator { body, integrator } => match two_layer_index(scene, body) {
+                Some(index) => scene.two_layer[index].integrator = *integrator,
+                None => body_of(scene, body)?.integrator = *integrator,
+            },
+            Self::SetPins { body, regions, pins } => {
+                let (old_regions, old_pins) = if let Some(index) = two_layer_index(scene, body) {
+                    let body = &mut scene.two_layer[index];
+                    (&mut body.regions, &mut body.pins)
+                } else {
+                    let body = body_of(scene, body)?;
+                    (&mut body.regions, &mut body.pins)
+                };
+                old_regions.clone_from(regions);
+                old_pins.clone_from(pins);
+            }
+            Self::SetTwoLayer(body) => {
+                let index = two_layer_index(scene, &body.id);
+                let index = index.ok_or_else(|| format!("there is no two-layer body \"{}\"", body.id))?;
+                scene.two_layer[index] = (**body).clone();
+            }
+            Self::SetTime(time) => scene.time = time.clone(),
+            Self::SetGravity(gravity) => scene.gravity = *gravity,
+            Self::SetRoom(room) => scene.room = room.clone(),
+            Self::SetPanels(panels) => scene.panels.clone_from(panels),
+        }
+        Ok(())
+    }
+}
+
+/// What bodies of either kind and fibres have in common.
+struct Part<'a> {
+    name: &'a mut String,
+    hidden: &'a mut bool,
+    color: &'a mut Option<[u8; 3]>,
+}
+
+fn part<'a>(scene: &'a mut Scene, item: &Item) -> Result<Part<'a>, String> {
+    let id = match item {
+        Item::Fibre { body, fibre } => {
+            let Fibre { name, hidden, color, .. } = fibre_of(scene, body, fibre)?;
+            return Ok(Part { name, hidden, color });
+        }
+        Item::Body(id) => id,
+    };
+    if let Some(index) = two_layer_index(scene, id) {
+        let TwoLayer { name, hidden, color, .. } = &mut scene.two_layer[index];
+        return Ok(Part { name, hidden, color });
+    }
+    let Body { name, hidden, color, .. } = body_of(scene, id)?;
+    Ok(Part { name, hidden, color })
+}
+
+fn body_of<'a>(scene: &'a mut Scene, id: &str) -> Result<&'a mut Body, String> {
+    scene.bodies.iter_mut().find(|body| body.id == id).ok_or_else(|| format!("there is no body \"{id}\""))
+}
+
+fn fibre_of<'a>(scene: &'a mut Scene, body: &str, id: &str) -> Result<&'a mut Fibre, String> {
+    let fibres = &mut body_of(scene, body)?.fibres;
+    fibres.iter_mut().find(|fibre| fibre.id == id).ok_or_else(|| format!("there is no fibre \"{id}\""))
+}
+
+fn two_layer_index(scene: &Scene, id: &str) -> Option<usize> {
+    scene.two_layer.iter().position(|body| body.id == id)
+}

@@ -24,6 +24,8 @@ pub(super) struct Draft {
     pub(super) parts: BodyParts,
     /// Particles of every region by its id.
     pub(super) regions: HashMap<String, Vec<u32>>,
+    /// Volume fraction of fibre at every particle; none of a two-layer body.
+    pub(super) fractions: Vec<f64>,
 }
 
 /// Friction below its Coulomb limit acts like a damper of this share of the contact's critical rate.
@@ -67,12 +69,13 @@ pub(super) fn draft(
     let rest: Arc<[DVec3]> = sample.points.iter().map(|&x| to_world(&body.placement, x)).collect();
     let state = initial_state(body, &sample.points, &regions, mass, path)?;
 
+    let fractions = fibres::fractions(body, &sample.points, kernel, &placed);
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(MatrixForce::new(
         Arc::clone(&neighbourhood),
         sample.points.as_slice().into(),
         Elasticity::new(material.young_modulus, material.poisson_ratio, spacing),
         volume,
-        fibres::matrix_share(body, &sample.points, kernel, &placed),
+        fibres::matrix_share(&fractions),
         orientation,
     ))];
     let rods = fibres::rods(body, &embedder, volume, &placed);
@@ -142,7 +145,7 @@ pub(super) fn draft(
             TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
         },
     };
-    Ok(Draft { parts, regions })
+    Ok(Draft { parts, regions, fractions })
 }
 
 /// A body that starts inside the floor is thrown out of it.

@@ -2,7 +2,7 @@
 
 use super::Note;
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape};
+use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape, painted};
 use crate::sketch::{Placed, SketchError, SketchNote, structure_particles, trim};
 use crate::solver::body::FibreLine;
 use crate::solver::embedding::{Embedder, Stencil};
@@ -179,8 +179,8 @@ impl Placing<'_> {
     }
 }
 
-/// Share of matrix, `1 - l_i`, at every particle.
-pub(super) fn matrix_share(body: &Body, particles: &[DVec3], kernel: Kernel, placed: &[PlacedFibre]) -> Arc<[f64]> {
+/// Volume fraction `l_i` of fibre at every particle: that of the fibres by distance, and what is painted over it.
+pub(super) fn fractions(body: &Body, particles: &[DVec3], kernel: Kernel, placed: &[PlacedFibre]) -> Vec<f64> {
     let h = kernel.support_radius;
     let falloff = body.material.volume_fraction_falloff;
     let curve = move |distance: f64| match falloff {
@@ -190,7 +190,13 @@ pub(super) fn matrix_share(body: &Body, particles: &[DVec3], kernel: Kernel, pla
     };
     let runs: Vec<(f64, &[DVec3])> =
         placed.iter().map(|run| (body.fibres[run.fibre].volume_fraction, &run.vertices[run.active.clone()])).collect();
-    volume_fractions(particles, &runs, &curve).into_iter().map(|fraction| 1.0 - fraction).collect()
+    let smoothed = volume_fractions(particles, &runs, &curve);
+    smoothed.into_iter().zip(particles).map(|(fraction, &at)| painted(fraction, at, &body.paint)).collect()
+}
+
+/// Share of matrix, `1 - l_i`.
+pub(super) fn matrix_share(fractions: &[f64]) -> Arc<[f64]> {
+    fractions.iter().map(|fraction| 1.0 - fraction).collect()
 }
 
 /// Rods of the placed fibres that carry anything.

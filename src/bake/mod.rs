@@ -260,6 +260,8 @@ pub struct Baked {
     pub notes: Vec<Note>,
     /// Particles of the regions of each body, by the region's id.
     pub regions: Vec<HashMap<String, Vec<u32>>>,
+    /// Volume fraction of fibre at every particle of each body, painted or by distance; none of a two-layer body.
+    pub fractions: Vec<Vec<f64>>,
 }
 
 /// Puts a scene together. Call [`Scene::validate`] first: values out of range are not looked for again here. `assets`
@@ -303,9 +305,10 @@ pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeS
         }
     }
     let probes = measures::probes(scene, &drafts)?;
+    let fractions = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.fractions)).collect();
     let (bodies, regions) = drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
     let world = World::new(bodies, panels, probes, plan, DVec3::from_array(scene.gravity));
-    Ok(Baked { world, notes, regions })
+    Ok(Baked { world, notes, regions, fractions })
 }
 
 fn panel(panel: &crate::scene::Panel, floor: Option<f64>) -> Panel {

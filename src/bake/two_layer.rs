@@ -96,7 +96,7 @@ pub(super) fn draft(
             TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
         },
     };
-    Ok(Draft { parts, regions })
+    Ok(Draft { parts, regions, fractions: Vec::new() })
 }
 
 /// All forces but contact, with the constants of `body`; it is dragged by the particles that are nearest at the start.

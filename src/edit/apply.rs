@@ -32,6 +32,7 @@ impl Command {
                     *part(scene, item)?.color = *color;
                 }
             }
+            Self::SetPaint { body, paint } => body_of(scene, body)?.paint.clone_from(paint),
             Self::SetMaterial { body, material } => body_of(scene, body)?.material = material.clone(),
             Self::SetIntegrator { body, integrator } => match two_layer_index(scene, body) {
                 Some(index) => scene.two_layer[index].integrator = *integrator,

@@ -1,6 +1,6 @@
 //! Changes of the document.
 
-use crate::scene::{Fibre, IntegratorKind, Material, Panel, Pin, Region, Room, Time, TwoLayer};
+use crate::scene::{Dab, Fibre, IntegratorKind, Material, Panel, Pin, Region, Room, Time, TwoLayer};
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
 /// replayed.
@@ -54,6 +54,13 @@ pub enum Command {
         items: Vec<Item>,
         /// The colour.
         color: Option<[u8; 3]>,
+    },
+    /// Changes what is painted of a body's volume fraction: all of it, so that one gesture is one step.
+    SetPaint {
+        /// Identifier of the body.
+        body: String,
+        /// The dabs in the order in which they act; none clears it.
+        paint: Vec<Dab>,
     },
     /// Gives a body another material.
     SetMaterial {
@@ -138,6 +145,8 @@ impl Command {
             Self::SetHidden { items, hidden: true } => format!("Hide {}", several(items)),
             Self::SetHidden { items, hidden: false } => format!("Show {}", several(items)),
             Self::SetColor { items, .. } => format!("Colour {}", several(items)),
+            Self::SetPaint { paint, .. } if paint.is_empty() => "Clear painted fraction".to_owned(),
+            Self::SetPaint { .. } => "Paint volume fraction".to_owned(),
             Self::SetMaterial { .. } => "Change material".to_owned(),
             Self::SetIntegrator { .. } => "Change integrator".to_owned(),
             Self::SetPins { .. } => "Change pins".to_owned(),

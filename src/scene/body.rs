@@ -1,6 +1,6 @@
 //! Bodies: shape, material, regions, start.
 
-use super::{Axis, Extra, Fibre, Pin, Side, is_false};
+use super::{Axis, Dab, Extra, Fibre, Pin, Side, is_false};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -40,6 +40,9 @@ pub struct Body {
     /// Embedded fibres.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fibres: Vec<Fibre>,
+    /// Volume fraction of fibre painted by hand over what the fibres give, one dab after the other.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub paint: Vec<Dab>,
     /// Named sets of particles.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub regions: Vec<Region>,

@@ -11,6 +11,7 @@ mod assets;
 mod body;
 mod fibre;
 mod measure;
+mod paint;
 mod support;
 mod two_layer;
 mod validate;
@@ -25,6 +26,7 @@ pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
 };
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
+pub use paint::{Dab, MAX_DABS, add_dab, painted};
 pub use support::{Axis, Distance, Easing, Keyframe, Motion, Pin, Ramp, Side, Turn};
 pub use two_layer::{
     Ball, ClosedMesh, ContactKind, Drag, InnerOffset, PressureIn, RegionMass, Ring, Segment, TwoLayer, TwoLayerContact,

@@ -106,6 +106,7 @@ fn model_scene(name: &str, shape: &MeshShape) -> Scene {
         initial: Initial::default(),
         impulses: Vec::new(),
         fibres: Vec::new(),
+        paint: Vec::new(),
         regions: Vec::new(),
         pins: Vec::new(),
         extra: Extra::new(),

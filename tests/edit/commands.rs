@@ -5,7 +5,7 @@ use crate::{every_field, scene};
 use sinew::edit::fibre_ops::{Transform, copies, smooth, transform};
 use sinew::edit::{Command, EditError, Editor, Item};
 use sinew::io::{load_scene, save_scene, scene_to_json};
-use sinew::scene::Fibre;
+use sinew::scene::{Dab, Extra, Fibre, add_dab};
 
 fn fibres(editor: &Editor) -> &[Fibre] {
     &editor.scene().bodies[0].fibres
@@ -107,6 +107,26 @@ fn parts_are_renamed_hidden_and_coloured() {
             assert!(matches!(editor.apply(&command), Err(EditError::Missing(_))));
         }
     }
+}
+
+#[test]
+fn paint_is_set_and_cleared_as_a_whole() {
+    let mut editor = Editor::new(every_field());
+    let mut paint = editor.scene().bodies[0].paint.clone();
+    let dab = Dab { center: [0.0; 3], radius: 0.01, value: 0.5, strength: 1.0, extra: Extra::new() };
+    // One drag of the brush, dab by dab.
+    for k in 0..5 {
+        add_dab(&mut paint, Dab { center: [0.0, 0.001 * f64::from(k), 0.0], ..dab.clone() });
+        editor.apply_in(&Command::SetPaint { body: "bar".into(), paint: paint.clone() }, Some(1)).expect("paint");
+    }
+    assert_eq!((editor.undo_name(), editor.scene().bodies[0].paint.len()), (Some("Paint volume fraction"), 7));
+    editor.apply(&Command::SetPaint { body: "bar".into(), paint: Vec::new() }).expect("cleared");
+    assert_eq!((editor.undo_name(), editor.scene().bodies[0].paint.len()), (Some("Clear painted fraction"), 0));
+    assert!(editor.undo() && editor.scene().bodies[0].paint == paint);
+    assert!(editor.undo() && **editor.scene() == every_field() && !editor.undo());
+    let wide = Command::SetPaint { body: "bar".into(), paint: vec![Dab { value: 2.0, ..dab }] };
+    let refused = editor.apply(&wide).expect_err("out of range").to_string();
+    assert!(refused.starts_with("/bodies/0/paint/0/value: 2 is out of range"), "{refused}");
 }
 
 #[test]

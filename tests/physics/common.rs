@@ -42,6 +42,7 @@ pub fn block(layers: [u32; 3], young_modulus: f64) -> Body {
         initial: Initial::default(),
         impulses: Vec::new(),
         fibres: Vec::new(),
+        paint: Vec::new(),
         regions: Vec::new(),
         pins: Vec::new(),
         extra: Extra::new(),

@@ -10,6 +10,7 @@ mod fibres;
 mod figures;
 mod forces;
 mod meeting;
+mod paint;
 mod press;
 mod rods;
 mod shipped;

@@ -106,6 +106,10 @@ fn numbers_out_of_range_are_refused() {
         ("/two_layer/2/id", json!("bar"), ["is taken by another body", "name of its own"]),
         ("/two_layer/0/pins/0/region", json!("lid"), ["is no region", "water"]),
         ("/bodies/0/fibres/0/volume_fraction", json!(1.1), ["1.1", "0 to 1"]),
+        ("/bodies/0/paint/0/center/1", json!(1e16), ["1e16", "m"]),
+        ("/bodies/0/paint/0/radius", json!(0), ["is not above zero", "above 0 m"]),
+        ("/bodies/0/paint/0/value", json!(1.5), ["1.5", "0 to 1"]),
+        ("/bodies/0/paint/1/strength", json!(-0.5), ["-0.5", "0 to 1"]),
         ("/bodies/0/regions/1/select/layers/count", json!(0), ["0 is no number of layers", "1 to 2000000"]),
         ("/bodies/0/regions/1/select/layers/count", json!(u32::MAX), ["4294967295", "1 to 2000000"]),
         ("/bodies/0/regions/2/select/box/max/1", json!(0.3), ["below the least corner", "0.35 m or more"]),
@@ -128,6 +132,11 @@ fn numbers_out_of_range_are_refused() {
     refused("/bodies/0/fibres/0/source/strokes/first/points", &json!([[0, 0]]), &["no line", "2 points"]);
     refused("/bodies/0/fibres/0/source/strokes/second/view", &json!("front"), &["another view than \"front\""]);
     refused("/bodies/0/pins/1/axes", &json!([]), &["along no axis"]);
+    let mut scene = every_field();
+    let dab = scene.bodies[0].paint[0].clone();
+    scene.bodies[0].paint = vec![dab; 10_001];
+    let message = scene.validate().expect_err("too many").to_string();
+    assert_eq!(message, "/bodies/0/paint: [] has 10001 dabs; give at most 10000, with larger radii");
 }
 
 #[test]
@@ -224,6 +233,7 @@ fn wrong_types_are_said_with_their_place() {
         ("/bodies/0/regions/1/select/layers/count", json!(1.5), ["1.5 has", "a whole number"]),
         ("/bodies/0/regions/1/select/layers/count", json!(-1), ["-1 has", "a whole number"]),
         ("/bodies/0/hidden", json!("yes"), ["expected a boolean", "left out of what is seen"]),
+        ("/bodies/0/paint/0", json!([0, 0, 0, 1]), ["expected an object (Dab)", "One dab of a brush"]),
         ("/bodies/0/fibres/0/color/1", json!(256), ["256 has", "a whole number from 0 to 255"]),
         ("/two_layer/0/color", json!([1, 2]), ["array of length 3", "Colour in which it is drawn"]),
         ("/bodies/0/integrator", json!("velvet"), ["\"velvet\" is unknown here", "`leap_frog`"]),

@@ -229,8 +229,11 @@ fn body() -> impl Strategy<Value = Body> {
         motion,
         extra,
     });
-    (any::<String>(), look(), shape, placement, material, initial, selector(), fibre(), pin, extra()).prop_map(
-        |(name, (hidden, color), shape, placement, material, initial, select, fibre, pin, extra)| Body {
+    let dab = (vector(), above_zero(), 0.0..=1.0, 0.0..=1.0, extra())
+        .prop_map(|(center, radius, value, strength, extra)| Dab { center, radius, value, strength, extra });
+    let parts = (fibre(), vec(dab, 0..3), pin);
+    (any::<String>(), look(), shape, placement, material, initial, selector(), parts, extra()).prop_map(
+        |(name, (hidden, color), shape, placement, material, initial, select, (fibre, paint, pin), extra)| Body {
             id: "body \"\\ \u{1F9B4}\n".to_owned(),
             name,
             hidden,
@@ -243,6 +246,7 @@ fn body() -> impl Strategy<Value = Body> {
             initial,
             impulses: Vec::new(),
             fibres: vec![fibre],
+            paint,
             regions: vec![Region { id: "region".to_owned(), select, extra: Extra::new() }],
             pins: vec![pin],
             extra,

@@ -6,8 +6,8 @@ use super::check::{
 };
 use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
-    Body, Distance, Fibre, FibreSource, Impulse, Initial, MAX_PARTICLES, Mass, Material, ModelFile, Motion, Pin,
-    Region, Rotation, Selector, Shape, Stiffness, ViewStroke,
+    Body, Dab, Distance, Fibre, FibreSource, Impulse, Initial, MAX_DABS, MAX_PARTICLES, Mass, Material, ModelFile,
+    Motion, Pin, Region, Rotation, Selector, Shape, Stiffness, ViewStroke,
 };
 use glam::{DMat3, DVec3};
 
@@ -160,7 +160,22 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
         fibres.add(&at.field("id"), &one.id)?;
         fibre(&at, one)?;
     }
+    paint(&at.field("paint"), &body.paint)?;
     pins(at, &body.pins, &known)
+}
+
+fn paint(at: &At<'_>, paint: &[Dab]) -> Checked {
+    require(at, &[(); 0], paint.len() <= MAX_DABS, &format!("has {} dabs", paint.len()), || {
+        format!("give at most {MAX_DABS}, with larger radii")
+    })?;
+    for (index, dab) in paint.iter().enumerate() {
+        let at = at.item(index);
+        vector(&at.field("center"), &dab.center, "m")?;
+        positive(&at.field("radius"), dab.radius, "m")?;
+        fraction(&at.field("value"), dab.value)?;
+        fraction(&at.field("strength"), dab.strength)?;
+    }
+    Ok(())
 }
 
 /// The regions of the body here, added to those that are known.

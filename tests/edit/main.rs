@@ -1,8 +1,10 @@
 //! What can be done to an open document.
 
+mod any_commands;
 mod commands;
 mod fibre_ops;
 mod history;
+mod random;
 mod shapes;
 
 use sinew::io::{load_scene, scene_from_json};

@@ -1,0 +1,152 @@
+//! Commands of every kind at random, some of which are refused.
+
+use crate::every_field;
+use crate::shapes::fibre;
+use proptest::collection::vec;
+use proptest::option;
+use proptest::prelude::*;
+use proptest::sample::select;
+use sinew::edit::{Command, Item};
+use sinew::scene::{Dab, Extra, Fibre, FibreSource, IntegratorKind, Region, Room, Selector};
+
+/// Number of kinds of commands.
+pub const KINDS: usize = 16;
+
+/// Which kind a command is. Without a wildcard: a new kind is to be put in here and into [`any_command`].
+pub fn kind(command: &Command) -> usize {
+    match command {
+        Command::Many { .. } => 0,
+        Command::AddFibre { .. } => 1,
+        Command::SetFibre { .. } => 2,
+        Command::RemoveFibre { .. } => 3,
+        Command::SetName { .. } => 4,
+        Command::SetHidden { .. } => 5,
+        Command::SetColor { .. } => 6,
+        Command::SetPaint { .. } => 7,
+        Command::SetMaterial { .. } => 8,
+        Command::SetIntegrator { .. } => 9,
+        Command::SetPins { .. } => 10,
+        Command::SetTwoLayer(_) => 11,
+        Command::SetTime(_) => 12,
+        Command::SetGravity(_) => 13,
+        Command::SetRoom(_) => 14,
+        Command::SetPanels(_) => 15,
+    }
+}
+
+fn solid() -> impl Strategy<Value = String> {
+    select(vec!["bar".to_owned(), "cube".to_owned()])
+}
+
+fn fibre_id() -> impl Strategy<Value = String> {
+    select(["left", "right", "new-0", "new-1"].map(str::to_owned).to_vec())
+}
+
+fn item() -> impl Strategy<Value = Item> {
+    let body = select(["bar", "cube", "balloon", "tube", "none"].map(str::to_owned).to_vec()).prop_map(Item::Body);
+    prop_oneof![body, (solid(), fibre_id()).prop_map(|(body, fibre)| Item::Fibre { body, fibre })]
+}
+
+fn any_fibre() -> impl Strategy<Value = Fibre> {
+    let drawn = every_field().bodies[0].fibres[0].source.clone();
+    let vertices = vec([-0.1..0.1f64, 0.0..0.4, -0.1..0.1], 2..6).prop_map(FibreSource::Vertices);
+    let source = prop_oneof![Just(drawn), vertices];
+    (fibre_id(), "[a-c]{0,2}", source, 0.0..1.1f64).prop_map(|(id, name, source, volume_fraction)| Fibre {
+        id,
+        name,
+        volume_fraction,
+        ..fibre(source)
+    })
+}
+
+fn of_fibres() -> impl Strategy<Value = Command> {
+    prop_oneof![
+        (solid(), any_fibre()).prop_map(|(body, fibre)| Command::AddFibre { body, fibre }),
+        (solid(), any_fibre()).prop_map(|(body, fibre)| Command::SetFibre { body, fibre }),
+        (solid(), fibre_id()).prop_map(|(body, fibre)| Command::RemoveFibre { body, fibre }),
+    ]
+}
+
+fn of_looks() -> impl Strategy<Value = Command> {
+    prop_oneof![
+        (item(), "[a-c]{0,3}").prop_map(|(item, name)| Command::SetName { item, name }),
+        (vec(item(), 0..3), any::<bool>()).prop_map(|(items, hidden)| Command::SetHidden { items, hidden }),
+        (vec(item(), 0..3), option::of(any::<[u8; 3]>())).prop_map(|(items, color)| Command::SetColor { items, color }),
+    ]
+}
+
+fn of_matter() -> impl Strategy<Value = Command> {
+    let scene = every_field();
+    let material = scene.bodies[0].material.clone();
+    let layers = scene.two_layer.clone();
+    let dab = ([-0.1..0.1f64, 0.0..0.4, -0.1..0.1], 0.0..0.1f64, 0.0..1.05f64)
+        .prop_map(|(center, radius, value)| Dab { center, radius, value, strength: 1.0, extra: Extra::new() });
+    let body = select(["bar", "ring", "none"].map(str::to_owned).to_vec());
+    let integrator = select(vec![IntegratorKind::Rk4, IntegratorKind::Midpoint, IntegratorKind::LeapFrog]);
+    prop_oneof![
+        (solid(), vec(dab, 0..3)).prop_map(|(body, paint)| Command::SetPaint { body, paint }),
+        (solid(), 1e4..1e8f64, 0.0..0.6f64).prop_map(move |(body, young_modulus, poisson_ratio)| {
+            let mut material = material.clone();
+            (material.young_modulus, material.poisson_ratio) = (young_modulus, poisson_ratio);
+            Command::SetMaterial { body, material }
+        }),
+        (body, integrator).prop_map(|(body, integrator)| Command::SetIntegrator { body, integrator }),
+        (select(layers), 1.0..900.0f64).prop_map(|(mut body, ks)| {
+            body.ks = ks;
+            Command::SetTwoLayer(Box::new(body))
+        }),
+    ]
+}
+
+fn of_world() -> impl Strategy<Value = Command> {
+    let scene = every_field();
+    let (time, panels) = (scene.time.clone(), scene.panels.clone());
+    prop_oneof![
+        (0.0..3.0f64).prop_map(move |duration| {
+            let mut time = time.clone();
+            time.duration = duration;
+            Command::SetTime(time)
+        }),
+        (-20.0..20.0f64).prop_map(|y| Command::SetGravity([0.0, y, 0.0])),
+        (-0.1..1.0f64).prop_map(|friction| Command::SetRoom(Room { friction, ..Room::default() })),
+        (0..=2usize, 0.5..0.9f64).prop_map(move |(count, height)| {
+            let mut panels = panels[..count].to_vec();
+            for panel in &mut panels {
+                panel.height = height;
+            }
+            Command::SetPanels(panels)
+        }),
+    ]
+}
+
+/// Pins of either kind of body. The measures refer to regions of the bar: those without one of them are refused.
+fn of_pins() -> impl Strategy<Value = Command> {
+    let scene = every_field();
+    let (bar, balloon) = (scene.bodies[0].clone(), scene.two_layer[0].clone());
+    let everything = Region { id: "everything".into(), select: Selector::Everything, extra: Extra::new() };
+    (0..5usize, 0..=5usize).prop_map(move |(which, count)| match which {
+        0 | 1 => Command::SetPins {
+            body: "bar".into(),
+            regions: bar.regions[..4 - which].to_vec(),
+            pins: bar.pins[..count].to_vec(),
+        },
+        2 | 3 => Command::SetPins {
+            body: "balloon".into(),
+            regions: balloon.regions.clone(),
+            pins: balloon.pins[..count.min(1)].to_vec(),
+        },
+        _ => {
+            Command::SetPins { body: "cube".into(), regions: vec![everything.clone(); count.min(2)], pins: Vec::new() }
+        }
+    })
+}
+
+fn single() -> impl Strategy<Value = Command> {
+    prop_oneof![3 => of_fibres(), 2 => of_looks(), 3 => of_matter(), 3 => of_world(), 1 => of_pins()]
+}
+
+/// A command for the scene with every field.
+pub fn any_command() -> impl Strategy<Value = Command> {
+    let many = ("[a-b]", vec(single(), 0..4)).prop_map(|(name, commands)| Command::Many { name, commands });
+    prop_oneof![8 => single(), 1 => many]
+}

@@ -1,7 +1,11 @@
 //! Writes that happen wholly or not at all.
+//!
+//! A program that is killed while it writes leaves its temporary file behind. Each is locked for as long as it is
+//! written, and the system lets go of the lock whatever ends the program: what is not locked is nobody's and is swept
+//! away by the next save in that folder.
 
 use super::IoError;
-use std::fs::{self, File, Metadata};
+use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
@@ -33,6 +37,27 @@ pub fn check_writable(path: &Path) -> Result<PathBuf, IoError> {
     probe().map_err(|error| IoError::Write(error).within(path))
 }
 
+/// Removes temporary files in the folder of a path that writers left behind when they were killed. Those that are being
+/// written stay. What cannot be removed stays too: that is no reason to refuse a save.
+pub(super) fn sweep(path: &Path) {
+    let Ok(place) = Place::of(path) else { return };
+    for entry in fs::read_dir(place.folder()).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let is_ours = name.starts_with(PREFIX) && name.ends_with(SUFFIX);
+        if !is_ours || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            continue;
+        }
+        let file = OpenOptions::new().read(true).write(true).open(entry.path());
+        if let Ok(file) = file
+            && file.try_lock().is_ok()
+        {
+            // Under the lock: a writer that has just made this file finds it gone when it has the lock itself.
+            fs::remove_file(entry.path()).ok();
+        }
+    }
+}
+
 /// Makes a folder, and those above it that are missing, unless it is there.
 ///
 /// # Errors
@@ -40,10 +65,14 @@ pub fn check_writable(path: &Path) -> Result<PathBuf, IoError> {
 pub fn make_folder(path: &Path) -> Result<(), IoError> {
     let make = || {
         fs::create_dir_all(path)?;
-        tempfile::Builder::new().prefix(".sinew-").suffix(".tmp").tempfile_in(path)?.close()
+        tempfile::Builder::new().prefix(PREFIX).suffix(SUFFIX).tempfile_in(path)?.close()
     };
     make().map_err(|error| IoError::Folder(error).within(path))
 }
+
+/// How the names of temporary files begin and end.
+const PREFIX: &str = ".sinew-";
+const SUFFIX: &str = ".tmp";
 
 /// Where a file is going to be.
 struct Place {
@@ -80,7 +109,14 @@ impl Place {
             // What the system gives any new file; temporary files are private otherwise.
             options.permissions(fs::Permissions::from_mode(0o666));
         }
-        options.prefix(".sinew-").suffix(".tmp").tempfile_in(self.folder())
+        loop {
+            let file = options.prefix(PREFIX).suffix(SUFFIX).tempfile_in(self.folder())?;
+            // Not every file system has locks: there, nothing is swept away either.
+            if file.as_file().lock().is_err() || file.path().exists() {
+                return Ok(file);
+            }
+            // Somebody swept it away before it was locked.
+        }
     }
 }
 

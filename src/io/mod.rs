@@ -1,5 +1,5 @@
 //! The only file access: scene files in and out, their published schema, models in and out, sequences of files out,
-//! writes that happen wholly or not at all.
+//! writes that happen wholly or not at all, documents that are found again after a crash, files that others changed.
 
 mod assets;
 mod atomic;
@@ -11,8 +11,11 @@ mod model;
 mod obj;
 mod pointer;
 mod read;
+mod recent;
+mod recovery;
 mod scene;
 mod schema;
+mod stamp;
 
 pub use assets::{complete_assets, load_assets};
 pub use atomic::{check_writable, make_folder, write_atomically};
@@ -22,5 +25,8 @@ pub use glb::write_glb;
 pub use model::{MAX_MODEL_BYTES, is_model, load_model};
 pub use obj::write_obj;
 pub use pointer::{apply_sets, set_pointer};
+pub use recent::RecentFiles;
+pub use recovery::{Origin, Recoverable, Recovery, recoverable};
 pub use scene::{MAX_SCENE_BYTES, load_scene, save_scene, scene_from_json, scene_to_json};
 pub use schema::{scene_schema, unknown_fields};
+pub use stamp::{FileStamp, FileState};

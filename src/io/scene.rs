@@ -1,5 +1,6 @@
 //! Scene files: versioned JSON in and out.
 
+use super::atomic::sweep;
 use super::json::{parse, pointer_of};
 use super::pointer::node_at;
 use super::read::read_bytes;
@@ -42,12 +43,14 @@ pub fn scene_to_json(scene: &Scene) -> String {
     join_rows(&text)
 }
 
-/// Checks a scene and writes it, wholly or not at all.
+/// Checks a scene and writes it, wholly or not at all. Temporary files that killed writers left in the folder are
+/// removed.
 ///
 /// # Errors
 /// [`IoError::InFile`] with [`IoError::Invalid`] for a scene that could not be loaded again, or [`IoError::Write`].
 pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), IoError> {
     scene.validate().map_err(|error| IoError::Invalid(error).within(path))?;
+    sweep(path);
     write_atomically(path, |out| out.write_all(scene_to_json(scene).as_bytes()))
 }
 

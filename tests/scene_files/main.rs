@@ -3,6 +3,8 @@
 mod damage;
 mod errors;
 mod files;
+mod killing;
+mod recovery;
 mod round_trip;
 mod schema;
 mod sets;

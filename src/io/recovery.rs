@@ -1,0 +1,223 @@
+//! The changed document, kept where it is found again when the program ended without asking.
+//!
+//! How it works. Each open document has a file of its own in a folder for them, written anew from time to time and
+//! removed when the document is saved or closed. A second file beside it is locked for as long as the document is
+//! open: the system lets go of the lock whatever ends the program. What is not locked at the next start can be
+//! recovered, and another window's document is not taken for it.
+
+use super::atomic::sweep;
+use super::json::parse;
+use super::read::read_bytes;
+use super::scene::{MAX_SCENE_BYTES, check_version, scene_from_value};
+use super::{IoError, make_folder, write_atomically};
+use crate::scene::{Scene, SceneError, one_line};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf, absolute};
+use std::time::{Duration, SystemTime};
+
+/// How the names of the files begin, and how that of a document and that of its lock end.
+const PREFIX: &str = "recovery-";
+const DOCUMENT: &str = "json";
+const LOCK: &str = "lock";
+
+/// Where a document belongs.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Origin {
+    /// The file that it was read from or saved to; none for one that never was.
+    pub file: Option<PathBuf>,
+    /// The folder from which it names its models.
+    pub folder: PathBuf,
+}
+
+/// The place of one open document among those that can be recovered. Dropped without [`Self::clear`], as by a panic, it
+/// leaves what was written there.
+#[derive(Debug)]
+pub struct Recovery {
+    document: PathBuf,
+    lock: PathBuf,
+    /// Locked for as long as it is open.
+    _held: File,
+}
+
+/// A document that a program left behind.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Recoverable {
+    /// Its name.
+    pub name: String,
+    /// Where it belongs.
+    pub origin: Origin,
+    /// When it was written.
+    pub written: SystemTime,
+    document: PathBuf,
+}
+
+/// What is written.
+#[derive(Serialize)]
+struct Kept<'a> {
+    original: Option<&'a str>,
+    folder: Option<&'a str>,
+    /// Since 1970 [ms].
+    written: u64,
+    scene: &'a Scene,
+}
+
+/// What is read: the scene is looked at in a second step, with its own errors.
+#[derive(Deserialize)]
+struct Found {
+    original: Option<PathBuf>,
+    folder: Option<PathBuf>,
+    written: u64,
+    scene: Value,
+}
+
+impl Recovery {
+    /// Takes a place for a document in a folder, which is made if it is missing.
+    ///
+    /// # Errors
+    /// The folder cannot be made or written to.
+    pub fn open(folder: &Path) -> Result<Self, IoError> {
+        make_folder(folder)?;
+        let (held, lock) = taken(folder).map_err(|error| IoError::Folder(error).within(folder))?;
+        let document = lock.with_extension(DOCUMENT);
+        sweep(&document);
+        Ok(Self { document, lock, _held: held })
+    }
+
+    /// Keeps the document as it is now, in the place of what was kept before.
+    ///
+    /// # Errors
+    /// A scene that could not be loaded again, or a file that cannot be written.
+    pub fn write(&self, origin: &Origin, scene: &Scene) -> Result<(), IoError> {
+        scene.validate().map_err(|error| IoError::Invalid(error).within(&self.document))?;
+        // The next start may be in another folder.
+        let file = origin.file.as_deref().and_then(|file| absolute(file).ok());
+        let here = Path::new(".");
+        let folder = absolute(if origin.folder.as_os_str().is_empty() { here } else { &origin.folder }).ok();
+        let kept = Kept {
+            original: file.as_deref().and_then(Path::to_str),
+            folder: folder.as_deref().and_then(Path::to_str),
+            written: SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default().as_millis() as u64,
+            scene,
+        };
+        write_atomically(&self.document, |out| Ok(serde_json::to_writer(out, &kept)?))
+    }
+
+    /// Forgets what was kept: the document was saved, or closed without its changes.
+    ///
+    /// # Errors
+    /// The file cannot be removed.
+    pub fn clear(&self) -> Result<(), IoError> {
+        removed(&self.document)
+    }
+}
+
+impl Drop for Recovery {
+    fn drop(&mut self) {
+        // What cannot be removed is found free of its lock, and removed, at the next start.
+        fs::remove_file(&self.lock).ok();
+    }
+}
+
+/// Documents that were left behind in a folder, the newest first; none of a folder that is not there. Those that are
+/// open in another window are not among them, nor are files that cannot be read.
+pub fn recoverable(folder: &Path) -> Vec<Recoverable> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        if !entry.file_name().to_string_lossy().starts_with(PREFIX) {
+            continue;
+        }
+        match path.extension().and_then(|extension| extension.to_str()) {
+            Some(DOCUMENT) if !is_open(&path.with_extension(LOCK)) => found.extend(looked_at(&path)),
+            Some(LOCK) if !path.with_extension(DOCUMENT).exists() => drop_free(&path),
+            _ => {}
+        }
+    }
+    found.sort_by(|a, b| b.written.cmp(&a.written).then_with(|| a.document.cmp(&b.document)));
+    found
+}
+
+impl Recoverable {
+    /// The document.
+    ///
+    /// # Errors
+    /// As loading a scene: the file may have been damaged or come from a newer program.
+    pub fn load(&self) -> Result<Scene, IoError> {
+        let whole = || {
+            let found = read(&self.document)?;
+            check_version(&found.scene)?;
+            let scene = scene_from_value(&found.scene)?;
+            scene.validate()?;
+            Ok(scene)
+        };
+        whole().map_err(|error: IoError| error.within(&self.document))
+    }
+
+    /// Forgets it: it was recovered and is kept under another place, or is not wanted.
+    ///
+    /// # Errors
+    /// The file cannot be removed.
+    pub fn discard(&self) -> Result<(), IoError> {
+        drop_free(&self.document.with_extension(LOCK));
+        removed(&self.document)
+    }
+}
+
+/// A new locked file of a name of its own.
+fn taken(folder: &Path) -> io::Result<(File, PathBuf)> {
+    let suffix = format!(".{LOCK}");
+    loop {
+        let made = tempfile::Builder::new().prefix(PREFIX).suffix(&suffix).tempfile_in(folder)?;
+        // Not every file system has locks: there, a document open in another window is offered too.
+        if made.as_file().lock().is_err() || made.path().exists() {
+            return Ok(made.keep()?);
+        }
+        // Somebody took it for one that was left behind, before it was locked.
+    }
+}
+
+fn is_open(lock: &Path) -> bool {
+    File::open(lock).is_ok_and(|file| matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock)))
+}
+
+/// Removes a lock that nobody holds.
+fn drop_free(lock: &Path) {
+    if let Ok(file) = File::open(lock)
+        && file.try_lock().is_ok()
+    {
+        fs::remove_file(lock).ok();
+    }
+}
+
+fn removed(path: &Path) -> Result<(), IoError> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(IoError::Write(error).within(path)),
+        _ => Ok(()),
+    }
+}
+
+fn looked_at(document: &Path) -> Option<Recoverable> {
+    let found = read(document).ok()?;
+    Some(Recoverable {
+        name: found.scene.get("name").and_then(Value::as_str).unwrap_or_default().to_owned(),
+        origin: Origin { file: found.original, folder: found.folder.unwrap_or_default() },
+        written: SystemTime::UNIX_EPOCH + Duration::from_millis(found.written),
+        document: document.to_owned(),
+    })
+}
+
+fn read(document: &Path) -> Result<Found, IoError> {
+    let bytes = read_bytes(document, MAX_SCENE_BYTES)?;
+    let text = String::from_utf8(bytes).map_err(|error| IoError::NotUtf8 { at: error.utf8_error().valid_up_to() })?;
+    serde_json::from_value(parse(&text)?).map_err(|error| {
+        IoError::Type(SceneError {
+            path: String::new(),
+            value: "this".to_owned(),
+            problem: format!("is no document that was kept ({})", one_line(&error.to_string())),
+            remedy: "remove the file".to_owned(),
+        })
+    })
+}

@@ -6,8 +6,8 @@ use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape, painted};
 use crate::sketch::{Placed, SketchError, SketchNote, structure_particles, trim};
 use crate::solver::body::FibreLine;
 use crate::solver::embedding::{Embedder, Stencil};
-use crate::solver::forces::breaking::BreakLimits;
 use crate::solver::forces::fibre::FibreRest;
+use crate::solver::forces::fibre::breaking::BreakLimits;
 use crate::solver::volume_fraction::volume_fractions;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -89,7 +89,7 @@ impl Placing<'_> {
             .into_iter()
             .map(|point| Placed {
                 point,
-                embedded: self.embedder.is_embedded(point) && self.embedder.stencil(point).is_some(),
+                embedded: self.embedder.is_embedded(point) && self.embedder.compact_stencil(point).is_some(),
                 distance: self.embedder.distance(point) / material.support_radius,
             })
             .collect();
@@ -103,7 +103,8 @@ impl Placing<'_> {
     /// Embeds one run: ends too far outside the particles carry no force, inner vertices there slide inwards.
     fn embed(&mut self, fibre: usize, mut vertices: Vec<DVec3>, path: &str) -> Option<PlacedFibre> {
         let total = vertices.len();
-        let holds = |at: DVec3| self.embedder.stencil(at).is_some_and(|s| s.square_sum() <= GREATEST_SQUARE_SUM);
+        let holds =
+            |at: DVec3| self.embedder.compact_stencil(at).is_some_and(|s| s.square_sum() <= GREATEST_SQUARE_SUM);
         // A fibre that runs along the outside all its length has no end worth keeping: all of it slides.
         let first = vertices.iter().position(|&at| holds(at)).unwrap_or(0);
         let last = vertices.iter().rposition(|&at| holds(at)).unwrap_or(total - 1);
@@ -135,7 +136,7 @@ impl Placing<'_> {
             );
             self.note(path, true, text);
         }
-        let stencils = vertices.iter().map(|&at| self.embedder.stencil(at).unwrap_or_default()).collect();
+        let stencils = vertices.iter().map(|&at| self.embedder.compact_stencil(at).unwrap_or_default()).collect();
         let id = self.body.fibres[fibre].id.clone();
         Some(PlacedFibre { fibre, id, vertices, stencils, active: first..last + 1 })
     }
@@ -143,7 +144,8 @@ impl Placing<'_> {
     /// The nearest point on the way to the centroid of the particles around a vertex at which it may carry force; none
     /// where it already may.
     fn slide_in(&self, vertex: DVec3) -> Option<DVec3> {
-        let holds = |at: DVec3| self.embedder.stencil(at).is_some_and(|s| s.square_sum() <= GREATEST_SQUARE_SUM);
+        let holds =
+            |at: DVec3| self.embedder.compact_stencil(at).is_some_and(|s| s.square_sum() <= GREATEST_SQUARE_SUM);
         if holds(vertex) {
             return None;
         }

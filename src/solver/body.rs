@@ -4,7 +4,7 @@ use super::constraint::Constraint;
 use super::dynamics::Dynamics;
 use super::embedding::Stencil;
 use super::energy::Energies;
-use super::forces::breaking::FibreBreak;
+use super::forces::fibre::breaking::FibreBreak;
 use super::forces::{ContactLaw, Force};
 use super::grab::Grab;
 use super::integrators::Integrator;

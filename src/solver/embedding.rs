@@ -58,6 +58,8 @@ pub struct Embedder<'a> {
 const LEAST_SUM: f64 = 0.05;
 /// And from this number of particles in reach on.
 const LEAST_PARTICLES: usize = 4;
+/// Share of the heaviest weight below which a particle is left out of a fibre vertex.
+const NEGLIGIBLE: f64 = 0.1;
 
 impl<'a> Embedder<'a> {
     /// Weights over particles at `points` (rest, model frame).
@@ -88,18 +90,37 @@ impl<'a> Embedder<'a> {
 
     /// Linear-reproducing weights at a point; none where the particles in reach lie on a plane or a line, or are too few.
     pub fn stencil(&self, at: DVec3) -> Option<Stencil> {
-        let near = self.grid.within(at);
+        self.weighted(at, &self.in_reach(at))
+    }
+
+    /// The same over the particles that count there alone: those of more than [`NEGLIGIBLE`] of the heaviest weight. They
+    /// are half of all in reach, which is what a fibre vertex costs at every step; linear fields are reproduced all the
+    /// same. It changes abruptly from one point to the next, as a skin must not.
+    pub fn compact_stencil(&self, at: DVec3) -> Option<Stencil> {
+        self.weighted(at, &self.that_count(at))
+    }
+
+    /// Particles in reach of a point with their kernel weights, relative to the kernel's centre.
+    fn in_reach(&self, at: DVec3) -> Vec<(u32, f64)> {
+        let near = self.grid.within(at).into_iter();
+        near.map(|k| (k, self.kernel.relative(self.points[k as usize].distance(at)))).collect()
+    }
+
+    /// Those of them whose weight is not negligible.
+    fn that_count(&self, at: DVec3) -> Vec<(u32, f64)> {
+        let mut near = self.in_reach(at);
+        let heaviest = near.iter().map(|&(_, w)| w).fold(0.0, f64::max);
+        near.retain(|&(_, w)| w > NEGLIGIBLE * heaviest);
+        near
+    }
+
+    fn weighted(&self, at: DVec3, near: &[(u32, f64)]) -> Option<Stencil> {
         let h = self.kernel.support_radius;
         // With p = (1, y), y = (X_k - X) / h: phi_k = W_k (1 - y_k . a) / (W - b . a), a = C^-1 b, where W, b, C are
         // the kernel's moments of order 0, 1, 2.
         let (mut w_sum, mut b, mut c) = (0.0, DVec3::ZERO, DMat3::ZERO);
-        let terms: Vec<(u32, f64, DVec3)> = near
-            .iter()
-            .map(|&k| {
-                let y = (self.points[k as usize] - at) / h;
-                (k, self.kernel.relative(y.length() * h), y)
-            })
-            .collect();
+        let terms: Vec<(u32, f64, DVec3)> =
+            near.iter().map(|&(k, w)| (k, w, (self.points[k as usize] - at) / h)).collect();
         for &(_, w, y) in &terms {
             w_sum += w;
             b += w * y;
@@ -134,14 +155,11 @@ impl<'a> Embedder<'a> {
     /// Weights by which the material's turn around a point is read: `om_k` positive and normalised, offsets centred by
     /// their mean, `Z_k = C^-1 Y_k`, so that a pure strain turns nothing. None where C is singular.
     pub fn turn_stencil(&self, at: DVec3) -> Option<TurnStencil> {
-        let near = self.grid.within(at);
-        let kernel_weights: Vec<f64> =
-            near.iter().map(|&k| self.kernel.relative(self.points[k as usize].distance(at))).collect();
-        let total: f64 = kernel_weights.iter().sum();
-        let mean: DVec3 =
-            near.iter().zip(&kernel_weights).map(|(&k, w)| self.points[k as usize] * *w).sum::<DVec3>() / total;
+        let near = self.that_count(at);
+        let total: f64 = near.iter().map(|(_, w)| w).sum();
+        let mean: DVec3 = near.iter().map(|&(k, w)| self.points[k as usize] * w).sum::<DVec3>() / total;
         let mut c = DMat3::ZERO;
-        for (&k, w) in near.iter().zip(&kernel_weights) {
+        for &(k, w) in &near {
             let y = self.points[k as usize] - mean;
             c += DMat3::from_cols(y * y.x, y * y.y, y * y.z) * (w / total);
         }
@@ -149,11 +167,8 @@ impl<'a> Embedder<'a> {
             return None;
         }
         let inverse = c.inverse();
-        let weights = near
-            .iter()
-            .zip(&kernel_weights)
-            .map(|(&k, w)| (k, inverse * (self.points[k as usize] - mean) * (w / total)))
-            .collect();
+        let weights =
+            near.into_iter().map(|(k, w)| (k, inverse * (self.points[k as usize] - mean) * (w / total))).collect();
         Some(TurnStencil { weights })
     }
 }

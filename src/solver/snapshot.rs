@@ -1,7 +1,7 @@
 //! What the solver shows of itself: plain positions at one time.
 
 use super::body::Body;
-pub use super::forces::breaking::{BreakPlace, FibreBreak};
+pub use super::forces::fibre::breaking::{BreakPlace, FibreBreak};
 pub use super::forces::springs::SpringKind;
 use super::layers::Layers;
 use super::skin::{Skin, SkinShape};

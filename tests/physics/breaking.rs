@@ -6,7 +6,7 @@ use sinew::scene::{BreakPast, Extra, RestShape};
 use sinew::solver::embedding::Stencil;
 use sinew::solver::energy::Energies;
 use sinew::solver::forces::Force;
-use sinew::solver::forces::breaking::{BreakLimits, BreakPlace, FibreBreak};
+use sinew::solver::forces::fibre::breaking::{BreakLimits, BreakPlace, FibreBreak};
 use sinew::solver::forces::fibre::{FibreForce, FibreRest};
 use sinew::solver::state::ParticleState;
 use std::sync::Arc;

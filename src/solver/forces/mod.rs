@@ -1,7 +1,6 @@
 //! Forces: one file a force. A body is a [`ParticleState`] with a list of these.
 
 mod air_drag;
-pub mod breaking;
 mod contact;
 mod drag_spring;
 pub mod fibre;
@@ -73,7 +72,7 @@ pub trait Force: Send + Sync {
     }
 
     /// What has broken so far, in the order of time.
-    fn breaks(&self) -> &[breaking::FibreBreak] {
+    fn breaks(&self) -> &[fibre::breaking::FibreBreak] {
         &[]
     }
 

@@ -8,22 +8,22 @@ use fearless_simd::{Simd, f64x4, prelude::*};
 use glam::{DMat3, DQuat, DVec3};
 
 /// Particles side by side.
-pub(super) const LANES: usize = 4;
+pub(in crate::solver::forces) const LANES: usize = 4;
 
 /// A number of each of four particles, in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C, align(32))]
-pub(super) struct Lanes(pub(super) [f64; LANES]);
+pub(in crate::solver::forces) struct Lanes(pub(in crate::solver::forces) [f64; LANES]);
 
 /// A vector of each particle.
-pub(super) type Vectors<S> = [f64x4<S>; 3];
+pub(in crate::solver::forces) type Vectors<S> = [f64x4<S>; 3];
 /// A matrix of each particle, by columns.
 pub(super) type Matrices<S> = [Vectors<S>; 3];
 /// A quaternion of each particle: x, y, z, w.
 pub(super) type Quaternions<S> = [f64x4<S>; 4];
 
 #[inline(always)]
-pub(super) fn load<S: Simd>(simd: S, lanes: &Lanes) -> f64x4<S> {
+pub(in crate::solver::forces) fn load<S: Simd>(simd: S, lanes: &Lanes) -> f64x4<S> {
     f64x4::simd_from(simd, lanes.0)
 }
 
@@ -64,7 +64,7 @@ pub(super) fn splat_matrix<S: Simd>(simd: S, m: &DMat3) -> Matrices<S> {
 }
 
 #[inline(always)]
-pub(super) fn dot<S: Simd>(a: &Vectors<S>, b: &Vectors<S>) -> f64x4<S> {
+pub(in crate::solver::forces) fn dot<S: Simd>(a: &Vectors<S>, b: &Vectors<S>) -> f64x4<S> {
     a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
 }
 
@@ -96,7 +96,7 @@ pub(super) fn transposed_product<S: Simd>(a: &Matrices<S>, b: &Matrices<S>) -> M
 
 /// `s v`.
 #[inline(always)]
-pub(super) fn scaled<S: Simd, const N: usize>(s: f64x4<S>, mut v: [f64x4<S>; N]) -> [f64x4<S>; N] {
+pub(in crate::solver::forces) fn scaled<S: Simd, const N: usize>(s: f64x4<S>, mut v: [f64x4<S>; N]) -> [f64x4<S>; N] {
     for k in 0..N {
         v[k] = s * v[k];
     }

@@ -25,7 +25,7 @@
 //! - *pair list*: particle by particle through its neighbours, four to five times slower. It takes any spacing, says in few lines
 //!   what is computed, and is what the stencil is held against.
 
-mod lanes;
+pub(super) mod lanes;
 mod layout;
 mod pairs;
 mod rest;

@@ -5,7 +5,7 @@
 //! pulled too hard loses the edge, and with it the bending of the vertices at both ends, whose turn is no longer
 //! defined. Of several places past their limits in one step only the one furthest past it breaks; that relieves the others.
 
-use super::fibre::FibreRest;
+use super::FibreRest;
 
 /// What a fibre stands before it breaks; infinite where it never does.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,0 +1,116 @@
+//! Fibres at rest.
+
+use super::breaking::BreakLimits;
+use super::corner::curvature_binormal;
+use crate::solver::embedding::{Stencil, TurnStencil};
+use glam::DVec3;
+
+/// One fibre at rest, ready to be evaluated.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FibreRest {
+    /// Its vertices (structure particles).
+    pub vertices: Vec<Stencil>,
+    /// `l_f EA / l0` of every edge [N/m], and its rest length l0 [m].
+    pub edges: Vec<(f64, f64)>,
+    /// Bending of every inner vertex, the first one's at index 0.
+    pub bends: Vec<Bend>,
+    /// What it stands before it breaks.
+    pub limits: BreakLimits,
+    /// Index of the centre line that it is part of, among the body's.
+    pub line: u32,
+    /// Index on that line of its first vertex.
+    pub first_vertex: u32,
+}
+
+/// Bending at one inner vertex.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bend {
+    /// `l_f EI / L0` with the factors for ends and curvature [N m].
+    pub stiffness: f64,
+    /// Rest shape where it is curved there.
+    pub curved: Option<CurvedRest>,
+}
+
+/// Curved rest shape at one vertex.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CurvedRest {
+    /// Curvature binormal kb0 at rest, model frame.
+    pub binormal: DVec3,
+    /// How the turn of the material is read.
+    pub turn: TurnStencil,
+}
+
+impl FibreRest {
+    /// A fibre through embedded `vertices` at rest positions `at` [m] (model frame), with axial rigidity `ea` [N],
+    /// bending stiffness `ei` [N m²] and volume fraction `fraction`; `turns` gives the turn stencil of each inner
+    /// vertex where the rest shape is as drawn, or nothing where it is straight.
+    ///
+    /// Ends carry no bending of their own, so the first and last inner vertex count for the half edge beyond them:
+    /// `1 + l_end / L0`. A curved rest shape counts `((1 + c0) / 2)²`, which keeps EI the stiffness near it.
+    pub fn new(
+        vertices: Vec<Stencil>,
+        at: &[DVec3],
+        ea: f64,
+        ei: f64,
+        fraction: f64,
+        turns: Vec<Option<TurnStencil>>,
+    ) -> Self {
+        let lengths: Vec<f64> = at.windows(2).map(|pair| pair[0].distance(pair[1])).collect();
+        let inner = at.len().saturating_sub(2);
+        let bends = turns
+            .into_iter()
+            .take(inner)
+            .enumerate()
+            .map(|(k, turn)| {
+                let before = (at[k + 1] - at[k]) / lengths[k];
+                let after = (at[k + 2] - at[k + 1]) / lengths[k + 1];
+                let both = lengths[k] + lengths[k + 1];
+                let mut stiffness = fraction * ei / both;
+                let mut ends = 1.0;
+                if k == 0 {
+                    ends += lengths[k] / both;
+                }
+                if k + 1 == inner {
+                    ends += lengths[k + 1] / both;
+                }
+                stiffness *= ends;
+                let curved = turn.map(|turn| {
+                    stiffness *= (0.5 * (1.0 + before.dot(after))).powi(2);
+                    CurvedRest { binormal: curvature_binormal(before, after), turn }
+                });
+                Bend { stiffness, curved }
+            })
+            .collect();
+        let edges = lengths.iter().map(|&length| (fraction * ea / length, length)).collect();
+        Self { vertices, edges, bends, ..Self::default() }
+    }
+
+    /// The same fibre, which breaks past `limits`.
+    #[must_use]
+    pub fn breaking(self, limits: BreakLimits) -> Self {
+        Self { limits, ..self }
+    }
+
+    /// The same fibre as the part of centre line `line` that begins with its vertex `first_vertex`.
+    #[must_use]
+    pub fn on_line(self, line: u32, first_vertex: u32) -> Self {
+        Self { line, first_vertex, ..self }
+    }
+
+    /// The same fibre with its stiffnesses multiplied by `by`.
+    #[must_use]
+    pub fn scaled(mut self, by: f64) -> Self {
+        self.edges.iter_mut().for_each(|(stiffness, _)| *stiffness *= by);
+        self.bends.iter_mut().for_each(|bend| bend.stiffness *= by);
+        self
+    }
+
+    /// Greatest stiffness [N/m] with which it resists a move of one vertex, by stretching or by bending.
+    pub fn stiffest(&self) -> f64 {
+        let shortest = self.edges.iter().map(|&(_, length)| length).fold(f64::INFINITY, f64::min);
+        let stretching = self.edges.iter().map(|&(stiffness, _)| stiffness).fold(0.0, f64::max);
+        // A vertex bends its own corner by twice its move over the edge, `kb = 2 x / l`, and the energy is `S kb²`.
+        let bending = self.bends.iter().map(|bend| 8.0 * bend.stiffness / shortest.powi(2)).fold(0.0, f64::max);
+        stretching.max(bending)
+    }
+}

@@ -14,6 +14,7 @@
 //! Picking draws pick numbers and depths into a target of their own around one pixel only, with the same geometry as
 //! the picture and so with the same things in front of others, and reads that back.
 
+mod blit;
 mod camera;
 mod content;
 mod device;
@@ -30,6 +31,7 @@ mod skinning;
 mod uniforms;
 mod viewport;
 
+pub use blit::Blit;
 pub use camera::{Camera, Facing, Projection, Ray, Seen};
 pub use content::Content;
 pub use device::{NoDriver, open_device};

@@ -6,6 +6,7 @@ macro_rules! with_common {
     };
 }
 
+pub(super) const BLIT: &str = include_str!("shaders/blit.wgsl");
 pub(super) const BACKGROUND: &str = with_common!("shaders/background.wgsl");
 pub(super) const GROUND: &str = with_common!("shaders/ground.wgsl");
 pub(super) const LINE: &str = with_common!("shaders/line.wgsl");
@@ -24,7 +25,7 @@ mod tests {
 
     #[test]
     fn every_shader_is_valid_and_its_frame_is_as_large_as_the_one_that_is_sent() {
-        let sources = [BACKGROUND, GROUND, LINE, MESH, POINT, SHADOW, SHADE, SKIN];
+        let sources = [BLIT, BACKGROUND, GROUND, LINE, MESH, POINT, SHADOW, SHADE, SKIN];
         for source in sources {
             let module =
                 naga::front::wgsl::parse_str(source).unwrap_or_else(|error| panic!("{}", error.emit_to_string(source)));

@@ -3,7 +3,7 @@
 use super::action::{Action, Menu};
 use super::app::{App, Gravity};
 use super::sketch_tool::Stage;
-use super::theme::GRID;
+use super::theme::{self, GRID};
 use crate::edit::Command;
 use crate::scene::TimeStep;
 use crate::sim::SimCommand;
@@ -40,7 +40,7 @@ impl App {
     }
 
     pub(super) fn top_bar(&mut self, ui: &mut Ui) {
-        Panel::top("top").show(ui, |ui| {
+        Panel::top("top").frame(theme::panel(ui)).show(ui, |ui| {
             ui.add_space(GRID);
             ui.horizontal(|ui| {
                 for menu in Menu::ALL {
@@ -109,8 +109,8 @@ impl App {
         }
         let software = self.painter.as_ref().is_some_and(super::picture::Painter::saves_work);
         if software {
-            let saves =
-                "Drawn in software: no anti-aliasing, and views are drawn anew only when what they show changes";
+            let saves = "Drawn in software: no anti-aliasing, coarser shadows, and views are drawn anew only when what they \
+                         show changes";
             why.push(saves.to_owned());
         }
         let why = why.join("\n");
@@ -121,7 +121,7 @@ impl App {
     }
 
     pub(super) fn status_bar(&mut self, ui: &mut Ui) {
-        Panel::bottom("status").show(ui, |ui| {
+        Panel::bottom("status").frame(theme::panel(ui)).show(ui, |ui| {
             ui.add_space(0.5 * GRID);
             ui.horizontal(|ui| {
                 let status = &self.published.status;

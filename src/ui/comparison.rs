@@ -184,7 +184,7 @@ impl App {
         if self.published.compared.is_empty() {
             return;
         }
-        egui::Panel::bottom("plots").exact_size(PLOTS_HEIGHT).show(ui, |ui| {
+        egui::Panel::bottom("plots").exact_size(PLOTS_HEIGHT).frame(theme::panel(ui)).show(ui, |ui| {
             ui.columns(4, |columns| {
                 let [energy, momentum, volume, pressure] = columns else { return };
                 self.plot(energy, "Energy [J]", |reading| Some(reading.energy));

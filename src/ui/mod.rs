@@ -54,6 +54,8 @@ pub fn run(document: Document) -> Result<(), NoWindow> {
             .with_inner_size([1280.0, 800.0])
             .with_min_inner_size([640.0, 400.0])
             .with_drag_and_drop(true),
+        // The pictures bring their own; all else is of one colour.
+        dithering: false,
         ..eframe::NativeOptions::default()
     };
     // A missing library makes a dependency panic; that is a sentence for the person, not a crash.

@@ -25,7 +25,7 @@ const VOLUME_FRACTION: Field = Field::new(
 
 impl App {
     pub(super) fn left_panel(&mut self, ui: &mut Ui) {
-        Panel::left("outliner").default_size(SIDE_WIDTH).show(ui, |ui| {
+        Panel::left("outliner").default_size(SIDE_WIDTH).frame(theme::panel(ui)).show(ui, |ui| {
             // The same width whatever stands in it: the views must not jump when a fibre is selected.
             ui.set_min_width(ui.available_width());
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {

@@ -7,7 +7,7 @@ use super::theme;
 use crate::draw::{Display, SkinStyle};
 use crate::render::Camera;
 use crate::sketch::View;
-use egui::{Color32, Event, PointerButton, Pos2, Rect, Response, Sense, Ui};
+use egui::{Event, PointerButton, Pos2, Rect, Response, Sense, Ui};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::sync::Arc;
@@ -201,14 +201,18 @@ impl View3d<'_> {
             PaneKind::Result => Display { selected, tints: self.app.tints(), ..self.app.display.clone() },
         };
         let theme = self.app.tone.pictures();
-        ui.painter().rect_filled(rect, 0.0, theme::color(theme.background_bottom));
+        let empty = || ui.painter().rect_filled(rect, 0.0, theme::color(theme.background_bottom));
         let sight = Sight { shown, scene: Arc::clone(self.app.scene()), display, tone: self.app.tone };
-        let Some(painter) = &self.app.painter else { return };
+        let Some(painter) = &self.app.painter else {
+            empty();
+            return;
+        };
         let scale = ui.ctx().pixels_per_point();
-        let size = [(rect.width() * scale).round() as u32, (rect.height() * scale).round() as u32];
-        if let Some(texture) = painter.paint(&mut self.pane.picture, sight, &self.pane.camera, size, scale) {
-            let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
-            ui.painter().image(texture, rect, whole, Color32::WHITE);
+        let picture = &mut self.pane.picture;
+        if let Some(shown) = painter.paint(picture, sight, &self.pane.camera, rect, scale) {
+            ui.painter().add(shown);
+        } else {
+            empty();
         }
     }
 

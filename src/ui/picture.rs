@@ -2,12 +2,12 @@
 
 use super::theme::Tone;
 use crate::draw::{Display, Subject, draw};
-use crate::render::{Camera, Content, Options, Renderer, Viewport};
+use crate::render::{Blit, Camera, Content, Options, Renderer, Viewport};
 use crate::scene::Scene;
 use crate::sim::Published;
 use crate::solver::snapshot::Snapshot;
-use egui::TextureId;
-use egui_wgpu::RenderState;
+use egui::{PaintCallback, PaintCallbackInfo, Rect};
+use egui_wgpu::{CallbackResources, CallbackTrait, RenderState};
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -15,6 +15,7 @@ use std::sync::Arc;
 pub struct Painter {
     state: RenderState,
     renderer: Renderer,
+    blit: Blit,
     software: bool,
 }
 
@@ -77,7 +78,7 @@ pub struct Picture {
     sight: Option<Sight>,
     content: Option<Content>,
     viewport: Option<Viewport>,
-    texture: Option<TextureId>,
+    source: Option<wgpu::BindGroup>,
     camera: Option<Camera>,
 }
 
@@ -85,7 +86,8 @@ impl Painter {
     pub(super) fn new(state: RenderState) -> Self {
         let renderer = Renderer::new(&state.device, &state.queue, Options::for_adapter(&state.adapter));
         let software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-        Self { state, renderer, software }
+        let blit = Blit::new(&state.device, state.target_format);
+        Self { state, renderer, blit, software }
     }
 
     /// Whether it draws in software and saves work where that is not seen much.
@@ -93,16 +95,21 @@ impl Painter {
         self.software
     }
 
-    /// The texture that shows `sight` as `camera` sees it at `size` [pixels], drawn anew only if something has changed;
-    /// none where there is no room.
+    /// What shows `sight` as `camera` sees it in a place of the window, drawn anew only if something has changed; none where
+    /// there is no room.
     pub(super) fn paint(
         &self,
         picture: &mut Picture,
         sight: Sight,
         camera: &Camera,
-        size: [u32; 2],
+        place: Rect,
         pixels_per_point: f32,
-    ) -> Option<TextureId> {
+    ) -> Option<PaintCallback> {
+        // The pixels of its place, as the toolkit counts them.
+        let info =
+            PaintCallbackInfo { viewport: place, clip_rect: place, pixels_per_point, screen_size_px: [u32::MAX; 2] };
+        let pixels = info.viewport_in_pixels();
+        let size = [pixels.width_px, pixels.height_px].map(|extent| u32::try_from(extent).unwrap_or(0));
         if size.contains(&0) {
             return None;
         }
@@ -114,7 +121,7 @@ impl Painter {
         if changed {
             let subject = Subject { scene: &sight.scene, snapshot: &sight.shown, ghost: None };
             let list = draw(&subject, &sight.display, &sight.tone.pictures());
-            if *content.list() != list || picture.texture.is_none() {
+            if *content.list() != list || picture.source.is_none() {
                 content.send(renderer, list);
                 picture.camera = None;
             }
@@ -126,23 +133,22 @@ impl Painter {
             self.state.queue.submit([encoder.finish()]);
             picture.camera = Some(*camera);
         }
-        let device = &self.state.device;
-        let mut toolkit = self.state.renderer.write();
-        match picture.texture {
-            Some(texture) if resized => {
-                toolkit.update_egui_texture_from_wgpu_texture(
-                    device,
-                    viewport.colour(),
-                    wgpu::FilterMode::Linear,
-                    texture,
-                );
-            }
-            Some(_) => {}
-            None => {
-                picture.texture =
-                    Some(toolkit.register_native_texture(device, viewport.colour(), wgpu::FilterMode::Linear));
-            }
+        if resized || picture.source.is_none() {
+            picture.source = Some(self.blit.source(&self.state.device, viewport));
         }
-        picture.texture
+        let shown = Blitted { blit: self.blit.clone(), source: picture.source.clone()? };
+        Some(egui_wgpu::Callback::new_paint_callback(place, shown))
+    }
+}
+
+/// A finished picture in the toolkit's pass.
+struct Blitted {
+    blit: Blit,
+    source: wgpu::BindGroup,
+}
+
+impl CallbackTrait for Blitted {
+    fn paint(&self, _info: PaintCallbackInfo, pass: &mut wgpu::RenderPass<'static>, _resources: &CallbackResources) {
+        self.blit.draw(pass, &self.source);
     }
 }

@@ -105,6 +105,12 @@ impl Tone {
     }
 }
 
+/// The frame of a bar or panel, without a ground of its own: the window's is behind it already, and to fill it again pixel
+/// by pixel is a quarter of a frame's work where no graphics card does it.
+pub fn panel(ui: &egui::Ui) -> egui::Frame {
+    egui::Frame::side_top_panel(ui.style()).fill(Color32::TRANSPARENT)
+}
+
 /// A picture's colour in the window.
 pub fn color(colour: Colour) -> Color32 {
     let byte = |channel: f32| (255.0 * channel.clamp(0.0, 1.0)).round() as u8;

@@ -2,7 +2,7 @@
 
 use super::app::{App, PropertyTab};
 use super::field::{Field, vector};
-use super::theme::{GRID, SIDE_WIDTH};
+use super::theme::{self, GRID, SIDE_WIDTH};
 use crate::draw::Bounds;
 use crate::edit::Command;
 use crate::scene::{
@@ -46,7 +46,7 @@ const PINNED_LAYERS: u32 = 1;
 
 impl App {
     pub(super) fn right_panel(&mut self, ui: &mut Ui) {
-        Panel::right("properties").default_size(SIDE_WIDTH).show(ui, |ui| {
+        Panel::right("properties").default_size(SIDE_WIDTH).frame(theme::panel(ui)).show(ui, |ui| {
             ui.set_min_width(ui.available_width());
             ui.add_space(GRID);
             ui.horizontal(|ui| {

@@ -12,7 +12,8 @@ struct Caster {
 
 const SEARCH = 32u;
 const TAPS = 64u;
-const GOLDEN = 2.39996323;
+// Cosine and sine of the golden angle, by which each point of a spread is turned against the one before.
+const TURN = vec2f(-0.73736888, 0.67549029);
 
 @vertex
 fn vs_shade(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
@@ -20,10 +21,17 @@ fn vs_shade(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
     return vec4f(corner, 0.0, 1.0);
 }
 
-// Points spread evenly over a disc of radius 1.
-fn spread(k: u32, count: u32) -> vec2f {
-    let angle = f32(k) * GOLDEN;
-    return sqrt((f32(k) + 0.5) / f32(count)) * vec2f(cos(angle), sin(angle));
+// The direction of the next point of a spread.
+fn turned(direction: vec2f) -> vec2f {
+    return vec2f(
+        TURN.x * direction.x - TURN.y * direction.y,
+        TURN.y * direction.x + TURN.x * direction.y,
+    );
+}
+
+// Points spread evenly over a disc of radius 1 have these distances from its middle, the golden angle between them.
+fn distance_of(k: u32, count: u32) -> f32 {
+    return sqrt((f32(k) + 0.5) / f32(count));
 }
 
 fn clamped(at: vec2f) -> vec2i {
@@ -40,10 +48,12 @@ fn fs_shade(@builtin(position) at: vec4f) -> @location(0) vec2f {
     let search = max(caster.soft.x * caster.slope.w / texel, 1.0);
     var height = 0.0;
     var found = 0.0;
+    var direction = vec2f(1.0, 0.0);
     for (var k = 0u; k < SEARCH; k++) {
-        let offset = spread(k, SEARCH);
-        let depth = textureLoad(along_key, clamped(at.xy + offset * search), 0);
-        let near = clamp((depth - length(offset)) * 6.0 + 1.0 + 3.0 / search, 0.0, 1.0);
+        let away = distance_of(k, SEARCH);
+        let depth = textureLoad(along_key, clamped(at.xy + direction * away * search), 0);
+        direction = turned(direction);
+        let near = clamp((depth - away) * 6.0 + 1.0 + 3.0 / search, 0.0, 1.0);
         let weight = select(0.0, near, depth < 1.0);
         height += depth * weight;
         found += weight;
@@ -51,10 +61,12 @@ fn fs_shade(@builtin(position) at: vec4f) -> @location(0) vec2f {
     let penumbra = max(search * height / max(found, 1e-4), 1.5);
     var hidden = 0.0;
     var total = 0.0;
+    direction = vec2f(1.0, 0.0);
     for (var k = 0u; k < TAPS; k++) {
-        let offset = spread(k, TAPS);
-        let weight = 1.0 - 0.85 * dot(offset, offset);
-        let depth = textureLoad(along_key, clamped(at.xy + offset * penumbra * 1.3), 0);
+        let away = distance_of(k, TAPS);
+        let weight = 1.0 - 0.85 * away * away;
+        let depth = textureLoad(along_key, clamped(at.xy + direction * away * penumbra * 1.3), 0);
+        direction = turned(direction);
         hidden += select(0.0, weight, depth < 1.0);
         total += weight;
     }
@@ -63,10 +75,12 @@ fn fs_shade(@builtin(position) at: vec4f) -> @location(0) vec2f {
     let reach = caster.soft.y / texel;
     var closed = 0.0;
     var whole = 0.0;
+    direction = vec2f(1.0, 0.0);
     for (var k = 0u; k < TAPS; k++) {
-        let offset = spread(k, TAPS);
-        let weight = 1.0 - length(offset);
-        let depth = textureLoad(from_above, clamped(at.xy + offset * reach), 0);
+        let away = distance_of(k, TAPS);
+        let weight = 1.0 - away;
+        let depth = textureLoad(from_above, clamped(at.xy + direction * away * reach), 0);
+        direction = turned(direction);
         closed += select(0.0, weight * exp(-depth * caster.slope.w / caster.soft.z), depth < 1.0);
         whole += weight;
     }

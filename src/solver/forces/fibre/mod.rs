@@ -120,7 +120,8 @@ impl FibreForce {
             packed.turns.scatter(simd, k, by_axis, forces);
             lines.add(rest.corner, corner.curved_slopes(slope));
         }
-        for vertex in 0..lines.len() {
+        // Backwards: the last vertices' weights are still at hand.
+        for vertex in (0..lines.len()).rev() {
             packed.vertices.scatter(simd, vertex, [lines.force(vertex)], forces);
         }
     }

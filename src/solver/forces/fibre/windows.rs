@@ -96,14 +96,13 @@ impl<const N: usize> Windows<N> {
             spread[kind] = patterns(simd, values[kind]);
         }
         for (first, weights) in self.of(point) {
-            match field[first..].first_chunk_mut() {
-                Some(window) => add(simd, &spread, weights, window),
-                None => {
-                    let rest = &mut field[first..];
-                    let mut window = padded(rest);
-                    add(simd, &spread, weights, &mut window);
-                    rest.copy_from_slice(&window[..rest.len()]);
-                }
+            let rest = &mut field[first..];
+            if let Some(window) = rest.first_chunk_mut() {
+                add(simd, &spread, weights, window);
+            } else {
+                let mut window = padded(rest);
+                add(simd, &spread, weights, &mut window);
+                rest.copy_from_slice(&window[..rest.len()]);
             }
         }
     }

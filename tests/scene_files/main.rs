@@ -3,6 +3,7 @@
 mod damage;
 mod errors;
 mod files;
+mod page;
 mod round_trip;
 mod schema;
 mod sets;

@@ -12,15 +12,19 @@ fn root() -> &'static Path {
 }
 
 fn page() -> String {
-    fs::read_to_string(root().join("scenes/README.md")).unwrap()
+    fs::read_to_string(root().join("scenes/README.md")).expect("the page")
+}
+
+fn has_extension(name: &str, extension: &str) -> bool {
+    Path::new(name).extension().is_some_and(|own| own == extension)
 }
 
 /// Names of files with this extension in a folder.
 fn files(folder: &str, extension: &str) -> BTreeSet<String> {
     fs::read_dir(root().join(folder))
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .filter(|name| name.ends_with(extension))
+        .expect("a folder")
+        .map(|entry| entry.expect("a file").file_name().to_string_lossy().into_owned())
+        .filter(|name| has_extension(name, extension))
         .collect()
 }
 
@@ -29,10 +33,10 @@ fn every_scene_on_the_page_exists_and_every_scene_is_on_it() {
     let page = page();
     let named: BTreeSet<String> = page
         .split('`')
-        .filter(|word| word.ends_with(".json") && !word.contains(['/', ' ']))
+        .filter(|word| has_extension(word, "json") && !word.contains(['/', ' ']))
         .map(String::from)
         .collect();
-    assert_eq!(named, files("scenes", ".json"));
+    assert_eq!(named, files("scenes", "json"));
 }
 
 #[test]
@@ -43,7 +47,7 @@ fn every_picture_on_the_page_exists_is_small_and_none_is_left_over() {
         .skip(1)
         .map(|rest| rest.split(')').next().unwrap_or_default().to_owned())
         .collect();
-    assert_eq!(shown, files("assets/figures", ".png"));
+    assert_eq!(shown, files("assets/figures", "png"));
     for name in shown {
         let size = fs::metadata(root().join("assets/figures").join(&name)).unwrap().len();
         assert!(size <= LARGEST, "{name}: {size} bytes");
@@ -52,7 +56,7 @@ fn every_picture_on_the_page_exists_is_small_and_none_is_left_over() {
 
 #[test]
 fn every_scene_says_what_to_look_at() {
-    for name in files("scenes", ".json") {
+    for name in files("scenes", "json") {
         let scene = sinew::io::load_scene(&root().join("scenes").join(&name)).unwrap();
         assert!(!scene.name.is_empty() && !scene.description.is_empty(), "{name}");
     }

@@ -15,8 +15,8 @@
 //!
 //! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, models and how they are checked,
 //!   filled and moved inwards, rigs of skins. Knows nothing of scenes or physics.
-//! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not. Pure
-//!   functions.
+//! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not; layouts of
+//!   fibres to start from. Pure functions.
 //! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, time, measures; data and validation only.
 //! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
 //!   fibre, as pure functions: [`edit::fibre_ops`].

@@ -3,6 +3,7 @@
 use super::table::{Align, Table, figures, readable};
 use crate::scene::one_line;
 use crate::sim::{MeasureReport, Report};
+use crate::solver::forces::breaking::BreakPlace;
 use crate::solver::world::World;
 
 /// The summary of a run that has ended.
@@ -16,7 +17,7 @@ pub fn summary(report: &Report, world: &World, source: &str) -> String {
         if report.at_rest { ", at rest" } else { "" },
     );
     text += &pace(report);
-    for part in [bodies(report, world), measures(&report.measures), energies(report)] {
+    for part in [bodies(report, world), measures(&report.measures), breaks(report, world), energies(report)] {
         if !part.is_empty() {
             text += "\n";
             text += &part.render();
@@ -79,6 +80,35 @@ fn measures(measures: &[MeasureReport]) -> Table {
             readable(&measure.value),
             measure.unit.to_owned(),
         ]);
+    }
+    table
+}
+
+/// Breaks that are listed; of a fibre that crumbles the others are only counted.
+const LISTED: usize = 10;
+
+/// Where and when fibres broke, in the order of time within a body.
+fn breaks(report: &Report, world: &World) -> Table {
+    let mut table = Table::new([
+        ("break", Align::Right),
+        ("body", Align::Left),
+        ("fibre", Align::Left),
+        ("at", Align::Left),
+        ("time [s]", Align::Right),
+    ]);
+    for (body, shown) in world.bodies().iter().zip(&report.bodies) {
+        for (k, broken) in body.breaks().take(LISTED).enumerate() {
+            let fibre = body.parts().fibres.get(broken.fibre as usize).map_or("", |line| &line.id);
+            let place = match broken.place {
+                BreakPlace::Vertex(vertex) => format!("vertex {vertex}"),
+                BreakPlace::Edge(vertex) => format!("between vertices {vertex} and {}", vertex + 1),
+            };
+            table.push([(k + 1).to_string(), one_line(&shown.name), one_line(fibre), place, figures(broken.time)]);
+        }
+        if shown.breaks > LISTED {
+            let others = format!("and {} more", shown.breaks - LISTED);
+            table.push([String::new(), one_line(&shown.name), others, String::new(), String::new()]);
+        }
     }
     table
 }

@@ -8,7 +8,8 @@
 //! Sorting by the shared coordinate breaks any stroke that turns back.
 //!
 //! The steps: [`guides()`] after the first stroke, [`follow()`] while the second is drawn, [`lift()`] for the pair,
-//! [`structure_particles`] to sample the curve, [`trim()`] to keep what lies in the solid. All of them are pure.
+//! [`structure_particles`] to sample the curve, [`trim()`] to keep what lies in the solid. All of them are pure. Beside
+//! strokes there are [`pattern`]s to start from.
 
 mod clean;
 mod correspond;
@@ -17,6 +18,7 @@ mod follow;
 mod guides;
 mod lift;
 mod message;
+pub mod pattern;
 mod range;
 mod trim;
 mod view;

@@ -290,3 +290,18 @@ fn an_empty_scene_runs() {
     assert!(out.starts_with("scene.json: 1.000 s in 60 frames"), "{out}");
     assert_eq!(said(program().arg("check").arg(desk.path("scene.json"))).code, Some(0));
 }
+
+#[test]
+fn breaks_are_listed_with_their_place_and_time() {
+    let mut scene = pressed();
+    scene["bodies"][0]["fibres"][0]["break_past"] = serde_json::json!({"tension": 1e-6});
+    scene["bodies"][0]["pins"][1]["motion"]["ramp"]["direction"] = serde_json::json!([0, 1, 0]);
+    let desk = Desk::new(&scene);
+    let out = desk.done("simulate scene.json --report report.json");
+    let broken: Vec<&str> = out.lines().filter(|line| line.contains("axis")).collect();
+    let report = desk.json("report.json");
+    let body = &report["bodies"][0];
+    assert_eq!(body["breaks"], broken.len(), "{out}");
+    assert!(!broken.is_empty() && broken.iter().all(|line| line.contains("between vertices")), "{out}");
+    assert!(body["first_break"].as_f64().unwrap() > 0.0);
+}

@@ -5,6 +5,7 @@ mod errors;
 mod files;
 mod killing;
 mod recovery;
+mod page;
 mod round_trip;
 mod schema;
 mod sets;

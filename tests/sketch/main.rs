@@ -3,6 +3,7 @@
 mod accuracy;
 mod drawing;
 mod hostile;
+mod patterns;
 mod preview;
 mod rules;
 mod trimming;

@@ -30,6 +30,10 @@ const SPACING: f64 = 0.006;
 /// What varies the plant's leaves.
 const SEED: u64 = 7;
 
+/// Colours of plants and leaves.
+const PLANT: [f32; 3] = [0.17, 0.42, 0.13];
+const LEAF: [f32; 3] = [0.26, 0.50, 0.12];
+
 /// Makes the models and writes one GLB file each.
 ///
 /// # Errors
@@ -42,8 +46,10 @@ pub fn run(args: &MakeModels, console: &mut Console) -> Result<Outcome, CliError
             coloured(bars::bar(SPACING * DVec3::new(7.0, 12.0, 7.0), [53.0, 90.0, 53.0]), [0.80, 0.36, 0.22]),
         ),
         ("long_bar", coloured(bars::bar(SPACING * DVec3::new(5.0, 15.0, 5.0), [20.0, 63.0, 20.0]), [0.22, 0.42, 0.66])),
-        ("plant", coloured(of_particles(plants::plant(SEED), 2723.0), [0.17, 0.42, 0.13])),
-        ("leaf", coloured(of_particles(plants::leaf(), 1159.0), [0.26, 0.50, 0.12])),
+        ("plant", coloured(of_particles(plants::plant(&plants::PLANT, SEED), 2723.0), PLANT)),
+        ("leaf", coloured(of_particles(plants::leaf(&plants::LEAF), 1159.0), LEAF)),
+        ("thick_plant", coloured(plants::plant(&plants::THICK_PLANT, SEED), PLANT)),
+        ("thick_leaf", coloured(plants::leaf(&plants::THICK_LEAF), LEAF)),
         ("tube", coloured(tube::tube(), [0.16, 0.17, 0.19])),
     ] {
         let path = args.folder.join(format!("{name}.glb"));

@@ -4,7 +4,7 @@ use super::limits::{Resistance, SolidParameter};
 use super::matter::Matter;
 use super::{BakeError, BakeStage, Note, fibres, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, Initial, IntegratorKind, Mass, Placement, Rotation, Scene, TimeStep};
+use crate::scene::{Body, BodyKind, Initial, IntegratorKind, Mass, Placement, Scene, TimeStep};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
@@ -15,7 +15,7 @@ use crate::solver::integrators::{
 };
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::state::ParticleState;
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -64,7 +64,7 @@ pub(super) fn draft(
         Mass::Density(density) => density * shape_volume / sample.points.len() as f64,
         Mass::PerParticle(mass) => mass,
     };
-    let orientation = turn(&body.placement.rotation);
+    let orientation = body.placement.rotation.quaternion();
     let regions = supports::regions(body, sample, path)?;
     let rest: Arc<[DVec3]> = sample.points.iter().map(|&x| to_world(&body.placement, x)).collect();
     let state = initial_state(body, &sample.points, &regions, mass, path)?;
@@ -174,13 +174,8 @@ fn contact_law(scene: &Scene, body: &Body, mass: f64) -> ContactLaw {
     }
 }
 
-pub(super) fn turn(rotation: &Rotation) -> DQuat {
-    let axis = DVec3::from_array(rotation.axis).normalize_or(DVec3::Y);
-    DQuat::from_axis_angle(axis, rotation.degrees.to_radians())
-}
-
 pub(super) fn to_world(placement: &Placement, x: DVec3) -> DVec3 {
-    turn(&placement.rotation) * x + DVec3::from_array(placement.translation)
+    placement.rotation.quaternion() * x + DVec3::from_array(placement.translation)
 }
 
 fn initial_state(

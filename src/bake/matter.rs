@@ -1,6 +1,5 @@
 //! From a shape to the particles that fill it and the surface that is drawn of it.
 
-use super::body::turn;
 use super::{BakeError, Note};
 use crate::geometry::fill::{FEW, FillError, Filling, Fineness, fill, two_layer_spacing};
 use crate::geometry::kernel::Kernel;
@@ -57,7 +56,7 @@ fn fill_box_shape<'a>(body: &Body, shape: &BoxShape, path: &str) -> Result<Matte
 
 fn lattice_axes(rotation: &Rotation) -> DMat3 {
     // Exactly along the axes when not turned: that decides how the box is filled.
-    if rotation.degrees == 0.0 { DMat3::IDENTITY } else { DMat3::from_quat(turn(rotation)) }
+    if rotation.degrees == 0.0 { DMat3::IDENTITY } else { DMat3::from_quat(rotation.quaternion()) }
 }
 
 fn fill_mesh_shape<'a>(

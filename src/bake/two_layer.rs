@@ -1,6 +1,6 @@
 //! One two-layer body of the scene: particles, springs, gas, start, stable step.
 
-use super::body::{Draft, deformed, integrator, kick, room_planes, spin, to_world, turn};
+use super::body::{Draft, deformed, integrator, kick, room_planes, spin, to_world};
 use super::layer_model::LayerModel;
 use super::{BakeError, BakeStage, Note, limits, supports};
 use crate::scene::{Assets, ContactKind, Initial, PressureIn, Scene, TimeStep, TwoLayer};
@@ -140,7 +140,7 @@ fn contact_law(scene: &Scene, body: &TwoLayer) -> ContactLaw {
 }
 
 fn layers(scene: &Scene, body: &TwoLayer, model: &LayerModel, rest: &[DVec3]) -> Layers {
-    let normal = turn(&body.placement.rotation) * DVec3::Z;
+    let normal = body.placement.rotation.quaternion() * DVec3::Z;
     debug_assert_eq!(rest.len(), model.points.len());
     Layers {
         dimension: model.dimension,
@@ -210,7 +210,7 @@ fn start(initial: &Initial, body: &TwoLayer, points: &[DVec3], masses: Vec<f64>)
 
 /// A ring whose plane lies across a world axis is held in it; the forces of any other ring lie in its plane anyway.
 fn in_plane(body: &TwoLayer, model: &LayerModel, state: &ParticleState) -> Vec<Constraint> {
-    let normal = (turn(&body.placement.rotation) * DVec3::Z).abs();
+    let normal = (body.placement.rotation.quaternion() * DVec3::Z).abs();
     let locked = BVec3::new(normal.x > 1.0 - 1e-12, normal.y > 1.0 - 1e-12, normal.z > 1.0 - 1e-12);
     if model.dimension != 2 || !locked.any() {
         return Vec::new();

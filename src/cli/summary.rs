@@ -3,7 +3,7 @@
 use super::table::{Align, Table, figures, readable};
 use crate::scene::one_line;
 use crate::sim::{MeasureReport, Report};
-use crate::solver::forces::breaking::BreakPlace;
+use crate::solver::snapshot::BreakPlace;
 use crate::solver::world::World;
 
 /// The summary of a run that has ended.

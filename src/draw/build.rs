@@ -5,7 +5,7 @@ use super::options::{Display, SkinStyle};
 use super::surroundings;
 use super::tube::tube;
 use super::{Bounds, Colour, Theme};
-use crate::scene::Scene;
+use crate::scene::{Fibre, Scene};
 use crate::solver::snapshot::{BodySnapshot, LayersSnapshot, Snapshot, SpringKind};
 use glam::{DVec3, Vec3};
 use std::sync::Arc;
@@ -44,9 +44,15 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
     // Fibres are numbered through all bodies, so that no two in sight share a hue.
     let mut hue = 0;
     for (index, body) in snapshot.bodies.iter().enumerate() {
-        let pen = Pen { index: index as u32, spacing: spacing(scene, index, body), display, theme };
-        pen.body(body, &mut list, &mut hue);
-        if let (true, Some(body)) = (display.strokes, scene.bodies.get(index)) {
+        let number = display.first_body + index;
+        let pen = Pen { index: index as u32, spacing: spacing(scene, number, body), display, theme };
+        let looks = Looks::of(scene, number);
+        if looks.hidden {
+            hue += body.fibres.len();
+            continue;
+        }
+        pen.body(body, &looks, &mut list, &mut hue);
+        if let (true, Some(body)) = (display.strokes, scene.bodies.get(number)) {
             surroundings::strokes(body, &mut list);
         }
     }
@@ -81,6 +87,29 @@ fn skin_mesh(list: &DrawList, body: &BodySnapshot, surface: Surface) -> Option<M
     Some(Mesh { faces, colour: list.theme.skin, surface, casts_shadow: true, pick: 0 })
 }
 
+/// How the document wants a body to be drawn.
+#[derive(Default)]
+struct Looks<'a> {
+    hidden: bool,
+    color: Option<[u8; 3]>,
+    fibres: &'a [Fibre],
+}
+
+impl<'a> Looks<'a> {
+    /// Looks of the body with this number in the snapshot: solids first, then two-layer bodies.
+    fn of(scene: &'a Scene, index: usize) -> Self {
+        if let Some(body) = scene.bodies.get(index) {
+            return Self { hidden: body.hidden, color: body.color, fibres: &body.fibres };
+        }
+        let layers = scene.two_layer.get(index.wrapping_sub(scene.bodies.len()));
+        layers.map_or_else(Self::default, |body| Self { hidden: body.hidden, color: body.color, fibres: &[] })
+    }
+
+    fn fibre(&self, id: &str) -> Option<&Fibre> {
+        self.fibres.iter().find(|fibre| fibre.id == id)
+    }
+}
+
 /// Draws one body.
 struct Pen<'a> {
     index: u32,
@@ -90,18 +119,22 @@ struct Pen<'a> {
 }
 
 impl Pen<'_> {
-    fn body(&self, body: &BodySnapshot, list: &mut DrawList, hue: &mut usize) {
+    fn body(&self, body: &BodySnapshot, looks: &Looks<'_>, list: &mut DrawList, hue: &mut usize) {
         let mut has_skin = false;
         let surface = if self.display.skin == SkinStyle::XRay { Surface::XRay } else { Surface::Solid };
         if let (true, Some(mut mesh)) = (self.display.skin != SkinStyle::Hidden, skin_mesh(list, body, surface)) {
             mesh.pick = self.number(PickKind::Skin, 1, list);
-            mesh.colour = self.tint().unwrap_or(mesh.colour);
+            mesh.colour = self.tint().or(looks.color.map(Colour::from_rgb)).unwrap_or(mesh.colour);
             list.meshes.push(mesh);
             has_skin = true;
         }
         for (index, fibre) in body.fibres.iter().enumerate() {
-            self.fibre(index as u32, &fibre.vertices, *hue, has_skin, list);
+            let own = looks.fibre(&fibre.id);
+            let colour = own.and_then(|own| own.color).map_or_else(|| self.theme.fibre(*hue), Colour::from_rgb);
             *hue += 1;
+            if !own.is_some_and(|own| own.hidden) {
+                self.fibre(index as u32, &fibre.vertices, colour, has_skin, list);
+            }
         }
         // A body without a skin shows what it is made of instead.
         let bare = !has_skin && self.display.skin != SkinStyle::Hidden;
@@ -138,7 +171,7 @@ impl Pen<'_> {
         }
     }
 
-    fn fibre(&self, index: u32, vertices: &[DVec3], hue: usize, has_skin: bool, list: &mut DrawList) {
+    fn fibre(&self, index: u32, vertices: &[DVec3], colour: Colour, has_skin: bool, list: &mut DrawList) {
         let points: Vec<Vec3> = vertices.iter().filter(|v| v.is_finite()).map(|&v| list.local(v)).collect();
         let selected = self.display.selected.contains(&[self.index, index]);
         // Inside an opaque skin there is nothing to see of them but ends that stick out.
@@ -148,7 +181,6 @@ impl Pen<'_> {
             let (vertices, indices) = tube(&points, radius as f32);
             if !indices.is_empty() {
                 let pick = list.register(PickId { body: self.index, kind: PickKind::Fibre, index }, 1);
-                let colour = self.theme.fibre(hue);
                 let casts_shadow = !has_skin;
                 let faces = Faces::Free(vertices, indices);
                 list.meshes.push(Mesh { faces, colour, surface: Surface::Solid, casts_shadow, pick });

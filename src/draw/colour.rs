@@ -26,6 +26,12 @@ impl Colour {
         }
     }
 
+    /// An opaque colour from red, green and blue, 0 to 255.
+    pub fn from_rgb([red, green, blue]: [u8; 3]) -> Self {
+        let [red, green, blue] = [red, green, blue].map(|channel| f32::from(channel) / 255.0);
+        Self { red, green, blue, alpha: 1.0 }
+    }
+
     /// The same colour with another opacity.
     #[must_use]
     pub const fn with_alpha(self, alpha: f32) -> Self {

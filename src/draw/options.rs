@@ -28,6 +28,8 @@ pub struct Display {
     pub tints: Vec<Colour>,
     /// Fibres that are selected: (body, fibre), in the order of the snapshot.
     pub selected: Vec<[u32; 2]>,
+    /// Which of the scene's bodies is the snapshot's first: another than 0 where one body is shown alone.
+    pub first_body: usize,
 }
 
 /// How skins are shown.
@@ -56,6 +58,7 @@ impl Default for Display {
             room: true,
             tints: Vec::new(),
             selected: Vec::new(),
+            first_body: 0,
         }
     }
 }

@@ -34,13 +34,15 @@ pub struct Editor {
     saved: Arc<Scene>,
     undo: Vec<Step>,
     redo: Vec<Step>,
+    /// What could be done again before the gesture that made the last change, in case that is given up.
+    lost: Vec<Step>,
 }
 
 impl Editor {
     /// Opens a document.
     pub fn new(scene: Scene) -> Self {
         let scene = Arc::new(scene);
-        Self { saved: Arc::clone(&scene), scene, undo: Vec::new(), redo: Vec::new() }
+        Self { saved: Arc::clone(&scene), scene, undo: Vec::new(), redo: Vec::new(), lost: Vec::new() }
     }
 
     /// The document.
@@ -68,16 +70,26 @@ impl Editor {
             return Ok(());
         }
         let before = std::mem::replace(&mut self.scene, Arc::new(scene));
-        self.redo.clear();
+        let lost = std::mem::take(&mut self.redo);
         let name = command.name();
         if self.undo.last().is_some_and(|step| gesture.is_some() && step.gesture == gesture && step.name == name) {
             return Ok(());
         }
+        self.lost = lost;
         self.undo.push(Step { name, scene: before, gesture });
         if self.undo.len() > DEPTH {
             self.undo.remove(0);
         }
         Ok(())
+    }
+
+    /// Gives up a gesture that is still the last thing that happened: the document is what it was before it, and what could
+    /// be done again then still can. False if it changed nothing.
+    pub fn abandon(&mut self, gesture: u64) -> bool {
+        let Some(step) = self.undo.pop_if(|step| step.gesture == Some(gesture)) else { return false };
+        self.scene = step.scene;
+        self.redo = std::mem::take(&mut self.lost);
+        true
     }
 
     /// What undo would take back.

@@ -1,6 +1,7 @@
 //! Bodies: shape, material, regions, start.
 
 use super::{Axis, Dab, Extra, Fibre, Pin, Side, is_false};
+use glam::{DQuat, DVec3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -121,6 +122,14 @@ pub struct Rotation {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl Rotation {
+    /// As a quaternion.
+    pub fn quaternion(&self) -> DQuat {
+        let axis = DVec3::from_array(self.axis).normalize_or(DVec3::Y);
+        DQuat::from_axis_angle(axis, self.degrees.to_radians())
+    }
 }
 
 impl Default for Rotation {

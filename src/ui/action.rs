@@ -19,8 +19,46 @@ pub enum Action {
     Undo,
     /// Make it again.
     Redo,
-    /// Delete the selected fibre.
+    /// Delete the selected fibres or vertices.
     Delete,
+    /// Copy the selected fibres.
+    Duplicate,
+    /// Select every fibre or vertex.
+    SelectAll,
+    /// Select by a box.
+    BoxSelect,
+    /// Edit vertices, or whole fibres again.
+    Vertices,
+    /// Move the selection.
+    Move,
+    /// Turn the selection.
+    Turn,
+    /// Mirror the selection along X.
+    MirrorX,
+    /// Mirror it along Y.
+    MirrorY,
+    /// Mirror it along Z.
+    MirrorZ,
+    /// Run fibres the other way.
+    Reverse,
+    /// Smooth fibres.
+    Smooth,
+    /// Space the vertices of fibres evenly.
+    Resample,
+    /// Lay fibres under the surface.
+    SnapToSurface,
+    /// Part fibres from their strokes.
+    Detach,
+    /// Insert vertices.
+    InsertVertex,
+    /// Cut a fibre in two.
+    Split,
+    /// Draw one stroke again.
+    Redraw,
+    /// Hide fibres.
+    Hide,
+    /// Show what is hidden.
+    ShowAll,
     /// Run or hold the simulation.
     PlayPause,
     /// Advance one frame.
@@ -58,6 +96,8 @@ pub enum Menu {
     File,
     /// The document.
     Edit,
+    /// Fibres.
+    Fibre,
     /// The running simulation.
     Simulation,
     /// What is seen.
@@ -68,13 +108,14 @@ pub enum Menu {
 
 impl Menu {
     /// All menus in their order.
-    pub const ALL: [Self; 5] = [Self::File, Self::Edit, Self::Simulation, Self::View, Self::Help];
+    pub const ALL: [Self; 6] = [Self::File, Self::Edit, Self::Fibre, Self::Simulation, Self::View, Self::Help];
 
     /// Title.
     pub fn title(self) -> &'static str {
         match self {
             Self::File => "File",
             Self::Edit => "Edit",
+            Self::Fibre => "Fibre",
             Self::Simulation => "Simulation",
             Self::View => "View",
             Self::Help => "Help",
@@ -84,7 +125,7 @@ impl Menu {
 
 impl Action {
     /// All actions in the order of the menus.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 41] = [
         Self::New,
         Self::Open,
         Self::Save,
@@ -93,6 +134,25 @@ impl Action {
         Self::Undo,
         Self::Redo,
         Self::Delete,
+        Self::Duplicate,
+        Self::SelectAll,
+        Self::BoxSelect,
+        Self::Vertices,
+        Self::Move,
+        Self::Turn,
+        Self::MirrorX,
+        Self::MirrorY,
+        Self::MirrorZ,
+        Self::Reverse,
+        Self::Smooth,
+        Self::Resample,
+        Self::SnapToSurface,
+        Self::Detach,
+        Self::InsertVertex,
+        Self::Split,
+        Self::Redraw,
+        Self::Hide,
+        Self::ShowAll,
         Self::PlayPause,
         Self::Step,
         Self::Reset,
@@ -119,7 +179,26 @@ impl Action {
             Self::Quit => "Quit",
             Self::Undo => "Undo",
             Self::Redo => "Redo",
-            Self::Delete => "Delete fibre",
+            Self::Delete => "Delete",
+            Self::Duplicate => "Duplicate",
+            Self::SelectAll => "Select all",
+            Self::BoxSelect => "Select by a box",
+            Self::Vertices => "Edit vertices",
+            Self::Move => "Move",
+            Self::Turn => "Rotate",
+            Self::MirrorX => "Mirror along X",
+            Self::MirrorY => "Mirror along Y",
+            Self::MirrorZ => "Mirror along Z",
+            Self::Reverse => "Reverse",
+            Self::Smooth => "Smooth",
+            Self::Resample => "Resample",
+            Self::SnapToSurface => "Snap to surface",
+            Self::Detach => "Detach from strokes",
+            Self::InsertVertex => "Insert vertices",
+            Self::Split => "Split at vertex",
+            Self::Redraw => "Redraw one stroke",
+            Self::Hide => "Hide",
+            Self::ShowAll => "Show all",
             Self::PlayPause => "Play or pause",
             Self::Step => "Advance one frame",
             Self::Reset => "Back to the start",
@@ -147,7 +226,28 @@ impl Action {
             Self::Quit => "Closes the window",
             Self::Undo => "Takes the last change of the scene back",
             Self::Redo => "Makes the change that was taken back again",
-            Self::Delete => "Deletes the selected fibre",
+            Self::Delete => "Deletes the selected fibres or vertices",
+            Self::Duplicate => "Copies the selected fibres and moves the copies with the pointer",
+            Self::SelectAll => "Selects every fibre of the body, or every vertex of the fibre",
+            Self::BoxSelect => "Selects what a box is dragged around; Shift adds",
+            Self::Vertices => "Edits the vertices of the selected fibre, or whole fibres again",
+            Self::Move => "Moves the selection with the pointer; X, Y and Z lock an axis, numbers are taken in mm",
+            Self::Turn => {
+                "Turns the selection about its middle; X, Y and Z choose an axis, numbers are taken in degrees"
+            }
+            Self::MirrorX => "Mirrors the selected fibres left to right in the middle of the body",
+            Self::MirrorY => "Mirrors the selected fibres top to bottom in the middle of the body",
+            Self::MirrorZ => "Mirrors the selected fibres front to back in the middle of the body",
+            Self::Reverse => "Runs the selected fibres from their other end",
+            Self::Smooth => "Smooths the selected fibres; their ends stay",
+            Self::Resample => "Spaces the vertices of the selected fibres evenly, as far apart as the particles",
+            Self::SnapToSurface => "Lays the selected fibres or vertices half a particle spacing under the surface",
+            Self::Detach => "Keeps the selected fibres as vertices and forgets the strokes that they were drawn by",
+            Self::InsertVertex => "Puts a vertex between selected ones that stand beside each other",
+            Self::Split => "Cuts the fibre in two at the selected vertex",
+            Self::Redraw => "Takes the next stroke in place of the one that the selected fibre has in that view",
+            Self::Hide => "Hides the selected fibres; they act all the same",
+            Self::ShowAll => "Shows every hidden fibre of the body",
             Self::PlayPause => "Runs or holds the simulation",
             Self::Step => "Advances the simulation by one frame and holds it",
             Self::Reset => "Puts the simulation back to the start of the scene",
@@ -171,7 +271,28 @@ impl Action {
     pub fn menu(self) -> Menu {
         match self {
             Self::New | Self::Open | Self::Save | Self::SaveAs | Self::Quit => Menu::File,
-            Self::Undo | Self::Redo | Self::Delete => Menu::Edit,
+            Self::Undo
+            | Self::Redo
+            | Self::Delete
+            | Self::Duplicate
+            | Self::SelectAll
+            | Self::BoxSelect
+            | Self::Hide
+            | Self::ShowAll => Menu::Edit,
+            Self::Vertices
+            | Self::Move
+            | Self::Turn
+            | Self::MirrorX
+            | Self::MirrorY
+            | Self::MirrorZ
+            | Self::Reverse
+            | Self::Smooth
+            | Self::Resample
+            | Self::SnapToSurface
+            | Self::Detach
+            | Self::InsertVertex
+            | Self::Split
+            | Self::Redraw => Menu::Fibre,
             Self::PlayPause | Self::Step | Self::Reset | Self::ReleasePins => Menu::Simulation,
             Self::Frame
             | Self::FrameAll
@@ -185,6 +306,11 @@ impl Action {
         }
     }
 
+    /// Whether it is about the selected fibres.
+    pub fn edits_fibres(self) -> bool {
+        self.menu() == Menu::Fibre || (self.menu() == Menu::Edit && !matches!(self, Self::Undo | Self::Redo))
+    }
+
     /// Keys; the first is shown.
     pub fn shortcuts(self) -> &'static [KeyboardShortcut] {
         const fn plain(key: Key) -> KeyboardShortcut {
@@ -192,6 +318,9 @@ impl Action {
         }
         const fn alt(key: Key) -> KeyboardShortcut {
             KeyboardShortcut::new(Modifiers::ALT, key)
+        }
+        const fn shift(key: Key) -> KeyboardShortcut {
+            KeyboardShortcut::new(Modifiers::SHIFT, key)
         }
         const fn ctrl(key: Key) -> KeyboardShortcut {
             KeyboardShortcut::new(Modifiers::COMMAND, key)
@@ -208,6 +337,25 @@ impl Action {
             Self::Undo => const { &[ctrl(Key::Z)] },
             Self::Redo => const { &[ctrl_shift(Key::Z), ctrl(Key::Y)] },
             Self::Delete => const { &[plain(Key::Delete), plain(Key::X)] },
+            Self::Duplicate => const { &[shift(Key::D)] },
+            Self::SelectAll => const { &[plain(Key::A)] },
+            Self::BoxSelect => const { &[plain(Key::B)] },
+            Self::Vertices => const { &[plain(Key::Tab)] },
+            Self::Move => const { &[plain(Key::G)] },
+            Self::Turn => const { &[plain(Key::R)] },
+            Self::InsertVertex => const { &[plain(Key::I)] },
+            Self::Split => const { &[plain(Key::K)] },
+            Self::Redraw => const { &[plain(Key::D)] },
+            Self::Hide => const { &[plain(Key::H)] },
+            Self::ShowAll => const { &[alt(Key::H)] },
+            Self::MirrorX
+            | Self::MirrorY
+            | Self::MirrorZ
+            | Self::Reverse
+            | Self::Smooth
+            | Self::Resample
+            | Self::SnapToSurface
+            | Self::Detach => &[],
             Self::PlayPause => const { &[plain(Key::Space)] },
             Self::Step => const { &[plain(Key::Period)] },
             Self::Reset => const { &[ctrl(Key::R)] },
@@ -227,7 +375,11 @@ impl Action {
 }
 
 /// Gestures of the pointer and single keys that are no actions, for the help.
-pub const GESTURES: [(&str, &str); 11] = [
+pub const GESTURES: [(&str, &str); 15] = [
+    ("Click on a fibre, Shift + click", "selects it, selects it too"),
+    ("Drag an arrow, the square, the ring", "moves along an axis, moves freely, turns"),
+    ("X, Y, Z, numbers, Shift, Ctrl while moving", "lock an axis, mm or degrees, finely, in steps"),
+    ("Drag a vertex", "moves it, while vertices are edited"),
     ("Left drag in a drawing view", "draws a stroke"),
     ("Escape", "takes the last stroke back"),
     ("Left drag on a body in the result view", "pulls it"),

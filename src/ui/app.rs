@@ -1,9 +1,9 @@
 //! The window's state and what becomes of every action.
 
-use super::action::Action;
 use super::comparison::Comparison;
 use super::dialogs::Dialog;
 use super::document::{Document, moved};
+use super::editing::Editing;
 use super::pane::Pane;
 use super::picture::Painter;
 use super::sketch_tool::SketchTool;
@@ -75,8 +75,7 @@ pub struct App {
     pub(super) model: Arc<Snapshot>,
     /// Body that is drawn into and whose properties are shown, in the order of the snapshot.
     pub(super) active: usize,
-    /// Identifier of the fibre that is selected in the active body.
-    pub(super) selected: Option<String>,
+    pub(super) editing: Editing,
     /// Fibre that was drawn last: how its strokes were taken can still be chosen beside the message.
     pub(super) drawn_last: Option<String>,
     pub(super) tab: PropertyTab,
@@ -131,7 +130,7 @@ impl App {
             tone,
             model: Arc::default(),
             active: 0,
-            selected: None,
+            editing: Editing::default(),
             drawn_last: None,
             tab: PropertyTab::default(),
             comparison: Comparison::default(),
@@ -203,7 +202,7 @@ impl App {
         if self.active != index {
             self.active = index;
             self.take_model();
-            self.selected = None;
+            self.editing = Editing::default();
             self.tool = SketchTool::default();
             self.reframe(false);
         }
@@ -226,7 +225,14 @@ impl App {
 
     /// Changes the document; changes of one gesture are one step.
     pub(super) fn apply(&mut self, command: &Command) {
-        match self.editor.apply_in(command, Some(self.gesture)) {
+        self.apply_in(command, self.gesture);
+    }
+
+    /// Changes the document as part of a gesture.
+    pub(super) fn apply_in(&mut self, command: &Command, gesture: u64) {
+        let before = Arc::clone(self.editor.scene());
+        match self.editor.apply_in(command, Some(gesture)) {
+            Ok(()) if Arc::ptr_eq(&before, self.editor.scene()) => {}
             Ok(()) => self.hand_over(),
             Err(error) => self.say(Gravity::Error, error.to_string()),
         }
@@ -234,6 +240,7 @@ impl App {
 
     /// Gives the present document to the simulation, which goes on from its present motion.
     pub(super) fn hand_over(&mut self) {
+        self.keep_selection_true();
         if self.worker.send(SimCommand::Edit(Arc::clone(self.editor.scene()))) {
             self.sent_edits += 1;
         }
@@ -247,7 +254,7 @@ impl App {
                 self.path = path;
                 self.folder = folder;
                 self.assets = assets;
-                self.selected = None;
+                self.editing = Editing::default();
                 self.tool = SketchTool::default();
                 self.pull = None;
                 if self.worker.send(SimCommand::Open(Arc::clone(self.editor.scene()), Arc::clone(&self.assets))) {
@@ -309,29 +316,14 @@ impl App {
         if let Some(path) = dropped {
             self.open(&path);
         }
+        if self.editing_keys(ctx) {
+            return;
+        }
         if ctx.input(|input| input.key_pressed(egui::Key::Escape)) && self.dialog.take().is_none() {
             self.tool.cancel();
+            self.editing.redraws = false;
         }
-        // While something is typed, plain keys belong to the text.
-        let typing = ctx.egui_wants_keyboard_input();
-        let mut asked = Vec::new();
-        ctx.input_mut(|input| {
-            // Longest shortcuts first: Ctrl+Shift+Z must not be taken for Ctrl+Z.
-            for shifted in [true, false] {
-                for action in Action::ALL {
-                    for shortcut in action.shortcuts().iter().filter(|s| s.modifiers.shift == shifted) {
-                        if !(typing && shortcut.modifiers.is_none()) && input.consume_shortcut(shortcut) {
-                            asked.push(action);
-                        }
-                    }
-                }
-            }
-        });
-        for action in asked {
-            if self.can(action) {
-                self.perform(ctx, action);
-            }
-        }
+        self.perform_keys(ctx);
     }
 
     /// One frame of the window.
@@ -348,6 +340,7 @@ impl App {
         self.plots(ui);
         self.views(ui);
         self.dialogs(&ctx);
+        self.editing.keep_keys(&ctx);
         self.show_title(&ctx);
     }
 

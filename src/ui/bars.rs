@@ -144,7 +144,8 @@ impl App {
                     ui.colored_label(color, format!("{mark}{text}"));
                     ui.separator();
                 }
-                ui.label(RichText::new(self.hint).weak());
+                let hint = self.editing.hint().unwrap_or_else(|| self.hint.to_owned());
+                ui.label(RichText::new(hint).weak());
             });
             ui.add_space(0.5 * GRID);
         });
@@ -181,7 +182,7 @@ impl App {
                 self.sketched(outcome);
             }
         }
-        if self.drawn_last.is_some() && self.drawn_last == self.selected {
+        if self.drawn_last.is_some() && self.drawn_last.as_ref() == self.editing.selection.active() {
             self.stroke_choices(ui);
         }
     }

@@ -131,10 +131,10 @@ impl View3d<'_> {
     }
 
     fn selected_bounds(&self, shown: &Snapshot) -> Option<Bounds> {
-        let id = self.app.selected.as_ref()?;
-        let mut fibres = shown.bodies.iter().flat_map(|body| &body.fibres);
-        let fibre = fibres.find(|fibre| fibre.id == *id)?;
-        let bounds = Bounds::of(fibre.vertices.iter().copied())?;
+        let selection = &self.app.editing.selection;
+        let fibres = shown.bodies.iter().flat_map(|body| &body.fibres);
+        let chosen = fibres.filter(|fibre| selection.contains(&fibre.id));
+        let bounds = Bounds::of(chosen.flat_map(|fibre| fibre.vertices.iter().copied()))?;
         // Room to see what it lies in.
         let room = DVec3::splat(0.25 * bounds.radius());
         Some(Bounds { min: bounds.min - room, max: bounds.max + room })

@@ -1,15 +1,17 @@
 //! From released strokes to a fibre in the document, and what can be chosen about it after.
 
 use super::app::{App, Gravity};
-use super::sketch_tool::{Outcome, SHORTEST_STROKE};
-use crate::edit::Command;
-use crate::scene::{Body, Extra, Fibre, FibreSource, Mismatch, RestShape, Rigidity, Stiffness, StrokePair};
+use super::sketch_tool::{Outcome, SHORTEST_STROKE, SketchTool};
+use crate::edit::{Command, fibre_ops};
+use crate::scene::{Body, Extra, Fibre, FibreSource, Material, Mismatch, RestShape, Rigidity, Stiffness, StrokePair};
 use crate::sketch::{Lifted, View};
 use egui::Ui;
 use std::f64::consts::PI;
 
 /// A new fibre is this many times as stiff as the material that it displaces, so that its effect is plain.
 const STIFFER: f64 = 10.0;
+/// Its bending stiffness over its axial rigidity, in particle spacings squared.
+const BENDING: f64 = 0.02;
 
 impl App {
     /// What a released stroke leads to.
@@ -19,6 +21,7 @@ impl App {
                 Gravity::Warning,
                 format!("That stroke was only {length:.0} pixels long; draw at least {SHORTEST_STROKE:.0}"),
             ),
+            Outcome::First if self.editing.redraws => self.redraw(),
             Outcome::First => self.say(Gravity::Note, "Now draw the same fibre as the other view sees it"),
             Outcome::Refused(error) => self.say(Gravity::Error, error.to_string()),
             Outcome::Pair { strokes, lifted } => {
@@ -29,6 +32,17 @@ impl App {
                 }
             }
         }
+    }
+
+    /// The stroke that was just drawn takes the place of the selected fibre's in that view.
+    fn redraw(&mut self) {
+        let Some(stroke) = self.tool.first().cloned() else { return };
+        self.tool = SketchTool::default();
+        let Some((_, fibre)) = self.selected_fibre() else { return };
+        let points = stroke.points.iter().map(glam::DVec2::to_array).collect();
+        let edited = fibre_ops::redraw(fibre, stroke.view, points, self.sampling());
+        self.editing.redraws = edited.is_err();
+        self.set_fibres("Redraw", edited.map(|edited| vec![edited]), None);
     }
 
     fn add_fibre(&mut self, strokes: StrokePair) {
@@ -51,18 +65,19 @@ impl App {
             extra: Extra::new(),
         };
         let body = body.id.clone();
-        self.selected = Some(fibre.id.clone());
-        self.drawn_last = self.selected.clone();
+        self.drawn_last = Some(fibre.id.clone());
+        let id = fibre.id.clone();
         self.coach = false;
         self.say(Gravity::Note, format!("{} is in the solid", fibre.name));
         self.gesture += 1;
         self.apply(&Command::AddFibre { body, fibre });
+        self.editing.selection.only(id);
     }
 
     /// The selected fibre and the body that it lies in.
     pub(super) fn selected_fibre(&self) -> Option<(&Body, &Fibre)> {
         let body = self.active_body()?;
-        let id = self.selected.as_ref()?;
+        let id = self.editing.selection.active()?;
         Some((body, body.fibres.iter().find(|fibre| fibre.id == *id)?))
     }
 
@@ -108,10 +123,18 @@ impl App {
 }
 
 fn usual_rigidity(body: &Body) -> Rigidity {
-    let material = &body.material;
-    let displaced = material.young_modulus * 0.2 * PI * material.support_radius.powi(2);
-    let ea = round_to_two_figures(STIFFER * displaced);
-    let ei = round_to_two_figures(0.02 * ea * material.spacing().powi(2));
+    rigidity_of(&body.material, STIFFER)
+}
+
+/// Axial rigidity [N] of the material that a fibre displaces.
+pub(super) fn displaced(material: &Material) -> f64 {
+    material.young_modulus * 0.2 * PI * material.support_radius.powi(2)
+}
+
+/// A fibre so many times as stiff as the material that it displaces.
+pub(super) fn rigidity_of(material: &Material, times: f64) -> Rigidity {
+    let ea = round_to_two_figures(times * displaced(material));
+    let ei = round_to_two_figures(BENDING * ea * material.spacing().powi(2));
     Rigidity { ea, ei, extra: Extra::new() }
 }
 

@@ -1,27 +1,11 @@
-//! The left panel: bodies and fibres by name, and what the chosen fibre is like.
+//! The left panel: bodies and fibres by name, colour and visibility.
 
-use super::action::Action;
 use super::app::App;
-use super::field::Field;
 use super::theme::{self, GRID, SIDE_WIDTH};
-use crate::edit::Command;
-use crate::scene::{Fibre, FibreSource, PaperStiffness, RestShape, Rigidity, Stiffness};
+use crate::edit::{Command, Item};
+use crate::scene::Fibre;
 use crate::solver::snapshot::SpringKind;
-use egui::{Panel, ScrollArea, Ui};
-
-const EA: Field =
-    Field::new("EA", "N", 0.0..=1e9, None, "Axial rigidity: resistance to stretching, l_f EA / 2 l0 per edge");
-const EI: Field =
-    Field::new("EI", "N m²", 0.0..=1e6, None, "Bending stiffness, l_f EI / L0 per vertex (eq. 7 with EI = Kb / 2)");
-const KB: Field = Field::new("Kb", "", 0.0..=1e12, None, "Table 1's bending stiffness: EI = Kb V / 2");
-const KS: Field = Field::new("Ks", "", 0.0..=1e9, None, "Table 1's stretching stiffness: EA = 2 Ks");
-const VOLUME_FRACTION: Field = Field::new(
-    "Volume fraction",
-    "",
-    0.0..=1.0,
-    Some(0.5),
-    "l_f: share of the material that is fibre at its centre line (eq. 18)",
-);
+use egui::{Color32, Id, Panel, Pos2, Rect, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo};
 
 impl App {
     pub(super) fn left_panel(&mut self, ui: &mut Ui) {
@@ -37,29 +21,60 @@ impl App {
         });
     }
 
-    /// The bodies of the scene, where there is a choice.
     fn bodies(&mut self, ui: &mut Ui) {
-        let names: Vec<String> = self
-            .scene()
-            .bodies
-            .iter()
-            .map(|body| (&body.name, &body.id))
-            .chain(self.scene().two_layer.iter().map(|body| (&body.name, &body.id)))
-            .map(|(name, id)| if name.is_empty() { id.clone() } else { name.clone() })
+        let scene = self.scene();
+        let solids = scene.bodies.iter().map(|body| (&body.id, &body.name, body.hidden));
+        let bodies: Vec<(String, String, bool)> = solids
+            .chain(scene.two_layer.iter().map(|body| (&body.id, &body.name, body.hidden)))
+            .map(|(id, name, hidden)| (id.clone(), if name.is_empty() { id } else { name }.clone(), hidden))
             .collect();
-        if names.is_empty() {
+        if bodies.is_empty() {
             ui.label("The scene has no body. Open a scene or a model, or start from the soft bar (Ctrl+N).");
-        }
-        if names.len() < 2 {
             return;
         }
         ui.heading("Bodies");
-        for (index, name) in names.iter().enumerate() {
-            if ui.selectable_label(index == self.active, name).on_hover_text("Draw into this body").clicked() {
-                self.activate(index);
-            }
+        for (index, (id, name, hidden)) in bodies.into_iter().enumerate() {
+            ui.horizontal(|ui| {
+                let item = Item::Body(id);
+                if self.row(ui, &item, &name, hidden, index == self.active) {
+                    self.activate(index);
+                }
+            });
         }
         ui.add_space(2.0 * GRID);
+    }
+
+    /// Name and visibility of something; whether its name was clicked. A second click renames it.
+    fn row(&mut self, ui: &mut Ui, item: &Item, name: &str, hidden: bool, chosen: bool) -> bool {
+        let (spot, eye) = ui.allocate_exact_size(egui::vec2(16.0, 16.0), Sense::click());
+        let eye = eye.on_hover_text(if hidden { "Show" } else { "Hide; it acts all the same" });
+        eye.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, !hidden, format!("Show {name}")));
+        paint_eye(ui, spot, hidden, eye.hovered());
+        if eye.clicked() {
+            self.gesture += 1;
+            self.apply(&Command::SetHidden { items: vec![item.clone()], hidden: !hidden });
+        }
+        let id = Id::unique(("rename", item));
+        if let Some(mut text) = ui.data(|data| data.get_temp::<String>(id)) {
+            let edit = ui.add(TextEdit::singleline(&mut text).desired_width(f32::INFINITY));
+            edit.request_focus();
+            let escaped = ui.input(|input| input.key_pressed(egui::Key::Escape));
+            if edit.lost_focus() || ui.input(|input| input.key_pressed(egui::Key::Enter)) || escaped {
+                ui.data_mut(|data| data.remove::<String>(id));
+                if !escaped && text != name {
+                    self.gesture += 1;
+                    self.apply(&Command::SetName { item: item.clone(), name: text });
+                }
+            } else {
+                ui.data_mut(|data| data.insert_temp(id, text));
+            }
+            return false;
+        }
+        let label = ui.selectable_label(chosen, name).on_hover_text("Double-click renames it");
+        if label.double_clicked() {
+            ui.data_mut(|data| data.insert_temp(id, name.to_owned()));
+        }
+        label.clicked()
     }
 
     /// What a two-layer body is made of.
@@ -89,55 +104,60 @@ impl App {
             ui.label("None yet: draw one stroke in each of the two drawing views.");
         }
         for (k, fibre) in fibres.iter().enumerate() {
-            let hue = theme::color(self.tone.pictures().fibre(k));
+            let item = Item::Fibre { body: id.clone(), fibre: fibre.id.clone() };
             ui.horizontal(|ui| {
-                let (spot, _) = ui.allocate_exact_size(egui::vec2(10.0, 10.0), egui::Sense::hover());
-                ui.painter().circle_filled(spot.center(), 5.0, hue);
-                let chosen = self.selected.as_ref() == Some(&fibre.id);
-                if ui.selectable_label(chosen, title(fibre)).clicked() {
-                    self.selected = (!chosen).then(|| fibre.id.clone());
+                self.colour(ui, &item, fibre, k);
+                let chosen = self.editing.selection.contains(&fibre.id);
+                if self.row(ui, &item, title(fibre), fibre.hidden, chosen) {
+                    let adding = ui.input(|input| input.modifiers.shift || input.modifiers.command);
+                    if chosen && !adding && self.editing.selection.fibres().len() == 1 {
+                        self.editing.selection.clear();
+                    } else {
+                        self.editing.selection.click(Some(&fibre.id), adding);
+                    }
                 }
             });
         }
         ui.add_space(2.0 * GRID);
-        if let Some(fibre) = fibres.into_iter().find(|fibre| self.selected.as_ref() == Some(&fibre.id)) {
+        if self.editing.selection.active().is_some() {
             ui.separator();
-            self.inspector(ui, id, &fibre);
+            self.inspector(ui, &id);
         }
     }
 
-    fn inspector(&mut self, ui: &mut Ui, body: String, fibre: &Fibre) {
-        ui.heading(title(fibre));
-        let mut edited = fibre.clone();
-        match &mut edited.stiffness {
-            Stiffness::Rigidity(Rigidity { ea, ei, .. }) => {
-                EA.show(ui, ea);
-                EI.show(ui, ei);
+    /// The colour of a fibre, which can be changed.
+    fn colour(&mut self, ui: &mut Ui, item: &Item, fibre: &Fibre, k: usize) {
+        let hue = theme::color(self.tone.pictures().fibre(k));
+        let now = fibre.color.map_or(hue, |[r, g, b]| Color32::from_rgb(r, g, b));
+        let mut color = [now.r(), now.g(), now.b()];
+        ui.scope(|ui| {
+            ui.spacing_mut().interact_size = egui::vec2(14.0, 14.0);
+            if ui.color_edit_button_srgb(&mut color).on_hover_text("Colour").changed() {
+                self.apply(&Command::SetColor { items: vec![item.clone()], color: Some(color) });
             }
-            Stiffness::Paper(PaperStiffness { kb, ks, .. }) => {
-                KB.show(ui, kb);
-                KS.show(ui, ks);
-            }
-        }
-        VOLUME_FRACTION.show(ui, &mut edited.volume_fraction);
-        ui.horizontal(|ui| {
-            ui.label("Rest shape");
-            ui.selectable_value(&mut edited.rest_shape, RestShape::AsDrawn, "As drawn")
-                .on_hover_text("Nothing moves by itself");
-            ui.selectable_value(&mut edited.rest_shape, RestShape::Straight, "Straight")
-                .on_hover_text("A fibre drawn curved pulls the solid straight");
         });
-        if edited != *fibre {
-            self.apply(&Command::SetFibre { body, fibre: edited });
-        }
-        ui.add_space(GRID);
-        if matches!(fibre.source, FibreSource::Strokes(_)) && self.drawn_last != self.selected {
-            self.stroke_choices(ui);
-        }
-        self.control(ui, Action::Delete, "Delete fibre");
     }
 }
 
-fn title(fibre: &Fibre) -> &str {
+/// An eye, open or shut.
+fn paint_eye(ui: &Ui, spot: Rect, hidden: bool, hovered: bool) {
+    let color = if hovered { ui.visuals().strong_text_color() } else { ui.visuals().weak_text_color() };
+    let stroke = Stroke::new(1.2, color);
+    let (middle, half) = (spot.center(), egui::vec2(6.0, 4.0));
+    let lid = |side: f32| -> Vec<Pos2> {
+        (0..=12)
+            .map(|k| k as f32 / 6.0 - 1.0)
+            .map(|x| middle + egui::vec2(half.x * x, side * half.y * (1.0 - x * x)))
+            .collect()
+    };
+    ui.painter().add(Shape::line(lid(1.0), stroke));
+    if !hidden {
+        ui.painter().add(Shape::line(lid(-1.0), stroke));
+        ui.painter().circle_filled(middle, 1.8, color);
+    }
+}
+
+/// What a fibre is called.
+pub(super) fn title(fibre: &Fibre) -> &str {
     if fibre.name.is_empty() { &fibre.id } else { &fibre.name }
 }

@@ -126,7 +126,9 @@ impl View3d<'_> {
         self.settle_camera(ui, rect);
         self.move_camera(ui, &response);
         let frame = Frame { rect, camera: self.pane.camera };
+        self.edit(ui, &response, frame);
         match self.pane.kind {
+            _ if self.app.editing.has_pointer() => {}
             PaneKind::Drawing(view) => self.draw_strokes(ui, &response, view, frame),
             PaneKind::Result => self.pull(ui, &response, frame),
         }
@@ -135,6 +137,7 @@ impl View3d<'_> {
             PaneKind::Drawing(view) => self.paint_strokes(ui, view, frame),
             PaneKind::Result => self.paint_result(ui, frame),
         }
+        self.paint_editing(ui, frame);
         self.paint_title(ui, rect);
         self.corner(ui, rect);
     }
@@ -196,7 +199,8 @@ impl View3d<'_> {
         let selected = self.selected(&shown);
         let display = match self.pane.kind {
             PaneKind::Drawing(_) => {
-                Display { skin: SkinStyle::XRay, grid: true, room: false, selected, ..Display::default() }
+                let first_body = self.app.active;
+                Display { skin: SkinStyle::XRay, room: false, selected, first_body, ..Display::default() }
             }
             PaneKind::Result => Display { selected, tints: self.app.tints(), ..self.app.display.clone() },
         };
@@ -218,12 +222,12 @@ impl View3d<'_> {
 
     /// Selected fibre as the picture counts it.
     fn selected(&self, shown: &Shown) -> Vec<[u32; 2]> {
-        let Some(id) = &self.app.selected else { return Vec::new() };
+        let selection = &self.app.editing.selection;
         let body = match shown {
             Shown::Model(_) => 0,
             Shown::Running(_) => self.app.active,
         };
         let fibres = shown.bodies.get(body).into_iter().flat_map(|body| body.fibres.iter().enumerate());
-        fibres.filter(|(_, fibre)| fibre.id == *id).map(|(k, _)| [body as u32, k as u32]).collect()
+        fibres.filter(|(_, fibre)| selection.contains(&fibre.id)).map(|(k, _)| [body as u32, k as u32]).collect()
     }
 }

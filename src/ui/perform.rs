@@ -3,8 +3,8 @@
 use super::action::Action;
 use super::app::App;
 use super::dialogs::{Dialog, PathPurpose};
-use crate::edit::Command;
 use crate::sim::SimCommand;
+use egui::{KeyboardShortcut, Modifiers};
 
 impl App {
     /// Whether an action can be asked for just now.
@@ -12,7 +12,7 @@ impl App {
         match action {
             Action::Undo => self.editor.undo_name().is_some(),
             Action::Redo => self.editor.redo_name().is_some(),
-            Action::Delete => self.selected.is_some(),
+            action if action.edits_fibres() => self.can_edit(action),
             _ => true,
         }
     }
@@ -25,7 +25,37 @@ impl App {
             Action::Springs => Some(self.display.springs),
             Action::Strokes => Some(self.display.strokes),
             Action::Grid => Some(self.display.grid),
+            Action::Vertices => Some(self.editing.selection.vertices().is_some()),
+            Action::Redraw => Some(self.editing.redraws),
             _ => None,
+        }
+    }
+
+    /// Does what was asked for by keys.
+    pub(super) fn perform_keys(&mut self, ctx: &egui::Context) {
+        // While something is typed, plain keys belong to the text.
+        let typing = ctx.egui_wants_keyboard_input();
+        let mut keys: Vec<(Action, KeyboardShortcut)> = Action::ALL
+            .into_iter()
+            .flat_map(|action| action.shortcuts().iter().map(move |shortcut| (action, *shortcut)))
+            .filter(|(_, shortcut)| !(typing && shortcut.modifiers.is_none()))
+            .collect();
+        // Those with most modifiers first: Ctrl+Shift+Z must not be taken for Ctrl+Z, nor Alt+H for H.
+        let held = |shortcut: &KeyboardShortcut| {
+            let Modifiers { alt, shift, ctrl, command, .. } = shortcut.modifiers;
+            [alt, shift, ctrl || command].into_iter().filter(|held| *held).count()
+        };
+        keys.sort_by_key(|(_, shortcut)| std::cmp::Reverse(held(shortcut)));
+        let asked: Vec<Action> = ctx.input_mut(|input| {
+            keys.into_iter()
+                .filter(|(_, shortcut)| input.consume_shortcut(shortcut))
+                .map(|(action, _)| action)
+                .collect()
+        });
+        for action in asked {
+            if self.can(action) {
+                self.perform(ctx, action);
+            }
         }
     }
 
@@ -50,7 +80,6 @@ impl App {
                     self.hand_over();
                 }
             }
-            Action::Delete => self.delete_selected(),
             Action::PlayPause => {
                 let playing = self.published.status.playing;
                 self.ask(if playing { SimCommand::Pause } else { SimCommand::Play });
@@ -77,13 +106,8 @@ impl App {
             }
             Action::Palette => self.dialog = Some(Dialog::palette()),
             Action::Help => self.dialog = Some(Dialog::Help),
+            // All that is left is about the selected fibres.
+            _ => self.edit_fibres(ctx, action),
         }
-    }
-
-    fn delete_selected(&mut self) {
-        let (Some(fibre), Some(body)) = (self.selected.take(), self.active_body().map(|body| body.id.clone())) else {
-            return;
-        };
-        self.apply(&Command::RemoveFibre { body, fibre });
     }
 }

@@ -106,8 +106,12 @@ impl Painter {
         pixels_per_point: f32,
     ) -> Option<PaintCallback> {
         // The pixels of its place, as the toolkit counts them.
-        let info =
-            PaintCallbackInfo { viewport: place, clip_rect: place, pixels_per_point, screen_size_px: [i32::MAX as u32; 2] };
+        let info = PaintCallbackInfo {
+            viewport: place,
+            clip_rect: place,
+            pixels_per_point,
+            screen_size_px: [i32::MAX as u32; 2],
+        };
         let pixels = info.viewport_in_pixels();
         let size = [pixels.width_px, pixels.height_px].map(|extent| u32::try_from(extent).unwrap_or(0));
         if size.contains(&0) {

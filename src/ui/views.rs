@@ -99,6 +99,11 @@ impl App {
         Frame { rect: result.rect, camera: result.camera }.screen(point)
     }
 
+    /// The views, where they lay in the last frame and from where they look.
+    pub(super) fn view_frames(&self) -> Vec<(PaneKind, Frame)> {
+        panes(&self.panes).map(|pane| (pane.kind, Frame { rect: pane.rect, camera: pane.camera })).collect()
+    }
+
     fn panes_mut(&mut self) -> impl Iterator<Item = &mut Pane> {
         self.panes.tiles.iter_mut().filter_map(|(_, tile)| match tile {
             Tile::Pane(pane) => Some(pane),

@@ -6,8 +6,8 @@ use sinew::bake::bake;
 use sinew::io::{apply_sets, load_assets, load_scene};
 use sinew::scene::{FibreSource, Scene};
 use sinew::sim::Runner;
-use sinew::solver::forces::breaking::BreakPlace;
 use sinew::solver::measure::MeasureValue;
+use sinew::solver::snapshot::BreakPlace;
 use std::path::{Path, PathBuf};
 
 fn folder() -> PathBuf {

@@ -4,6 +4,7 @@
 mod commands;
 mod comparing;
 mod editing;
+mod fibres;
 mod picture;
 mod pulling;
 mod refusals;

@@ -1,0 +1,135 @@
+//! What is selected: fibres of the active body, and vertices of one of them while those are edited.
+
+/// Fibres by their identifiers, the last chosen at the end; vertices of that one.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Selection {
+    fibres: Vec<String>,
+    vertices: Option<Vec<usize>>,
+}
+
+impl Selection {
+    /// The fibre that was chosen last.
+    pub fn active(&self) -> Option<&String> {
+        self.fibres.last()
+    }
+
+    /// All selected fibres.
+    pub fn fibres(&self) -> &[String] {
+        &self.fibres
+    }
+
+    /// Whether a fibre is selected.
+    pub fn contains(&self, fibre: &str) -> bool {
+        self.fibres.iter().any(|id| id == fibre)
+    }
+
+    /// The selected vertices of the active fibre; none while whole fibres are edited.
+    pub fn vertices(&self) -> Option<&[usize]> {
+        self.vertices.as_deref()
+    }
+
+    /// Selects one fibre alone.
+    pub fn only(&mut self, fibre: impl Into<String>) {
+        *self = Self { fibres: vec![fibre.into()], vertices: None };
+    }
+
+    /// Selects fibres, and nothing else.
+    pub fn set(&mut self, fibres: impl IntoIterator<Item = String>) {
+        *self = Self { fibres: fibres.into_iter().collect(), vertices: None };
+    }
+
+    /// Adds a fibre, or takes it out.
+    pub fn toggle(&mut self, fibre: &str) {
+        let before = self.fibres.len();
+        self.fibres.retain(|id| id != fibre);
+        if self.fibres.len() == before {
+            self.fibres.push(fibre.to_owned());
+        }
+        self.vertices = None;
+    }
+
+    /// Takes in what a click means: a fibre alone, or one more with `adding`; nothing, unless adding, clears.
+    pub fn click(&mut self, fibre: Option<&str>, adding: bool) {
+        match fibre {
+            Some(fibre) if adding => self.toggle(fibre),
+            Some(fibre) => self.only(fibre),
+            None if adding => {}
+            None => self.clear(),
+        }
+    }
+
+    /// Selects nothing.
+    pub fn clear(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Goes into the vertices of the active fibre, or back to whole fibres.
+    pub fn enter_vertices(&mut self, enter: bool) {
+        self.vertices = (enter && !self.fibres.is_empty()).then(Vec::new);
+    }
+
+    /// Selects vertices of the active fibre, in order and each once.
+    pub fn set_vertices(&mut self, mut vertices: Vec<usize>) {
+        vertices.sort_unstable();
+        vertices.dedup();
+        self.vertices = Some(vertices);
+    }
+
+    /// As [`Self::click`], for a vertex of the active fibre.
+    pub fn click_vertex(&mut self, vertex: Option<usize>, adding: bool) {
+        let mut vertices = self.vertices.take().unwrap_or_default();
+        match vertex {
+            Some(vertex) if adding && vertices.contains(&vertex) => vertices.retain(|k| *k != vertex),
+            Some(vertex) if adding => vertices.push(vertex),
+            Some(vertex) => vertices = vec![vertex],
+            None if adding => {}
+            None => vertices.clear(),
+        }
+        self.set_vertices(vertices);
+    }
+
+    /// Forgets fibres and vertices that are not there any more.
+    pub fn retain(&mut self, there: impl Fn(&str) -> bool) {
+        let active = self.active().cloned();
+        self.fibres.retain(|id| there(id));
+        if self.active() != active.as_ref() {
+            self.vertices = None;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clicks_choose_one_and_shift_adds_or_takes_out() {
+        let mut selection = Selection::default();
+        selection.click(Some("a"), false);
+        selection.click(Some("b"), true);
+        assert_eq!(selection.fibres(), ["a", "b"]);
+        assert_eq!(selection.active().map(String::as_str), Some("b"));
+        selection.click(Some("a"), true);
+        assert_eq!(selection.fibres(), ["b"]);
+        selection.click(None, true);
+        assert_eq!(selection.fibres(), ["b"]);
+        selection.click(None, false);
+        assert!(selection.fibres().is_empty());
+    }
+
+    #[test]
+    fn vertices_belong_to_the_active_fibre() {
+        let mut selection = Selection::default();
+        selection.enter_vertices(true);
+        assert_eq!(selection.vertices(), None, "there is no fibre to enter");
+        selection.only("a");
+        selection.enter_vertices(true);
+        selection.click_vertex(Some(4), false);
+        selection.click_vertex(Some(2), true);
+        assert_eq!(selection.vertices(), Some(&[2, 4][..]));
+        selection.click_vertex(Some(4), true);
+        assert_eq!(selection.vertices(), Some(&[2][..]));
+        selection.retain(|id| id != "a");
+        assert_eq!(selection.vertices(), None);
+    }
+}

@@ -1,0 +1,152 @@
+//! What the selected fibres are like: what is changed of one is changed of all.
+
+use super::action::Action;
+use super::app::App;
+use super::fibres::{displaced, rigidity_of};
+use super::field::Field;
+use super::outliner::title;
+use super::theme::GRID;
+use crate::edit::Command;
+use crate::scene::{Extra, Fibre, FibreSource, Material, PaperStiffness, RestShape, Rigidity, Stiffness};
+use egui::{Slider, Ui};
+
+const EA: Field =
+    Field::new("EA", "N", 0.0..=1e9, None, "Axial rigidity: resistance to stretching, l_f EA / 2 l0 per edge");
+const EI: Field =
+    Field::new("EI", "N m²", 0.0..=1e6, None, "Bending stiffness, l_f EI / L0 per vertex (eq. 7 with EI = Kb / 2)");
+const KB: Field = Field::new("Kb", "", 0.0..=1e12, None, "Table 1's bending stiffness: EI = Kb V / 2");
+const KS: Field = Field::new("Ks", "", 0.0..=1e9, None, "Table 1's stretching stiffness: EA = 2 Ks");
+const VOLUME_FRACTION: Field = Field::new(
+    "Volume fraction",
+    "",
+    0.0..=1.0,
+    Some(0.5),
+    "l_f: share of the material that is fibre at its centre line (eq. 18)",
+);
+
+/// Radius of the round rod that has the fibre's EA and EI.
+const RADIUS: Field = Field::new(
+    "Radius",
+    "m",
+    1e-6..=10.0,
+    None,
+    "Of a round rod with this EA and EI, r = 2 sqrt(EI / EA): a change keeps EA and takes EI = EA r² / 4",
+);
+
+/// A fibre may be so many times softer or stiffer than what it displaces.
+const TIMES: std::ops::RangeInclusive<f64> = 0.1..=1000.0;
+
+impl App {
+    pub(super) fn inspector(&mut self, ui: &mut Ui, body: &str) {
+        let Some((of, fibre)) = self.selected_fibre() else { return };
+        let (material, fibre) = (of.material.clone(), fibre.clone());
+        let count = self.editing.selection.fibres().len();
+        ui.heading(if count > 1 { format!("{count} fibres") } else { title(&fibre).to_owned() });
+        let mut edited = fibre.clone();
+        stiffness(ui, &mut edited, &material);
+        VOLUME_FRACTION.show(ui, &mut edited.volume_fraction);
+        ui.horizontal(|ui| {
+            ui.label("Rest shape");
+            ui.selectable_value(&mut edited.rest_shape, RestShape::AsDrawn, "As drawn")
+                .on_hover_text("Nothing moves by itself");
+            ui.selectable_value(&mut edited.rest_shape, RestShape::Straight, "Straight")
+                .on_hover_text("A fibre drawn curved pulls the solid straight");
+        });
+        if edited != fibre {
+            let changed = self.selected_fibres().into_iter().map(|other| with_change(other, &fibre, &edited)).collect();
+            self.apply(&Command::set_fibres("Change", body, changed));
+        }
+        ui.add_space(GRID);
+        if matches!(fibre.source, FibreSource::Strokes(_))
+            && self.drawn_last.as_ref() != self.editing.selection.active()
+        {
+            self.stroke_choices(ui);
+        }
+        ui.horizontal_wrapped(|ui| {
+            self.control(ui, Action::Vertices, "Edit vertices");
+            self.control(ui, Action::Duplicate, "Duplicate");
+            let delete = match (self.editing.selection.vertices(), count) {
+                (Some(_), _) => "Delete vertices",
+                (None, 1) => "Delete fibre",
+                (None, _) => "Delete fibres",
+            };
+            self.control(ui, Action::Delete, delete);
+        });
+    }
+}
+
+/// Stiffness by either pair of numbers, and by how it compares with the material around.
+fn stiffness(ui: &mut Ui, fibre: &mut Fibre, material: &Material) {
+    let volume = material.spacing().powi(3);
+    let (ea, ei) = fibre.stiffness.rigidity(volume);
+    let mut times = ea / displaced(material);
+    ui.label("Softer – stiffer than the material");
+    ui.spacing_mut().slider_width = 120.0;
+    let slider = Slider::new(&mut times, TIMES).logarithmic(true).suffix(" ×").max_decimals(1);
+    let tooltip = "Axial rigidity EA over that of the material that the fibre displaces, E 0.2 pi h²; EI goes with it";
+    if ui.add(slider).on_hover_text(tooltip).changed() {
+        let Rigidity { ea, ei, .. } = rigidity_of(material, times);
+        fibre.stiffness = with_rigidity(&fibre.stiffness, ea, ei, volume);
+    }
+    if times < 1.0 && fibre.volume_fraction > 0.0 {
+        let warning = ui.visuals().warn_fg_color;
+        ui.colored_label(
+            warning,
+            "Softer than what it displaces: it weakens the solid and does the reverse of its shape",
+        );
+    }
+    ui.horizontal(|ui| {
+        ui.label("Entered as");
+        let mut paper = matches!(fibre.stiffness, Stiffness::Paper(_));
+        let before = paper;
+        ui.selectable_value(&mut paper, false, "EA, EI");
+        ui.selectable_value(&mut paper, true, "Kb, Ks").on_hover_text("Table 1 of the fibre paper");
+        if paper != before {
+            fibre.stiffness = if paper {
+                Stiffness::Paper(PaperStiffness { kb: 2.0 * ei / volume, ks: 0.5 * ea, extra: Extra::new() })
+            } else {
+                Stiffness::Rigidity(Rigidity { ea, ei, extra: Extra::new() })
+            };
+        }
+    });
+    match &mut fibre.stiffness {
+        Stiffness::Rigidity(Rigidity { ea, ei, .. }) => {
+            EA.show(ui, ea);
+            EI.show(ui, ei);
+        }
+        Stiffness::Paper(PaperStiffness { kb, ks, .. }) => {
+            KB.show(ui, kb);
+            KS.show(ui, ks);
+        }
+    }
+    let (ea, ei) = fibre.stiffness.rigidity(volume);
+    let mut radius = if ea > 0.0 { 2.0 * (ei / ea).sqrt() } else { 0.0 };
+    if RADIUS.show(ui, &mut radius) {
+        fibre.stiffness = with_rigidity(&fibre.stiffness, ea, 0.25 * ea * radius * radius, volume);
+    }
+}
+
+/// This rigidity, entered as before.
+fn with_rigidity(before: &Stiffness, ea: f64, ei: f64, volume: f64) -> Stiffness {
+    match before {
+        Stiffness::Rigidity(old) => Stiffness::Rigidity(Rigidity { ea, ei, extra: old.extra.clone() }),
+        Stiffness::Paper(old) => {
+            Stiffness::Paper(PaperStiffness { kb: 2.0 * ei / volume, ks: 0.5 * ea, extra: old.extra.clone() })
+        }
+    }
+}
+
+/// A fibre with what was changed of another one.
+fn with_change(fibre: &Fibre, before: &Fibre, after: &Fibre) -> Fibre {
+    let mut fibre = fibre.clone();
+    if before.stiffness != after.stiffness {
+        fibre.stiffness = after.stiffness.clone();
+    }
+    if before.volume_fraction != after.volume_fraction {
+        fibre.volume_fraction = after.volume_fraction;
+    }
+    if before.rest_shape != after.rest_shape {
+        fibre.rest_shape = after.rest_shape;
+    }
+    fibre
+}

@@ -59,7 +59,7 @@ const LEAST_SUM: f64 = 0.05;
 /// And from this number of particles in reach on.
 const LEAST_PARTICLES: usize = 4;
 /// Share of the heaviest weight below which a particle is left out of a fibre vertex.
-const NEGLIGIBLE: f64 = 0.03;
+const NEGLIGIBLE: f64 = 0.06;
 
 impl<'a> Embedder<'a> {
     /// Weights over particles at `points` (rest, model frame).

@@ -55,6 +55,8 @@ pub enum Action {
     Split,
     /// Draw one stroke again.
     Redraw,
+    /// Paint the volume fraction.
+    Paint,
     /// Hide fibres.
     Hide,
     /// Show what is hidden.
@@ -125,7 +127,7 @@ impl Menu {
 
 impl Action {
     /// All actions in the order of the menus.
-    pub const ALL: [Self; 41] = [
+    pub const ALL: [Self; 42] = [
         Self::New,
         Self::Open,
         Self::Save,
@@ -151,6 +153,7 @@ impl Action {
         Self::InsertVertex,
         Self::Split,
         Self::Redraw,
+        Self::Paint,
         Self::Hide,
         Self::ShowAll,
         Self::PlayPause,
@@ -197,6 +200,7 @@ impl Action {
             Self::InsertVertex => "Insert vertices",
             Self::Split => "Split at vertex",
             Self::Redraw => "Redraw one stroke",
+            Self::Paint => "Paint volume fraction",
             Self::Hide => "Hide",
             Self::ShowAll => "Show all",
             Self::PlayPause => "Play or pause",
@@ -246,6 +250,7 @@ impl Action {
             Self::InsertVertex => "Puts a vertex between selected ones that stand beside each other",
             Self::Split => "Cuts the fibre in two at the selected vertex",
             Self::Redraw => "Takes the next stroke in place of the one that the selected fibre has in that view",
+            Self::Paint => "Takes up a brush that paints how much of the body is fibre, on the body in the result view",
             Self::Hide => "Hides the selected fibres; they act all the same",
             Self::ShowAll => "Shows every hidden fibre of the body",
             Self::PlayPause => "Runs or holds the simulation",
@@ -292,7 +297,8 @@ impl Action {
             | Self::Detach
             | Self::InsertVertex
             | Self::Split
-            | Self::Redraw => Menu::Fibre,
+            | Self::Redraw
+            | Self::Paint => Menu::Fibre,
             Self::PlayPause | Self::Step | Self::Reset | Self::ReleasePins => Menu::Simulation,
             Self::Frame
             | Self::FrameAll
@@ -346,6 +352,7 @@ impl Action {
             Self::InsertVertex => const { &[plain(Key::I)] },
             Self::Split => const { &[plain(Key::K)] },
             Self::Redraw => const { &[plain(Key::D)] },
+            Self::Paint => const { &[plain(Key::V)] },
             Self::Hide => const { &[plain(Key::H)] },
             Self::ShowAll => const { &[alt(Key::H)] },
             Self::MirrorX

@@ -17,6 +17,7 @@ impl App {
                 self.bodies(ui);
                 self.layers(ui);
                 self.fibres(ui);
+                self.brush_panel(ui);
             });
         });
     }

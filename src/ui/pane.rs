@@ -128,7 +128,7 @@ impl View3d<'_> {
         let frame = Frame { rect, camera: self.pane.camera };
         self.edit(ui, &response, frame);
         match self.pane.kind {
-            _ if self.app.editing.has_pointer() => {}
+            _ if self.app.editing.has_pointer(self.pane.kind) => {}
             PaneKind::Drawing(view) => self.draw_strokes(ui, &response, view, frame),
             PaneKind::Result => self.pull(ui, &response, frame),
         }

@@ -27,6 +27,7 @@ impl App {
             Action::Grid => Some(self.display.grid),
             Action::Vertices => Some(self.editing.selection.vertices().is_some()),
             Action::Redraw => Some(self.editing.redraws),
+            Action::Paint => Some(self.editing.paints()),
             _ => None,
         }
     }

@@ -287,3 +287,36 @@ fn one_stroke_is_drawn_again_and_the_other_kept() {
     assert!(after.second.points != before.second.points);
     assert_eq!(window.state().scene().bodies[0].fibres.len(), 5, "no fibre is added");
 }
+
+#[test]
+fn a_brush_paints_the_body_where_it_is_dragged_and_the_paint_can_be_cleared() {
+    let mut window = still();
+    key(&mut window, Key::V);
+    window.step();
+    // The views come to rest first.
+    window.run_steps(40);
+    let particles = &window.state().published().snapshot.bodies[0].particles;
+    let middle = particles.iter().sum::<DVec3>() / particles.len() as f64;
+    let middle = window.state().shown_at(middle).expect("the body is in sight");
+    let before = window.state().scene().clone();
+    let path: Vec<Pos2> = (0..=30).map(|k| middle + Vec2::new(0.0, k as f32 - 15.0)).collect();
+    one_step(&mut window, |window| drag(window, &path));
+    let paint = &window.state().scene().bodies[0].paint;
+    assert!(!paint.is_empty() && paint.iter().all(|dab| dab.value == 1.0), "{paint:?}");
+    let skin = &window.state().published().at_rest.bodies[0].skin;
+    let (low, high) = (skin.iter().copied().reduce(DVec3::min), skin.iter().copied().reduce(DVec3::max));
+    let (low, high) = (low.expect("a skin"), high.expect("a skin"));
+    for dab in paint {
+        let at = DVec3::from_array(dab.center);
+        let beyond = (low - at).max(at - high).max_element();
+        assert!(beyond.abs() < 2e-3, "the dab at {at} lies {beyond} m off the surface");
+    }
+    assert!(before.bodies[0].fibres == window.state().scene().bodies[0].fibres);
+    one_step(&mut window, |window| click(window, "Clear paint"));
+    assert!(window.state().scene().bodies[0].paint.is_empty());
+    key(&mut window, Key::Escape);
+    window.step();
+    let start = window.state().scene().clone();
+    drag(&mut window, &path);
+    assert!(*window.state().scene() == start, "without the brush a drag pulls");
+}

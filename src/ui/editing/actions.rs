@@ -25,6 +25,7 @@ impl App {
         let vertices = selection.vertices().map_or(0, <[usize]>::len);
         match action {
             Action::SelectAll | Action::BoxSelect => self.active_body().is_some_and(|body| !body.fibres.is_empty()),
+            Action::Paint => self.active_body().is_some(),
             Action::InsertVertex => vertices > 1,
             Action::Split => vertices == 1,
             Action::Redraw => !self.selected_views().is_empty(),
@@ -68,6 +69,7 @@ impl App {
                     self.say(Gravity::Note, "Draw the stroke again in either of the fibre's two views");
                 }
             }
+            Action::Paint => self.toggle_brush(),
             Action::Hide => self.hide(),
             Action::ShowAll => self.show_all(),
             _ => {}

@@ -1,6 +1,7 @@
 //! Editing fibres that are there: choosing them and their vertices, moving and turning them, and what menus do to them.
 
 mod actions;
+mod brush;
 mod gizmo;
 mod looks;
 mod moving;
@@ -12,6 +13,7 @@ use super::pane::PaneKind;
 use crate::edit::Command;
 use crate::edit::fibre_ops::{self, Edited, FibreEditError, Sampling};
 use crate::scene::Fibre;
+use brush::Brush;
 use egui::{Event, Key, Pos2};
 use gizmo::Handle;
 use glam::DVec3;
@@ -32,6 +34,8 @@ pub(super) struct Editing {
     pub(super) redraws: bool,
     /// The handle under the pointer.
     hovered: Option<Handle>,
+    /// The brush, while it is in use.
+    brush: Option<Brush>,
     /// Tab was pressed for a command.
     tabbed: bool,
 }
@@ -42,6 +46,11 @@ impl Editing {
         self.moving.as_ref().map(|(moving, _)| moving.hint())
     }
 
+    /// Whether the brush is in use.
+    pub(super) fn paints(&self) -> bool {
+        self.brush.is_some()
+    }
+
     /// Tab is a command here, and must not leave the keys with some button.
     pub(super) fn keep_keys(&mut self, ctx: &egui::Context) {
         if std::mem::take(&mut self.tabbed) {
@@ -50,8 +59,9 @@ impl Editing {
     }
 
     /// Whether the pointer belongs to a gesture of editing, so that it neither draws nor pulls.
-    pub(super) fn has_pointer(&self) -> bool {
-        self.moving.is_some() || self.boxed.is_some() || self.hovered.is_some()
+    pub(super) fn has_pointer(&self, view: PaneKind) -> bool {
+        let paints = self.brush.is_some() && view == PaneKind::Result;
+        self.moving.is_some() || self.boxed.is_some() || self.hovered.is_some() || paints
     }
 }
 
@@ -178,6 +188,10 @@ impl App {
 
     /// Keys while something is moved, or a box is drawn; whether they were taken.
     pub(super) fn editing_keys(&mut self, ctx: &egui::Context) -> bool {
+        if self.editing.brush.is_some() && ctx.input(|input| input.key_pressed(Key::Escape)) {
+            self.editing.brush = None;
+            return true;
+        }
         if self.editing.boxed.is_some() && ctx.input(|input| input.key_pressed(Key::Escape)) {
             self.editing.boxed = None;
             return true;

@@ -23,7 +23,7 @@ impl View3d<'_> {
         }
         let (at, press, modifiers) =
             ui.input(|input| (input.pointer.latest_pos(), input.pointer.press_origin(), input.modifiers));
-        if self.moves(ui, response, frame) || self.boxes(ui, response, frame) {
+        if self.moves(ui, response, frame) || self.boxes(ui, response, frame) || self.brush(ui, response, frame) {
             return;
         }
         let here = at.filter(|at| frame.rect.contains(*at) && response.hovered());
@@ -171,6 +171,7 @@ impl View3d<'_> {
             }
         }
         self.paint_gizmo(&painter, frame);
+        self.paint_brush(ui, frame);
     }
 
     /// Fibres as they are seen here, with their identifiers; hidden ones are not.

@@ -100,7 +100,7 @@ impl FibreForce {
     fn evaluate<S: Simd>(&mut self, simd: S, positions: &[f64], forces: &mut [f64]) {
         let Self { packed, lines, broken, turns, .. } = self;
         for vertex in 0..lines.len() {
-            let [at] = packed.vertices.gather(simd, vertex, positions, DVec3::ZERO);
+            let [at] = packed.vertices.gather(simd, vertex, positions, None);
             lines.put(vertex, at);
         }
         lines.slopes(simd);
@@ -110,7 +110,7 @@ impl FibreForce {
             }
             let Some(corner) = lines.corner(rest.corner) else { continue };
             let origin = packed.turns.origin(k, positions);
-            let [x, y, z] = packed.turns.gather(simd, k, positions, origin);
+            let [x, y, z] = packed.turns.gather(simd, k, positions, Some(origin));
             let (r, stretch) = polar(DMat3::from_cols(x, y, z), &mut turns[rest.bend]);
             let slope = 2.0 * rest.stiffness * (corner.binormal() - r * rest.binormal);
             let moment = -rest.binormal.cross(r.transpose() * slope);

@@ -1,11 +1,11 @@
 //! Weighted sums over the particles around many points, and forces on those points passed back by the same weights.
 //!
 //! The particles around a point lie in rows of the lattice, and a row's particles stand one after another in memory. Four
-//! particles in a row, a *window*, are twelve numbers x, y, z, x, y, ... in three lanes of four; with every weight
-//! repeated for its three numbers a window is three multiplications, no index but its first particle, and no padding. A
-//! particle of a window that is not among those of the point has the weight zero.
+//! particles in a row, a *window*, are twelve numbers x, y, z, x, y, ... in three lanes of four; with its four weights
+//! spread over the three numbers of each particle a window is three multiplications, no index but its first particle,
+//! and no padding. A particle of a window that is not among those of the point has the weight zero.
 
-use crate::solver::forces::matrix::lanes::{Lanes, load};
+use crate::solver::forces::matrix::lanes::Lanes;
 use fearless_simd::{Simd, f64x4, prelude::*};
 use glam::DVec3;
 
@@ -21,7 +21,7 @@ pub(super) struct Windows<const N: usize> {
     starts: Vec<u32>,
     /// First particle of each window.
     firsts: Vec<u32>,
-    weights: Vec<[[Lanes; PARTS]; N]>,
+    weights: Vec<[Lanes; N]>,
 }
 
 impl<const N: usize> Windows<N> {
@@ -35,13 +35,11 @@ impl<const N: usize> Windows<N> {
                 let open = this.firsts[begun..].last().is_some_and(|&first| particle < first + WIDTH as u32);
                 if !open {
                     this.firsts.push(particle);
-                    this.weights.push([[Lanes::default(); PARTS]; N]);
+                    this.weights.push([Lanes::default(); N]);
                 }
                 if let (Some(&first), Some(window)) = (this.firsts.last(), this.weights.last_mut()) {
                     for (lanes, weight) in window.iter_mut().zip(weights) {
-                        for number in PARTS * (particle - first) as usize..PARTS * ((particle - first) as usize + 1) {
-                            lanes[number / WIDTH].0[number % WIDTH] += weight;
-                        }
+                        lanes.0[(particle - first) as usize] += weight;
                     }
                 }
             }
@@ -51,7 +49,7 @@ impl<const N: usize> Windows<N> {
     }
 
     #[inline(always)]
-    fn of(&self, point: usize) -> impl Iterator<Item = (usize, &[[Lanes; PARTS]; N])> {
+    fn of(&self, point: usize) -> impl Iterator<Item = (usize, &[Lanes; N])> {
         let range = self.starts[point] as usize..self.starts[point + 1] as usize;
         let firsts = self.firsts[range.clone()].iter().map(|&first| PARTS * first as usize);
         firsts.zip(&self.weights[range])
@@ -62,20 +60,22 @@ impl<const N: usize> Windows<N> {
         self.of(point).next().map_or(DVec3::ZERO, |(first, _)| DVec3::from_slice(&field[first..]))
     }
 
-    /// `sum w (x - origin)` over the particles around a point, for every kind of weight; `field` holds x, y, z of all.
+    /// `sum w x` over the particles around a point, for every kind of weight, or `sum w (x - origin)`; `field` holds x, y, z
+    /// of all.
     #[inline(always)]
-    pub(super) fn gather<S: Simd>(&self, simd: S, point: usize, field: &[f64], origin: DVec3) -> [DVec3; N] {
-        let origin = patterns(simd, origin);
+    pub(super) fn gather<S: Simd>(&self, simd: S, point: usize, field: &[f64], origin: Option<DVec3>) -> [DVec3; N] {
+        let origin = origin.map(|origin| patterns(simd, origin));
         let mut sums = [[f64x4::splat(simd, 0.0); PARTS]; N];
         for (first, weights) in self.of(point) {
             let window = match field[first..].first_chunk() {
                 Some(window) => lanes(simd, window),
                 None => lanes(simd, &padded(&field[first..])),
             };
-            for part in 0..PARTS {
-                let x = window[part] - origin[part];
-                for kind in 0..N {
-                    sums[kind][part] = x.mul_add(load(simd, &weights[kind][part]), sums[kind][part]);
+            for kind in 0..N {
+                let weights = spread_out(simd, &weights[kind]);
+                for part in 0..PARTS {
+                    let x = if let Some(origin) = origin { window[part] - origin[part] } else { window[part] };
+                    sums[kind][part] = x.mul_add(weights[part], sums[kind][part]);
                 }
             }
         }
@@ -123,17 +123,29 @@ fn lanes<S: Simd>(simd: S, window: &[f64; WIDTH * PARTS]) -> [f64x4<S>; PARTS] {
 fn add<S: Simd, const N: usize>(
     simd: S,
     spread: &[[f64x4<S>; PARTS]; N],
-    weights: &[[Lanes; PARTS]; N],
+    weights: &[Lanes; N],
     window: &mut [f64; WIDTH * PARTS],
 ) {
-    for part in 0..PARTS {
-        let numbers = &mut window[WIDTH * part..WIDTH * (part + 1)];
-        let mut sum = f64x4::from_slice(simd, numbers);
-        for kind in 0..N {
-            sum = spread[kind][part].mul_add(load(simd, &weights[kind][part]), sum);
+    let mut sums = lanes(simd, window);
+    for kind in 0..N {
+        let weights = spread_out(simd, &weights[kind]);
+        for part in 0..PARTS {
+            sums[part] = spread[kind][part].mul_add(weights[part], sums[part]);
         }
-        sum.store_slice(numbers);
     }
+    for part in 0..PARTS {
+        sums[part].store_slice(&mut window[WIDTH * part..WIDTH * (part + 1)]);
+    }
+}
+
+/// Four weights, each for the three numbers of its particle.
+#[inline(always)]
+fn spread_out<S: Simd>(simd: S, Lanes([a, b, c, d]): &Lanes) -> [f64x4<S>; PARTS] {
+    [
+        f64x4::simd_from(simd, [*a, *a, *a, *b]),
+        f64x4::simd_from(simd, [*b, *b, *c, *c]),
+        f64x4::simd_from(simd, [*c, *d, *d, *d]),
+    ]
 }
 
 /// A vector for each particle of a window.
@@ -176,7 +188,8 @@ mod tests {
         for (point, stencil) in stencils.iter().enumerate() {
             let origin = DVec3::new(0.5, -1.0, 2.0);
             let flat: &[f64] = bytemuck::cast_slice(&field);
-            let [sum, other] = dispatch!(Level::new(), simd => Windows::gather(&windows, simd, point, flat, origin));
+            let [sum, other] =
+                dispatch!(Level::new(), simd => Windows::gather(&windows, simd, point, flat, Some(origin)));
             let total: f64 = stencil.weights.iter().map(|(_, w)| w).sum();
             let expected = stencil.gather(&field) - total * origin;
             assert!(sum.distance(expected) < 1e-12, "{point}: {sum}, not {expected}");

@@ -23,7 +23,7 @@ pub(super) type Matrices<S> = [Vectors<S>; 3];
 pub(super) type Quaternions<S> = [f64x4<S>; 4];
 
 #[inline(always)]
-pub(in crate::solver::forces) fn load<S: Simd>(simd: S, lanes: &Lanes) -> f64x4<S> {
+pub(super) fn load<S: Simd>(simd: S, lanes: &Lanes) -> f64x4<S> {
     f64x4::simd_from(simd, lanes.0)
 }
 

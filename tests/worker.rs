@@ -93,3 +93,60 @@ fn runs_in_real_time_when_it_can() {
     let published = until(&worker, |p| p.status.real_time_factor > 0.0 && p.status.time > 0.8);
     assert!(published.status.real_time_factor < 1.3, "{}", published.status.real_time_factor);
 }
+
+const FIBRED: &str = r#"{"version": 1, "bodies": [{"id": "bar",
+    "shape": {"box": {"center": [0, 0.03, 0], "size": [0.03, 0.06, 0.03]}},
+    "initial": {"velocity": [0.05, 0, 0], "deformation": [[1, 0.1, 0], [0, 1.05, 0], [0, 0, 1]]},
+    "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.015},
+    "fibres": [{"id": "f", "source": {"vertices": [[0.006, 0.005, 0], [0.006, 0.03, 0], [0.006, 0.055, 0]]},
+        "stiffness": {"rigidity": {"ea": 10, "ei": 1e-5}}, "volume_fraction": 0.5}]}]}"#;
+
+#[test]
+fn a_ghost_without_fibres_is_that_scene_alone_bit_for_bit() {
+    let scene = scene_from_json(FIBRED).expect("a scene");
+    let mut bare = scene.clone();
+    bare.bodies[0].fibres.clear();
+    let bare = Arc::new(bare);
+    let worker = Worker::start(Arc::new(scene), Arc::default(), false, || {});
+    until(&worker, |_| true);
+    assert!(worker.send(SimCommand::Ghost(Some(Arc::clone(&bare)))));
+    until(&worker, |p| p.ghost.is_some());
+    let baked = sinew::bake::bake(&bare, &sinew::scene::Assets::default(), &mut |_, _| {}).expect("a scene that bakes");
+    let start = sinew::sim::Runner::new(baked);
+    let strike = |body| SimCommand::Strike { body, impulse: DVec3::new(1e-3, 0.0, 0.0) };
+    for round in 0..2 {
+        let mut alone = start.clone();
+        for frame in 1..=12 {
+            if frame == 5 && round == 1 {
+                assert!(worker.send(strike(0)));
+                alone.body_mut(0).expect("a body").strike(DVec3::new(1e-3, 0.0, 0.0));
+            }
+            assert!(worker.send(SimCommand::Step));
+            alone.advance_frame();
+            let time = alone.world().time();
+            let seen = until(&worker, |p| (p.status.time - time).abs() < 1e-9);
+            assert_eq!(seen.ghost.as_ref(), Some(&alone.particles()), "round {round}, frame {frame}");
+            let far = |(a, b): (&DVec3, &DVec3)| a.distance(*b) > 1e-6;
+            let differs = seen.snapshot.bodies[0].particles.iter().zip(&alone.particles().bodies[0].particles).any(far);
+            assert!(differs, "the fibre does nothing");
+        }
+        assert!(worker.send(SimCommand::Reset));
+        until(&worker, |p| p.status.time == 0.0);
+    }
+}
+
+#[test]
+fn a_ghost_starts_from_where_the_world_is() {
+    let worker = Worker::start(scene(""), Arc::default(), true, || {});
+    until(&worker, |p| p.status.time > 0.1);
+    let mut soft = (*scene("")).clone();
+    soft.bodies[0].material.young_modulus = 1e4;
+    assert!(worker.send(SimCommand::Ghost(Some(Arc::new(soft)))));
+    let seen = until(&worker, |p| p.ghost.is_some() && p.status.time > 0.2);
+    let ghost = seen.ghost.as_ref().expect("a ghost");
+    assert!((ghost.time - seen.status.time).abs() < 1e-9);
+    let middle = ghost.bodies[0].particles.iter().sum::<DVec3>() / ghost.bodies[0].particles.len() as f64;
+    assert!(middle.distance(center(&seen)) < 1e-9);
+    assert!(worker.send(SimCommand::Ghost(None)));
+    until(&worker, |p| p.ghost.is_none());
+}

@@ -4,7 +4,7 @@ use super::list::{DrawList, Faces, Hung, Line, Mesh, PickId, PickKind, Points, S
 use super::options::{Display, SkinStyle};
 use super::surroundings;
 use super::tube::tube;
-use super::{Bounds, Colour, Theme};
+use super::{Bounds, Colour, Theme, colour_map};
 use crate::scene::{Fibre, Scene};
 use crate::solver::snapshot::{BodySnapshot, LayersSnapshot, Snapshot, SpringKind};
 use glam::{DVec3, Vec3};
@@ -51,12 +51,15 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
             hue += body.fibres.len();
             continue;
         }
-        pen.body(body, &looks, &mut list, &mut hue);
+        let values = snapshot.field.as_ref().and_then(|field| Some((field.range, field.bodies.get(index)?.as_slice())));
+        let values = values.filter(|(_, values)| values.len() == body.particles.len());
+        pen.body(body, &looks, values, &mut list, &mut hue);
         if let (true, Some(body)) = (display.strokes, scene.bodies.get(number)) {
             surroundings::strokes(body, &mut list);
         }
     }
-    for body in ghost.iter().flat_map(|ghost| &ghost.bodies) {
+    let ghosts = ghost.iter().flat_map(|ghost| ghost.bodies.iter().enumerate());
+    for (_, body) in ghosts.filter(|(index, _)| !Looks::of(scene, display.first_body + index).hidden) {
         let mesh = skin_mesh(&list, body, Surface::Faint);
         list.meshes.extend(mesh.map(|mesh| Mesh { colour: theme.ghost, casts_shadow: false, ..mesh }));
     }
@@ -84,7 +87,7 @@ fn skin_mesh(list: &DrawList, body: &BodySnapshot, surface: Surface) -> Option<M
     }
     let particles = body.particles.iter().map(|&point| list.local(point)).collect();
     let faces = Faces::Hung(Hung { rig: Arc::clone(rig), particles });
-    Some(Mesh { faces, colour: list.theme.skin, surface, casts_shadow: true, pick: 0 })
+    Some(Mesh { faces, colour: list.theme.skin, tints: Vec::new(), surface, casts_shadow: true, pick: 0 })
 }
 
 /// How the document wants a body to be drawn.
@@ -119,12 +122,24 @@ struct Pen<'a> {
 }
 
 impl Pen<'_> {
-    fn body(&self, body: &BodySnapshot, looks: &Looks<'_>, list: &mut DrawList, hue: &mut usize) {
+    fn body(
+        &self,
+        body: &BodySnapshot,
+        looks: &Looks<'_>,
+        values: Option<([f64; 2], &[f64])>,
+        list: &mut DrawList,
+        hue: &mut usize,
+    ) {
         let mut has_skin = false;
-        let surface = if self.display.skin == SkinStyle::XRay { Surface::XRay } else { Surface::Solid };
+        // Colours that stand for values can be told from each other only where nothing shines through them.
+        let clear = self.display.skin == SkinStyle::XRay && values.is_none();
+        let surface = if clear { Surface::XRay } else { Surface::Solid };
         if let (true, Some(mut mesh)) = (self.display.skin != SkinStyle::Hidden, skin_mesh(list, body, surface)) {
             mesh.pick = self.number(PickKind::Skin, 1, list);
             mesh.colour = self.tint().or(looks.color.map(Colour::from_rgb)).unwrap_or(mesh.colour);
+            if let (Some((range, values)), Some(rig)) = (values, body.rig()) {
+                mesh.tints = colour_map::over(rig, values, range);
+            }
             list.meshes.push(mesh);
             has_skin = true;
         }
@@ -133,7 +148,7 @@ impl Pen<'_> {
             let colour = own.and_then(|own| own.color).map_or_else(|| self.theme.fibre(*hue), Colour::from_rgb);
             *hue += 1;
             if !own.is_some_and(|own| own.hidden) {
-                self.fibre(index as u32, &fibre.vertices, colour, has_skin, list);
+                self.fibre(index as u32, &fibre.vertices, colour, [has_skin, clear], list);
             }
         }
         // A body without a skin shows what it is made of instead.
@@ -171,11 +186,11 @@ impl Pen<'_> {
         }
     }
 
-    fn fibre(&self, index: u32, vertices: &[DVec3], colour: Colour, has_skin: bool, list: &mut DrawList) {
+    fn fibre(&self, index: u32, vertices: &[DVec3], colour: Colour, [has_skin, clear]: [bool; 2], list: &mut DrawList) {
         let points: Vec<Vec3> = vertices.iter().filter(|v| v.is_finite()).map(|&v| list.local(v)).collect();
         let selected = self.display.selected.contains(&[self.index, index]);
         // Inside an opaque skin there is nothing to see of them but ends that stick out.
-        let inside = self.display.skin == SkinStyle::Shaded && has_skin;
+        let inside = has_skin && !clear;
         if self.display.fibres && !inside {
             let radius = self.spacing * if selected { SELECTED_RADIUS } else { FIBRE_RADIUS };
             let (vertices, indices) = tube(&points, radius as f32);
@@ -183,7 +198,14 @@ impl Pen<'_> {
                 let pick = list.register(PickId { body: self.index, kind: PickKind::Fibre, index }, 1);
                 let casts_shadow = !has_skin;
                 let faces = Faces::Free(vertices, indices);
-                list.meshes.push(Mesh { faces, colour, surface: Surface::Solid, casts_shadow, pick });
+                list.meshes.push(Mesh {
+                    faces,
+                    colour,
+                    tints: Vec::new(),
+                    surface: Surface::Solid,
+                    casts_shadow,
+                    pick,
+                });
             }
         }
         if selected {
@@ -231,7 +253,7 @@ mod tests {
             embedding: SkinEmbedding::of_particles(4, &TRIANGLES),
             ..BodySnapshot::default()
         };
-        Snapshot { time: 0.0, bodies: vec![body], panels: Vec::new() }
+        Snapshot { time: 0.0, bodies: vec![body], panels: Vec::new(), field: None }
     }
 
     fn drawn(snapshot: &Snapshot, display: &Display) -> DrawList {

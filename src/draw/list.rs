@@ -63,6 +63,14 @@ pub enum Faces {
 }
 
 impl Faces {
+    /// Number of vertices.
+    pub fn vertex_count(&self) -> usize {
+        match self {
+            Self::Free(vertices, _) => vertices.len(),
+            Self::Hung(hung) => hung.rig.vertices.len(),
+        }
+    }
+
     /// Vertices and indices, worked out here where they hang on particles.
     pub fn worked_out(&self) -> (Cow<'_, [Vertex]>, Cow<'_, [u32]>) {
         match self {
@@ -80,13 +88,15 @@ impl Faces {
     }
 }
 
-/// A triangle mesh in one colour.
+/// A triangle mesh in one colour, or in one a vertex.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     /// What it is made of.
     pub faces: Faces,
     /// Colour.
     pub colour: Colour,
+    /// Colours of the vertices in place of that, sRGB, 0 to 255; none at all for a mesh in one colour.
+    pub tints: Vec<[u8; 3]>,
     /// What light does to it.
     pub surface: Surface,
     /// Whether it darkens the floor.

@@ -7,6 +7,7 @@
 mod bounds;
 mod build;
 mod colour;
+pub mod colour_map;
 mod list;
 mod options;
 mod surroundings;

@@ -62,7 +62,7 @@ pub(super) fn panels(scene: &Scene, snapshot: &Snapshot, list: &mut DrawList) {
         let (vertices, indices) = faceted(list, &box_surface(&shape, width.max(depth)));
         let colour = list.theme.panel;
         let faces = Faces::Free(vertices, indices);
-        list.meshes.push(Mesh { faces, colour, surface: Surface::Solid, casts_shadow: true, pick });
+        list.meshes.push(Mesh { faces, colour, tints: Vec::new(), surface: Surface::Solid, casts_shadow: true, pick });
     }
 }
 
@@ -114,7 +114,14 @@ pub(super) fn walls(scene: &Scene, list: &mut DrawList) {
         let faces = Faces::Free(vertices, vec![0, 1, 2, 0, 2, 3]);
         let mut points = corners.to_vec();
         points.push(corners[0]);
-        list.meshes.push(Mesh { faces, colour, surface: Surface::Faint, casts_shadow: false, pick: 0 });
+        list.meshes.push(Mesh {
+            faces,
+            colour,
+            tints: Vec::new(),
+            surface: Surface::Faint,
+            casts_shadow: false,
+            pick: 0,
+        });
         let outline = colour.with_alpha(4.0 * colour.alpha);
         list.lines.push(Line { points, width: 1.0, colour: outline, through: 0.0, pick: 0 });
     }

@@ -97,6 +97,11 @@ impl Editor {
         self.undo.last().map(|step| step.name.as_str())
     }
 
+    /// The document before the last change; none where nothing was changed.
+    pub fn before_last(&self) -> Option<&Arc<Scene>> {
+        self.undo.last().map(|step| &step.scene)
+    }
+
     /// What redo would do again.
     pub fn redo_name(&self) -> Option<&str> {
         self.redo.last().map(|step| step.name.as_str())

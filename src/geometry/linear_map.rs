@@ -80,6 +80,12 @@ impl LinearMap {
         whole
     }
 
+    /// The values that it makes of `values`, one at each of its sources.
+    pub fn apply_to_values(&self, values: &[f32]) -> Vec<f32> {
+        let sum = |point| self.terms(point).map(|(source, weight)| weight * values[source as usize]).sum();
+        (0..self.len()).into_par_iter().with_min_len(1024).map(sum).collect()
+    }
+
     /// The points that it makes of `points`.
     pub fn apply(&self, points: &[Vec3]) -> Vec<Vec3> {
         let sum = |point| self.terms(point).map(|(source, weight)| weight * points[source as usize]).sum();

@@ -11,6 +11,8 @@ use std::ops::Range;
 /// (centre, radius, colour, share through, pick) and of a segment (four points, colour, style, flags, pick).
 pub(super) const VERTEX_WORDS: usize = 6;
 pub(super) const ITEM_WORDS: usize = 5;
+/// Red, green and blue of a vertex, 8 bits each, and in the highest 8 whether it has a colour of its own.
+pub(super) const TINT_WORDS: usize = 1;
 pub(super) const POINT_WORDS: usize = 10;
 pub(super) const SEGMENT_WORDS: usize = 20;
 
@@ -25,6 +27,9 @@ pub struct Content {
     pub(super) vertices: Store,
     pub(super) indices: Store,
     pub(super) items: Store,
+    /// Colours of vertices: of those in the common buffers, then of each skin that has some, then as many as the largest
+    /// skin has vertices that say nothing.
+    pub(super) tints: Store,
     pub(super) points: Store,
     pub(super) segments: Store,
     pub(super) meshes: Vec<MeshDraw>,
@@ -39,6 +44,8 @@ pub struct Content {
 pub(super) struct MeshDraw {
     /// Which of [`Content::hides`] it is; none for a mesh in the common buffers.
     pub(super) hide: Option<usize>,
+    /// Row of its first vertex's colour.
+    pub(super) tints: u32,
     pub(super) indices: Range<u32>,
     pub(super) surface: Surface,
     pub(super) casts_shadow: bool,
@@ -56,6 +63,7 @@ impl Content {
             vertices: Store::new(device, "mesh vertices", wgpu::BufferUsages::VERTEX),
             indices: Store::new(device, "mesh indices", wgpu::BufferUsages::INDEX),
             items: Store::new(device, "meshes", wgpu::BufferUsages::VERTEX),
+            tints: Store::new(device, "colours of vertices", wgpu::BufferUsages::VERTEX),
             points: Store::new(device, "points", wgpu::BufferUsages::VERTEX),
             segments: Store::new(device, "segments", wgpu::BufferUsages::VERTEX),
             meshes: Vec::new(),
@@ -92,12 +100,14 @@ impl Content {
             items.push(mesh.pick);
             self.meshes.push(MeshDraw {
                 hide,
+                tints: 0,
                 indices: range,
                 surface: mesh.surface,
                 casts_shadow: mesh.casts_shadow,
                 picked: mesh.pick != 0,
             });
         }
+        self.colour_vertices(renderer, &list, vertices.len() / VERTEX_WORDS);
         let mut points = Vec::new();
         for set in &list.points {
             push_points(&mut points, set);
@@ -114,6 +124,33 @@ impl Content {
         self.hang(renderer, &list);
         self.list = list;
         renderer.draw_shadow(self);
+    }
+
+    /// Sends the colours of vertices, where the common buffers hold so many.
+    fn colour_vertices(&mut self, renderer: &Renderer, list: &DrawList, common: usize) {
+        let word = |&[red, green, blue]: &[u8; 3]| u32::from_le_bytes([red, green, blue, u8::MAX]);
+        let mut words = vec![0; common];
+        let mut first = 0;
+        for (mesh, drawn) in list.meshes.iter().zip(&mut self.meshes) {
+            if drawn.hide.is_none() {
+                let count = mesh.faces.vertex_count();
+                for (slot, tint) in words[first..first + count].iter_mut().zip(&mesh.tints) {
+                    *slot = word(tint);
+                }
+                first += count;
+            } else if !mesh.tints.is_empty() {
+                drawn.tints = words.len() as u32;
+                words.extend(mesh.tints.iter().map(word));
+            }
+        }
+        let plain = words.len();
+        for (mesh, drawn) in list.meshes.iter().zip(&mut self.meshes) {
+            if drawn.hide.is_some() && mesh.tints.is_empty() {
+                drawn.tints = plain as u32;
+                words.resize(words.len().max(plain + mesh.faces.vertex_count()), 0);
+            }
+        }
+        self.tints.write(renderer.device(), renderer.queue(), &words, TINT_WORDS);
     }
 
     /// Moves the vertices of skins to where their particles are.

@@ -1,6 +1,6 @@
 //! Pipelines: what is drawn how.
 
-use super::content::{ITEM_WORDS, POINT_WORDS, SEGMENT_WORDS, VERTEX_WORDS};
+use super::content::{ITEM_WORDS, POINT_WORDS, SEGMENT_WORDS, TINT_WORDS, VERTEX_WORDS};
 use super::shaders;
 use wgpu::{BlendState, CompareFunction, Face};
 
@@ -190,6 +190,7 @@ enum Rows {
 
 const VERTEX: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
 const ITEM: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![2 => Float32x4, 3 => Uint32];
+const TINT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![4 => Unorm8x4];
 const POINT: [wgpu::VertexAttribute; 5] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32, 2 => Float32x4, 3 => Float32, 4 => Uint32];
 const SEGMENT: [wgpu::VertexAttribute; 8] = wgpu::vertex_attr_array![
@@ -207,7 +208,11 @@ impl Rows {
         let (vertex, instance) = (wgpu::VertexStepMode::Vertex, wgpu::VertexStepMode::Instance);
         match self {
             Self::None => Vec::new(),
-            Self::Mesh => vec![rows(VERTEX_WORDS, vertex, &VERTEX), rows(ITEM_WORDS, instance, &ITEM)],
+            Self::Mesh => vec![
+                rows(VERTEX_WORDS, vertex, &VERTEX),
+                rows(ITEM_WORDS, instance, &ITEM),
+                rows(TINT_WORDS, vertex, &TINT),
+            ],
             Self::Vertices => vec![rows(VERTEX_WORDS, vertex, &VERTEX)],
             Self::Points => vec![rows(POINT_WORDS, instance, &POINT)],
             Self::Segments => vec![rows(SEGMENT_WORDS, instance, &SEGMENT)],

@@ -1,7 +1,7 @@
 //! Draws content into viewports.
 
 use super::camera::Camera;
-use super::content::{Content, ITEM_WORDS};
+use super::content::{Content, ITEM_WORDS, TINT_WORDS};
 use super::marks;
 use super::pipelines::{DEPTH_FORMAT, Layouts, Pipelines, SHADE_FORMAT, row_offset};
 use super::shadow::Caster;
@@ -256,6 +256,7 @@ pub(super) fn draw_meshes(
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.set_vertex_buffer(1, content.items.buffer.slice(row_offset(item, ITEM_WORDS)..));
+        pass.set_vertex_buffer(2, content.tints.buffer.slice(row_offset(mesh.tints, TINT_WORDS)..));
         pass.draw_indexed(mesh.indices.clone(), 0, 0..1);
     }
 }

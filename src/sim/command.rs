@@ -1,6 +1,7 @@
 //! What can be asked of a running world. None of it is saved, none of it is undone.
 
 use crate::scene::{Assets, IntegratorKind, Scene};
+use crate::solver::snapshot::FieldKind;
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -46,6 +47,11 @@ pub enum SimCommand {
         /// Time step [s].
         dt: f64,
     },
+    /// Put a field over the bodies into every picture from now on; none for no field.
+    Field(Option<FieldKind>),
+    /// Run another scene of the same models in step, from where the world is now; what is pulled or struck in one is in
+    /// both. None ends it.
+    Ghost(Option<Arc<Scene>>),
     /// Strike a whole body.
     Strike {
         /// Index of the body.

@@ -84,6 +84,8 @@ pub struct Reading {
 pub struct Published {
     /// Positions.
     pub snapshot: Snapshot,
+    /// The scene that runs in step, where there is one; not while runs are compared.
+    pub ghost: Option<Snapshot>,
     /// Every body at rest in its model frame; the same one until the scene is put together again.
     pub at_rest: Arc<Snapshot>,
     /// The rest.

@@ -11,6 +11,7 @@ use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
 use crate::solver::grab::Grab;
 use crate::solver::snapshot::Snapshot;
+use sights::Sights;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -100,6 +101,7 @@ struct Loop {
     /// Integrators and step [s] that are compared, and the comparison.
     wanted: (Vec<IntegratorKind>, f64),
     side_by_side: Option<SideBySide>,
+    sights: Sights,
     status: Status,
     out: Out,
     rate: Rate,
@@ -124,6 +126,7 @@ impl Loop {
             grabbed: None,
             wanted: (Vec::new(), 0.0),
             side_by_side: None,
+            sights: Sights::default(),
             status: Status { playing, ..Status::default() },
             out,
             rate: Rate { since: Instant::now(), frames: 0 },
@@ -152,6 +155,7 @@ impl Loop {
             if std::mem::take(&mut self.edited) {
                 self.put_together(true);
             }
+            self.put_ghost_together();
             let advances = self.runs() && Instant::now() >= due;
             if advances {
                 self.advance();
@@ -195,12 +199,21 @@ impl Loop {
             }
             SimCommand::Reset => {
                 self.grabbed = None;
+                self.sights.reset();
                 self.start_comparison();
                 if self.start.is_some() {
                     self.runner.clone_from(&self.start);
                     self.status.failure = None;
                 } else {
                     self.put_together(false);
+                }
+            }
+            SimCommand::Field(kind) => self.sights.choose(kind),
+            SimCommand::Ghost(scene) => {
+                self.sights.want(scene);
+                // An edit that waits is put together first: the ghost starts from where that is.
+                if !self.edited {
+                    self.put_ghost_together();
                 }
             }
             SimCommand::Speed(speed) => self.speed = speed,
@@ -214,22 +227,21 @@ impl Loop {
                 self.assets = assets;
                 self.status.edits += 1;
                 self.grabbed = None;
+                self.sights.drop_ghost();
                 self.wanted.0.clear();
                 self.put_together(false);
             }
             SimCommand::Strike { body, impulse } => {
-                if let Some(body) = self.runner.as_mut().and_then(|runner| runner.body_mut(body)) {
-                    body.strike(impulse);
-                }
+                self.bodies_mut(body).into_iter().for_each(|body| body.strike(impulse));
             }
             SimCommand::Grab { body, vertex, target } => self.grab(body, vertex, target),
             SimCommand::MoveGrab(target) => {
-                if let Some(grab) = self.last_grab() {
+                for grab in self.grabs().filter_map(|grabs| grabs.last_mut()) {
                     grab.target = target;
                 }
             }
             SimCommand::Release => {
-                if let Some(grabs) = self.grabs() {
+                for grabs in self.grabs() {
                     grabs.pop();
                 }
                 self.grabbed = None;
@@ -237,28 +249,26 @@ impl Loop {
             SimCommand::PinGrab => self.grabbed = None,
             SimCommand::ReleaseAll => {
                 self.grabbed = None;
-                if let Some(runner) = &mut self.runner {
-                    runner.release_all();
-                }
+                self.runner.iter_mut().chain(self.sights.runner_mut()).for_each(Runner::release_all);
             }
         }
     }
 
     fn grab(&mut self, body: usize, vertex: usize, target: glam::DVec3) {
-        let Some(held) = self.runner.as_mut().and_then(|runner| runner.body_mut(body)) else { return };
-        let Some(point) = held.point(vertex) else { return };
-        let grab = Grab::on(held, point, target);
-        held.grabs_mut().push(grab);
-        self.grabbed = Some(body);
+        let mut found = false;
+        for held in self.bodies_mut(body) {
+            let Some(point) = held.point(vertex) else { continue };
+            let grab = Grab::on(held, point, target);
+            held.grabs_mut().push(grab);
+            found = true;
+        }
+        self.grabbed = found.then_some(body).or(self.grabbed);
     }
 
-    fn grabs(&mut self) -> Option<&mut Vec<Grab>> {
-        let body = self.grabbed?;
-        Some(self.runner.as_mut()?.body_mut(body)?.grabs_mut())
-    }
-
-    fn last_grab(&mut self) -> Option<&mut Grab> {
-        self.grabs()?.last_mut()
+    /// Pulls on the body that follows the pointer, and on its like.
+    fn grabs(&mut self) -> impl Iterator<Item = &mut Vec<Grab>> {
+        let bodies = self.grabbed.map_or_else(Vec::new, |body| self.bodies_mut(body));
+        bodies.into_iter().map(Body::grabs_mut)
     }
 
     /// Bakes the scene. After an edit the motion goes on; where the scene cannot be put together, the old world does.
@@ -326,6 +336,9 @@ impl Loop {
             self.status.playing = false;
             self.status.failure = Some(describe(panic.as_ref()));
         }
+        if self.side_by_side.is_none() {
+            self.advance_ghost();
+        }
         self.rate.frames += 1;
         let elapsed = self.rate.since.elapsed();
         if elapsed >= RATE_WINDOW {
@@ -338,9 +351,11 @@ impl Loop {
 
     fn publish(&mut self) {
         let mut snapshot = Snapshot::default();
+        let (field, mut ghost) = (self.field(), self.sights.ghost());
         if let Some(runner) = &self.runner {
             let world = runner.world();
             snapshot = runner.particles();
+            snapshot.field = field;
             self.status.time = world.time();
             let plan = world.plan();
             let stepping = |(body, count): (&Body, &u32)| Stepping {
@@ -358,11 +373,12 @@ impl Loop {
         let mut compared = Vec::new();
         if let Some(side_by_side) = &self.side_by_side {
             snapshot = side_by_side.snapshot();
+            ghost = None;
             self.status.time = snapshot.time;
             compared = side_by_side.compared();
         }
         let at_rest = Arc::clone(&self.at_rest);
-        self.out.publish(Published { snapshot, at_rest, status: self.status.clone(), compared });
+        self.out.publish(Published { snapshot, ghost, at_rest, status: self.status.clone(), compared });
     }
 }
 
@@ -376,5 +392,6 @@ fn describe(panic: &(dyn std::any::Any + Send)) -> String {
     format!("the solver failed ({said}); the document is unharmed: undo the last change or reset")
 }
 
+mod sights;
 #[cfg(test)]
 mod tests;

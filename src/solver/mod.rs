@@ -9,6 +9,7 @@ pub mod constraint;
 pub mod dynamics;
 pub mod embedding;
 pub mod energy;
+pub mod field;
 pub mod forces;
 pub mod grab;
 pub mod integrators;

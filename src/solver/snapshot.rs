@@ -1,6 +1,7 @@
 //! What the solver shows of itself: plain positions at one time.
 
 use super::body::Body;
+pub use super::field::FieldKind;
 pub use super::forces::fibre::breaking::{BreakPlace, FibreBreak};
 pub use super::forces::springs::SpringKind;
 use super::layers::Layers;
@@ -21,6 +22,29 @@ pub struct Snapshot {
     pub bodies: Vec<BodySnapshot>,
     /// Heights of the panels' undersides [m] in the order of the scene.
     pub panels: Vec<f64>,
+    /// A field over the bodies, where one was asked for.
+    pub field: Option<FieldSnapshot>,
+}
+
+/// A field over the bodies at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldSnapshot {
+    /// Which.
+    pub kind: FieldKind,
+    /// Values that the ends of a colour map stand for, in the field's own unit; the second is above the first.
+    pub range: [f64; 2],
+    /// Values at the particles of every body; none for a body without such a field.
+    pub bodies: Vec<Vec<f64>>,
+}
+
+impl FieldSnapshot {
+    /// A field of a world as it stands, over its own range, which begins at 0 so that a body that nothing is done to has the
+    /// map's first colour.
+    pub fn of(world: &World, kind: FieldKind) -> Self {
+        let bodies: Vec<Vec<f64>> = world.bodies().iter().map(|body| body.field(kind)).collect();
+        let top = bodies.iter().flatten().copied().filter(|value| value.is_finite()).fold(kind.least(), f64::max);
+        Self { kind, range: [0.0, top], bodies }
+    }
 }
 
 /// A body at one time.
@@ -174,6 +198,7 @@ impl Snapshot {
                 }
             })
             .collect();
-        Self { time: world.time(), bodies, panels: world.panels().iter().map(|panel| panel.height).collect() }
+        let panels = world.panels().iter().map(|panel| panel.height).collect();
+        Self { time: world.time(), bodies, panels, field: None }
     }
 }

@@ -2,22 +2,22 @@
 
 use super::comparison::Comparison;
 use super::dialogs::Dialog;
-use super::document::{Document, moved};
+use super::document::Document;
 use super::editing::Editing;
 use super::pane::Pane;
 use super::picture::Painter;
+use super::seeing::Seeing;
 use super::sketch_tool::SketchTool;
 use super::theme::Tone;
 use crate::draw::Display;
 use crate::edit::{Command, Editor};
-use crate::io::save_scene;
 use crate::render::Camera;
 use crate::scene::{Assets, Body, Pin, Region, Scene, TwoLayer};
 use crate::sim::{Published, SimCommand, Worker};
 use crate::sketch::View;
 use crate::solver::snapshot::Snapshot;
 use glam::DVec3;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// How serious a message is.
@@ -61,8 +61,8 @@ pub struct App {
     pub(super) editor: Editor,
     pub(super) path: Option<PathBuf>,
     /// Folder from which the scene names its models.
-    folder: PathBuf,
-    worker: Worker,
+    pub(super) folder: PathBuf,
+    pub(super) worker: Worker,
     pub(super) published: Arc<Published>,
     /// Edits sent to the simulation, to know whether what is shown is up to date.
     pub(super) sent_edits: u64,
@@ -80,6 +80,7 @@ pub struct App {
     pub(super) drawn_last: Option<String>,
     pub(super) tab: PropertyTab,
     pub(super) comparison: Comparison,
+    pub(super) seeing: Seeing,
     pub(super) assets: Arc<Assets>,
     /// Impulse that the strike button gives [N s].
     pub(super) impulse: [f64; 3],
@@ -134,6 +135,7 @@ impl App {
             drawn_last: None,
             tab: PropertyTab::default(),
             comparison: Comparison::default(),
+            seeing: Seeing::default(),
             assets,
             impulse: [0.1, 0.0, 0.0],
             pull: None,
@@ -244,50 +246,7 @@ impl App {
         if self.worker.send(SimCommand::Edit(Arc::clone(self.editor.scene()))) {
             self.sent_edits += 1;
         }
-    }
-
-    /// Opens a file, or the built-in scene.
-    pub(super) fn open_document(&mut self, path: Option<PathBuf>) {
-        match Document::load(path) {
-            Ok(Document { scene, assets, path, folder, note }) => {
-                self.editor = Editor::new(scene);
-                self.path = path;
-                self.folder = folder;
-                self.assets = assets;
-                self.editing = Editing::default();
-                self.tool = SketchTool::default();
-                self.pull = None;
-                if self.worker.send(SimCommand::Open(Arc::clone(self.editor.scene()), Arc::clone(&self.assets))) {
-                    self.sent_edits += 1;
-                }
-                self.active = 0;
-                self.drawn_last = None;
-                self.reframe(false);
-                let name =
-                    self.path.as_ref().map_or_else(|| "the soft bar".to_owned(), |path| path.display().to_string());
-                self.say(Gravity::Note, note.unwrap_or_else(|| format!("Opened {name}")));
-            }
-            Err(error) => self.say(Gravity::Error, error.to_string()),
-        }
-    }
-
-    /// Opens a file.
-    pub fn open(&mut self, path: &Path) {
-        self.open_document(Some(path.to_owned()));
-    }
-
-    /// Saves to a file.
-    pub fn save(&mut self, path: &Path) {
-        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let scene = moved(self.editor.scene(), &self.folder, &folder);
-        match save_scene(path, &scene) {
-            Ok(()) => {
-                self.editor.mark_saved();
-                self.path = Some(path.to_owned());
-                self.say(Gravity::Note, format!("Saved {}", path.display()));
-            }
-            Err(error) => self.say(Gravity::Error, error.to_string()),
-        }
+        self.ask_for_ghost();
     }
 
     /// Takes the newest picture of the simulation and what the person asks for by keys and drops.

@@ -1,7 +1,8 @@
 //! The bar of menus and play controls above, the line of status below.
 
-use super::action::{Action, Menu};
+use super::action::Action;
 use super::app::{App, Gravity};
+use super::menu::Menu;
 use super::sketch_tool::Stage;
 use super::theme::{self, GRID};
 use crate::edit::Command;

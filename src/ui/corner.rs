@@ -15,13 +15,21 @@ const BALL: f32 = 8.0;
 
 impl View3d<'_> {
     pub(super) fn corner(&mut self, ui: &mut Ui, rect: Rect) {
-        let bar = Rect::from_min_max(rect.min + Vec2::splat(2.0 * GRID), rect.max);
-        let mut child = ui.new_child(UiBuilder::new().max_rect(bar));
-        child.horizontal(|ui| match self.pane.kind {
-            PaneKind::Drawing(view) => self.choose_view(ui, view),
-            PaneKind::Result => self.choose_projection(ui),
-        });
+        let mut bar = Rect::from_min_max(rect.min + Vec2::splat(2.0 * GRID), rect.max);
         if self.pane.kind == PaneKind::Result {
+            // Room for the axes.
+            bar.max.x = (bar.max.x - 2.0 * REACH - 8.0 * GRID).max(bar.min.x + 2.0 * REACH);
+        }
+        let mut child = ui.new_child(UiBuilder::new().max_rect(bar));
+        match self.pane.kind {
+            PaneKind::Drawing(view) => child.horizontal(|ui| self.choose_view(ui, view)),
+            PaneKind::Result => child.horizontal_wrapped(|ui| {
+                self.choose_projection(ui);
+                self.app.choose_sights(ui);
+            }),
+        };
+        if self.pane.kind == PaneKind::Result {
+            self.legend(&mut child);
             self.gizmo(ui, rect);
         }
     }

@@ -14,7 +14,10 @@ mod document;
 mod editing;
 mod fibres;
 mod field;
+mod files;
 mod inspector;
+mod legend;
+mod menu;
 mod outliner;
 mod overlay;
 mod pane;
@@ -22,14 +25,16 @@ mod perform;
 mod picture;
 mod properties;
 mod pulling;
+mod seeing;
 mod sketch_tool;
 pub mod theme;
 mod views;
 mod world_panel;
 
-pub use action::{Action, Menu};
+pub use action::Action;
 pub use app::App;
 pub use document::Document;
+pub use menu::Menu;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use thiserror::Error;

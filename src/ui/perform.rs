@@ -101,6 +101,8 @@ impl App {
             Action::Springs => self.display.springs = !self.display.springs,
             Action::Strokes => self.display.strokes = !self.display.strokes,
             Action::Grid => self.display.grid = !self.display.grid,
+            Action::ColourMap => self.next_field(),
+            Action::Ghost => self.next_ghost(),
             Action::Theme => {
                 self.tone = self.tone.other();
                 self.tone.apply(ctx);

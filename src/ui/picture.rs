@@ -123,7 +123,11 @@ impl Painter {
         let content = picture.content.get_or_insert_with(|| Content::new(renderer));
         let changed = picture.sight.as_ref() != Some(&sight);
         if changed {
-            let subject = Subject { scene: &sight.scene, snapshot: &sight.shown, ghost: None };
+            let ghost = match &sight.shown {
+                Shown::Running(published) => published.ghost.as_ref(),
+                Shown::Model(_) => None,
+            };
+            let subject = Subject { scene: &sight.scene, snapshot: &sight.shown, ghost };
             let list = draw(&subject, &sight.display, &sight.tone.pictures());
             if *content.list() != list || picture.source.is_none() {
                 content.send(renderer, list);

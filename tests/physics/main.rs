@@ -7,6 +7,7 @@ mod breaking;
 mod common;
 mod conservation;
 mod fibres;
+mod fields;
 mod figures;
 mod forces;
 mod meeting;

@@ -105,6 +105,7 @@ fn what_shows_through_does_so_by_its_share() {
                 vec![0, 1, 2],
             ),
             colour: Colour::hex(0xff_ffff),
+            tints: Vec::new(),
             surface: sinew::draw::Surface::Solid,
             casts_shadow: false,
             pick: 0,

@@ -4,6 +4,7 @@ use super::{bar, difference, framed, list, offscreen, pixel_of};
 use glam::DVec3;
 use sinew::draw::{Display, Theme};
 use sinew::render::{Camera, Facing, Offscreen, Options};
+use sinew::solver::snapshot::{FieldKind, FieldSnapshot};
 
 /// The middle of the bar at its start [m].
 const MIDDLE: DVec3 = DVec3::new(0.0, 0.066, 0.0);
@@ -117,4 +118,33 @@ fn skins_look_alike_whoever_moves_them() {
     }
     // Rounding moves an outline by less than a pixel here and there.
     assert!(apart < width * height / 1000, "{apart} pixels differ");
+}
+
+#[test]
+fn a_field_colours_the_skin_by_value_and_nothing_shines_through() {
+    let Some(mut offscreen) = offscreen("fields") else { return };
+    let (scene, mut snapshot) = bar();
+    let plain = list(&scene, &snapshot, &Display::default());
+    let camera = framed(Camera::facing(Facing::Front), &plain);
+    let plain = offscreen.draw(plain, &camera).unwrap();
+    // From nothing at the lower end to one at the upper end, whatever it is.
+    let values = snapshot.bodies[0].particles.iter().map(|point| point.y).collect();
+    snapshot.field = Some(FieldSnapshot { kind: FieldKind::Strain, range: [0.05, 0.122], bodies: vec![values] });
+    let [solid, clear] = [Display::default(), Display::x_ray()]
+        .map(|display| offscreen.draw(list(&scene, &snapshot, &display), &camera).unwrap());
+    let seen = |height: f64| {
+        let pixel = solid.pixel(pixel_of(&camera, DVec3::new(0.002, height, 0.021))).unwrap();
+        pixel.map(i32::from)
+    };
+    let [low, middle, high] = [0.055, 0.086, 0.117].map(seen);
+    // Violet, green-blue, pale yellow.
+    assert!(low[2] > low[1] + 20 && low[2] > low[0], "{low:?}");
+    assert!(middle[1] > middle[0] + 20 && middle[2] > middle[0] + 20, "{middle:?}");
+    assert!(high[0] > high[2] + 30 && high[1] > high[2] + 30, "{high:?}");
+    let fibre = pixel_of(&camera, snapshot.bodies[0].fibres[0].vertices[5]);
+    assert_eq!(difference(&solid, &clear, fibre), 0);
+    // Without the field the skin is as it was before.
+    snapshot.field = None;
+    let again = offscreen.draw(list(&scene, &snapshot, &Display::default()), &camera).unwrap();
+    assert!(again == plain);
 }

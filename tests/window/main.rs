@@ -9,6 +9,7 @@ mod picture;
 mod pulling;
 mod refusals;
 mod running;
+mod seeing;
 mod sketching;
 
 use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Vec2};

@@ -5,7 +5,7 @@ struct MeshOut {
     // Within the triangle: what is extrapolated beyond its edge makes bright specks along outlines.
     @location(0) @interpolate(perspective, centroid) local: vec3f,
     @location(1) @interpolate(perspective, centroid) normal: vec3f,
-    @location(2) @interpolate(flat) colour: vec4f,
+    @location(2) @interpolate(perspective, centroid) colour: vec4f,
     @location(3) @interpolate(flat) pick: u32,
 }
 
@@ -15,8 +15,12 @@ fn vs_mesh(
     @location(1) normal: vec3f,
     @location(2) colour: vec4f,
     @location(3) pick: u32,
+    // A colour of the vertex's own, sRGB; in w, 1 if it has one.
+    @location(4) tint: vec4f,
 ) -> MeshOut {
-    return MeshOut(windowed(frame.clip_from_local * vec4f(position, 1.0)), position, normal, colour, pick);
+    let linear = select(pow((tint.rgb + 0.055) / 1.055, vec3f(2.4)), tint.rgb / 12.92, tint.rgb <= vec3f(0.04045));
+    let own = vec4f(mix(colour.rgb, linear, tint.w), colour.a);
+    return MeshOut(windowed(frame.clip_from_local * vec4f(position, 1.0)), position, normal, own, pick);
 }
 
 @fragment

@@ -76,6 +76,11 @@ pub trait Force: Send + Sync {
         &[]
     }
 
+    /// The elasticity of the matrix, where it is that: its strains and stresses can be looked at.
+    fn matrix(&self) -> Option<&MatrixForce> {
+        None
+    }
+
     /// A copy in a box; bodies are cloned to be replayed or probed.
     fn clone_box(&self) -> Box<dyn Force>;
 }

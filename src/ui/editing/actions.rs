@@ -1,5 +1,6 @@
 //! What the menu does to the selected fibres and vertices.
 
+use super::BoxDrag;
 use super::moving::Kind;
 use crate::edit::fibre_ops::{self, Edited, FibreEditError, Fineness, Transform};
 use crate::edit::{Command, Item};
@@ -41,7 +42,7 @@ impl App {
         match action {
             Action::Move => self.begin_at_pointer(ctx, Kind::Move),
             Action::Turn => self.begin_at_pointer(ctx, Kind::Turn),
-            Action::BoxSelect => self.editing.boxed = Some(None),
+            Action::BoxSelect => self.editing.boxed = Some(BoxDrag::default()),
             Action::SelectAll => self.select_all(),
             Action::Vertices => {
                 let enter = self.editing.selection.vertices().is_none();

@@ -87,7 +87,9 @@ impl App {
         let (waiting, gesture) = (std::mem::take(&mut brush.waiting), brush.gesture);
         let Some(body) = self.active_body().filter(|_| !waiting.is_empty()) else { return };
         let (id, mut paint) = (body.id.clone(), body.paint.clone());
-        waiting.into_iter().for_each(|dab| add_dab(&mut paint, dab));
+        for dab in waiting {
+            add_dab(&mut paint, dab);
+        }
         if paint.len() > MAX_DABS {
             self.say(
                 Gravity::Warning,

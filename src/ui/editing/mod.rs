@@ -28,8 +28,8 @@ pub(super) struct Editing {
     moving: Option<(Moving, PaneKind)>,
     /// What the last move asked for and is not in the document yet.
     pending: Option<fibre_ops::Transform>,
-    /// A box that is to be drawn around what is selected, and where it began.
-    boxed: Option<Option<Pos2>>,
+    /// A box that is to be drawn around what is to be selected.
+    boxed: Option<BoxDrag>,
     /// The next stroke takes the place of the selected fibre's in its view.
     pub(super) redraws: bool,
     /// The handle under the pointer.
@@ -38,6 +38,13 @@ pub(super) struct Editing {
     brush: Option<Brush>,
     /// Tab was pressed for a command.
     tabbed: bool,
+}
+
+/// A box around what is to be selected.
+#[derive(Clone, Copy, Debug, Default)]
+struct BoxDrag {
+    /// Where it began; none before the button is pressed.
+    from: Option<Pos2>,
 }
 
 impl Editing {
@@ -54,7 +61,7 @@ impl Editing {
     /// Tab is a command here, and must not leave the keys with some button.
     pub(super) fn keep_keys(&mut self, ctx: &egui::Context) {
         if std::mem::take(&mut self.tabbed) {
-            ctx.memory_mut(|memory| memory.stop_text_input());
+            ctx.memory_mut(egui::Memory::stop_text_input);
         }
     }
 
@@ -98,16 +105,13 @@ impl App {
 
     /// The middle of what is selected, in the model frame [m]; none if nothing is.
     pub(super) fn pivot(&self) -> Option<DVec3> {
-        let points: Vec<DVec3> = match self.editing.selection.vertices() {
-            Some(chosen) => {
-                let vertices = self.active_vertices();
-                chosen.iter().filter_map(|&k| vertices.get(k).copied()).collect()
-            }
-            None => {
-                let sampling = self.sampling();
-                let courses = self.selected_fibres().into_iter().map(|fibre| fibre_ops::vertices(fibre, sampling));
-                courses.flat_map(Result::unwrap_or_default).collect()
-            }
+        let points: Vec<DVec3> = if let Some(chosen) = self.editing.selection.vertices() {
+            let vertices = self.active_vertices();
+            chosen.iter().filter_map(|&k| vertices.get(k).copied()).collect()
+        } else {
+            let sampling = self.sampling();
+            let courses = self.selected_fibres().into_iter().map(|fibre| fibre_ops::vertices(fibre, sampling));
+            courses.flat_map(Result::unwrap_or_default).collect()
         };
         (!points.is_empty()).then(|| points.iter().sum::<DVec3>() / points.len() as f64)
     }

@@ -1,5 +1,6 @@
 //! Choosing fibres and vertices in the views: by a click, or by a box around them.
 
+use super::BoxDrag;
 use super::gizmo::Handle;
 use super::moving::{Asked, Kind, seen_angle};
 use crate::scene::Body;
@@ -122,11 +123,11 @@ impl View3d<'_> {
             ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
             self.app.hint = "Drag a box around what is to be selected; Shift adds, Escape leaves it";
         }
-        if begun.is_none() && response.drag_started_by(egui::PointerButton::Primary) {
-            self.app.editing.boxed = Some(origin);
+        if begun.from.is_none() && response.drag_started_by(egui::PointerButton::Primary) {
+            self.app.editing.boxed = Some(BoxDrag { from: origin });
         }
         if response.drag_stopped_by(egui::PointerButton::Primary)
-            && let (Some(Some(from)), Some(to)) = (self.app.editing.boxed, at)
+            && let (Some(from), Some(to)) = (self.app.editing.boxed.and_then(|boxed| boxed.from), at)
         {
             self.select_in(frame, Rect::from_two_pos(from, to), adding);
             self.app.editing.boxed = None;
@@ -156,7 +157,8 @@ impl View3d<'_> {
     pub(in crate::ui) fn paint_editing(&self, ui: &Ui, frame: Frame) {
         let painter = ui.painter_at(frame.rect);
         let accent = theme::color(self.app.tone.pictures().accent);
-        if let (Some(Some(from)), Some(to)) = (self.app.editing.boxed, ui.input(|input| input.pointer.latest_pos()))
+        let from = self.app.editing.boxed.and_then(|boxed| boxed.from);
+        if let (Some(from), Some(to)) = (from, ui.input(|input| input.pointer.latest_pos()))
             && frame.rect.contains(from)
         {
             let rect = Rect::from_two_pos(from, to);

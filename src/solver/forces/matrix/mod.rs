@@ -25,6 +25,7 @@
 //! - *pair list*: particle by particle through its neighbours, four to five times slower. It takes any spacing, says in few lines
 //!   what is computed, and is what the stencil is held against.
 
+mod equivalent;
 pub(super) mod lanes;
 mod layout;
 mod pairs;
@@ -206,6 +207,10 @@ impl Force for MatrixForce {
 
     fn name(&self) -> &'static str {
         "matrix"
+    }
+
+    fn matrix(&self) -> Option<&MatrixForce> {
+        Some(self)
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

@@ -1,0 +1,146 @@
+//! What a window may want to see besides positions: a field over the world, and another scene in step with it.
+
+use super::{Loop, describe};
+use crate::scene::Scene;
+use crate::sim::Runner;
+use crate::solver::body::Body;
+use crate::solver::snapshot::{FieldKind, FieldSnapshot, Snapshot};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+/// Share of the way by which a field's range narrows from one picture to the next: a second or so in all.
+const NARROWING: f64 = 0.03;
+
+/// What is to be seen.
+#[derive(Default)]
+pub(super) struct Sights {
+    field: Option<FieldKind>,
+    /// Upper end of the field's range.
+    top: f64,
+    /// The scene that is to run beside the document.
+    wanted: Option<Arc<Scene>>,
+    /// Whether that has changed since the ghost was put together.
+    stale: bool,
+    ghost: Option<Ghost>,
+}
+
+/// A scene in step with the document's.
+struct Ghost {
+    scene: Arc<Scene>,
+    start: Runner,
+    runner: Runner,
+}
+
+impl Ghost {
+    /// Brings it forward to a time [s], in whole frames of its own.
+    fn catch_up(&mut self, time: f64) {
+        // Half a frame of leeway: both clocks may round differently.
+        let frame = self.runner.world().plan().frame_seconds;
+        while !self.runner.all_stopped() && self.runner.world().time() + 0.5 * frame < time {
+            self.runner.advance_frame();
+        }
+    }
+}
+
+impl Sights {
+    pub(super) fn choose(&mut self, field: Option<FieldKind>) {
+        self.field = field;
+        self.top = 0.0;
+    }
+
+    pub(super) fn want(&mut self, scene: Option<Arc<Scene>>) {
+        self.wanted = scene;
+        self.stale = true;
+    }
+
+    /// Ends the ghost of a document that is no longer there.
+    pub(super) fn drop_ghost(&mut self) {
+        self.want(None);
+        self.ghost = None;
+    }
+
+    /// Back to the start, as the world goes there.
+    pub(super) fn reset(&mut self) {
+        self.top = 0.0;
+        if let Some(ghost) = &mut self.ghost {
+            ghost.runner.clone_from(&ghost.start);
+        }
+    }
+
+    pub(super) fn ghost(&self) -> Option<Snapshot> {
+        self.ghost.as_ref().map(|ghost| ghost.runner.particles())
+    }
+
+    /// The world that runs beside the document's.
+    pub(super) fn runner_mut(&mut self) -> Option<&mut Runner> {
+        self.ghost.as_mut().map(|ghost| &mut ghost.runner)
+    }
+}
+
+impl Loop {
+    /// Puts the ghost together if another one is wanted. It starts where the world is now, so that the two part only by
+    /// what their scenes differ in.
+    pub(super) fn put_ghost_together(&mut self) {
+        if !std::mem::take(&mut self.sights.stale) {
+            return;
+        }
+        let Some(scene) = self.sights.wanted.clone() else {
+            self.sights.ghost = None;
+            return;
+        };
+        if self.sights.ghost.as_ref().is_some_and(|ghost| ghost.scene == scene) {
+            return;
+        }
+        self.sights.ghost = None;
+        let problem = match catch_unwind(AssertUnwindSafe(|| self.bake(&scene))) {
+            Ok(Ok(baked)) => {
+                let start = Runner::new(baked);
+                let mut runner = start.clone();
+                // At the start of the scene nothing is taken over: an adopted state is the same only up to round-off.
+                let moved = |world: &Runner| {
+                    world.world().time() > 0.0 || world.world().bodies().iter().any(|body| !body.grabs().is_empty())
+                };
+                if let Some(world) = self.runner.as_ref().filter(|world| moved(world)) {
+                    runner.adopt(world);
+                }
+                self.sights.ghost = Some(Ghost { scene, start, runner });
+                None
+            }
+            Ok(Err(problem)) => Some(problem),
+            Err(panic) => Some(describe(panic.as_ref())),
+        };
+        self.status.baking = None;
+        self.status.notes.extend(problem.map(|problem| format!("There is no ghost: {problem}")));
+    }
+
+    /// Brings the ghost to where the world is. One that fails is given up; the world goes on.
+    pub(super) fn advance_ghost(&mut self) {
+        let Some(time) = self.runner.as_ref().map(|runner| runner.world().time()) else { return };
+        let Some(ghost) = &mut self.sights.ghost else { return };
+        if let Err(panic) = catch_unwind(AssertUnwindSafe(|| ghost.catch_up(time))) {
+            self.sights.ghost = None;
+            self.status.notes.push(format!("There is no ghost: {}", describe(panic.as_ref())));
+        }
+    }
+
+    /// The body of the world with this number, and the one of the same name in the ghost: what is done to one is done to
+    /// both.
+    pub(super) fn bodies_mut(&mut self, index: usize) -> Vec<&mut Body> {
+        let body = self.runner.as_ref().and_then(|runner| runner.world().bodies().get(index));
+        let Some(id) = body.map(|body| body.parts().id.clone()) else { return Vec::new() };
+        let find = |runner: &Runner| runner.world().bodies().iter().position(|body| body.parts().id == id);
+        let runners = self.runner.iter_mut().chain(self.sights.runner_mut());
+        runners.filter_map(|runner| find(runner).and_then(|place| runner.body_mut(place))).collect()
+    }
+
+    /// The field that was asked for. Its range widens at once, so that nothing is cut off, and narrows slowly, so that
+    /// colours keep their meaning through a swing.
+    pub(super) fn field(&mut self) -> Option<FieldSnapshot> {
+        let kind = self.sights.field?;
+        let mut field = FieldSnapshot::of(self.runner.as_ref()?.world(), kind);
+        let top = &mut self.sights.top;
+        *top = field.range[1].max(*top + NARROWING * (field.range[1] - *top));
+        field.range[1] = *top;
+        Some(field)
+    }
+}

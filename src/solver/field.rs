@@ -1,0 +1,50 @@
+//! What can be read at every particle of a body, for pictures: how it is strained, stressed, filled with fibre, moving.
+
+use super::body::Body;
+use super::forces::MatrixForce;
+
+/// A scalar at every particle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FieldKind {
+    /// Equivalent strain of the matrix [1], `sqrt(2/3 e' : e')` with `e' = e - tr(e)/3 I` and `e = sym(R^T F) - I`: what
+    /// a bar of equal volume is stretched by that changes its shape as much.
+    Strain,
+    /// Equivalent stress of the matrix after von Mises [Pa], `sqrt(3/2 s' : s')` with `s' = s - tr(s)/3 I` and
+    /// `s = 2 mu e + lambda tr(e) I`: in the material's own frame, at the matrix itself, not thinned by its share.
+    Stress,
+    /// Share of fibre in the volume [1].
+    VolumeFraction,
+    /// Length of the velocity [m/s].
+    Speed,
+}
+
+impl FieldKind {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Strain, Self::Stress, Self::VolumeFraction, Self::Speed];
+
+    /// The least value that counts as something, in the field's own unit: whatever lies below is rounding.
+    pub fn least(self) -> f64 {
+        match self {
+            Self::Strain | Self::VolumeFraction | Self::Speed => 1e-6,
+            Self::Stress => 1e-3,
+        }
+    }
+}
+
+impl Body {
+    /// The values of a field at the particles, in its own unit; empty for a body that has no such thing, as one of two
+    /// layers has no matrix.
+    pub fn field(&self, kind: FieldKind) -> Vec<f64> {
+        let state = self.state();
+        let matrix = self.parts().forces.iter().find_map(|force| force.matrix());
+        let read = |of: fn(&MatrixForce, &[_]) -> Vec<f64>| {
+            matrix.map_or_else(Vec::new, |matrix| of(matrix, &state.positions))
+        };
+        match kind {
+            FieldKind::Strain => read(MatrixForce::equivalent_strains),
+            FieldKind::Stress => read(MatrixForce::equivalent_stresses),
+            FieldKind::VolumeFraction => read(|matrix, _| matrix.fibre_fractions()),
+            FieldKind::Speed => state.velocities.iter().map(|velocity| velocity.length()).collect(),
+        }
+    }
+}

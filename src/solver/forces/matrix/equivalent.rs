@@ -1,0 +1,41 @@
+//! Scalars of the matrix at its particles, for whoever looks at it.
+
+use super::{CHUNK, MatrixForce};
+use crate::solver::rotation::nearest_rotation;
+use glam::{DMat3, DVec3};
+use rayon::prelude::*;
+
+impl MatrixForce {
+    /// Equivalent strain at every particle of a body at `positions` [m].
+    pub fn equivalent_strains(&self, positions: &[DVec3]) -> Vec<f64> {
+        (0..positions.len())
+            .into_par_iter()
+            .with_min_len(CHUNK)
+            .map(|i| {
+                let (f, _) = self.matter.gradient(i, positions);
+                let g = DMat3::from_quat(nearest_rotation(f, self.rotation(i))).transpose() * f;
+                equivalent_strain(0.5 * (g + g.transpose()) - DMat3::IDENTITY)
+            })
+            .collect()
+    }
+
+    /// Equivalent stress [Pa] at every particle of a body at `positions` [m].
+    pub fn equivalent_stresses(&self, positions: &[DVec3]) -> Vec<f64> {
+        // The deviator of the stress is 2 mu times that of the strain, whatever lambda is.
+        let stiffness = 3.0 * self.matter.elasticity.mu;
+        self.equivalent_strains(positions).into_iter().map(|strain| stiffness * strain).collect()
+    }
+
+    /// Share of fibre at every particle.
+    pub fn fibre_fractions(&self) -> Vec<f64> {
+        self.matter.share.iter().map(|share| 1.0 - share).collect()
+    }
+}
+
+/// `sqrt(2/3 e' : e')` of a symmetric strain.
+fn equivalent_strain(strain: DMat3) -> f64 {
+    let third = (strain.x_axis.x + strain.y_axis.y + strain.z_axis.z) / 3.0;
+    let deviator = strain - DMat3::from_diagonal(DVec3::splat(third));
+    let square = deviator.x_axis.length_squared() + deviator.y_axis.length_squared() + deviator.z_axis.length_squared();
+    (square / 1.5).sqrt()
+}

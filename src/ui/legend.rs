@@ -1,0 +1,87 @@
+//! What the colours over the bodies stand for.
+
+use super::pane::View3d;
+use super::theme::{self, GRID};
+use crate::draw::colour_map;
+use crate::solver::snapshot::FieldKind;
+use egui::{Align2, FontId, Mesh, Pos2, Rect, Sense, Ui, Vec2};
+
+/// Size of the bar [points].
+const BAR: Vec2 = Vec2::new(160.0, 10.0);
+/// Height of a line of words [points].
+const LINE: f32 = 14.0;
+/// Parts of the bar, each shaded between the colours of its ends.
+const PARTS: u16 = 32;
+
+/// Name with unit, and what exactly is meant.
+fn title(kind: FieldKind) -> (&'static str, &'static str) {
+    match kind {
+        FieldKind::Strain => ("Strain", "Equivalent strain of the matrix, √(2/3 e′:e′) with e = sym(Rᵀ F) − I"),
+        FieldKind::Stress => {
+            ("Stress [Pa]", "Stress of the matrix after von Mises, √(3/2 s′:s′) with s = 2µ e + λ tr(e) I")
+        }
+        FieldKind::VolumeFraction => ("Volume fraction", "Share of fibre in the volume"),
+        FieldKind::Speed => ("Speed [m/s]", "Length of the velocity"),
+    }
+}
+
+/// A number with three digits that count.
+fn digits(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e4).contains(&size) {
+        let behind = (2 - size.log10().floor() as i32).max(0) as usize;
+        format!("{value:.behind$}")
+    } else {
+        format!("{value:.2e}")
+    }
+}
+
+impl View3d<'_> {
+    /// Name, unit, colours and range of the field that is shown; nothing where there is none.
+    pub(super) fn legend(&self, ui: &mut Ui) {
+        let Some(field) = &self.app.published.snapshot.field else { return };
+        let (name, meaning) = title(field.kind);
+        let [low, high] = field.range.map(digits);
+        ui.add_space(GRID);
+        let (place, response) = ui.allocate_exact_size(BAR + Vec2::new(0.0, 2.0 * LINE), Sense::hover());
+        let spoken = format!("{name} from {low} to {high}");
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &spoken));
+        response.on_hover_text(meaning);
+        let painter = ui.painter();
+        let ink = theme::color(self.app.tone.pictures().text);
+        let words = |at: Pos2, align: Align2, text: &str| {
+            painter.text(at, align, text, FontId::proportional(11.0), ink);
+        };
+        words(place.left_top(), Align2::LEFT_TOP, name);
+        let bar = Rect::from_min_size(place.min + Vec2::new(0.0, LINE), BAR);
+        let mut mesh = Mesh::default();
+        for part in 0..=PARTS {
+            let share = f32::from(part) / f32::from(PARTS);
+            let colour = theme::color(colour_map::colour(share));
+            let x = bar.left() + share * bar.width();
+            mesh.colored_vertex(Pos2::new(x, bar.top()), colour);
+            mesh.colored_vertex(Pos2::new(x, bar.bottom()), colour);
+            if part > 0 {
+                let last = 2 * u32::from(part);
+                mesh.add_triangle(last - 2, last - 1, last);
+                mesh.add_triangle(last - 1, last, last + 1);
+            }
+        }
+        painter.add(mesh);
+        words(place.left_bottom(), Align2::LEFT_BOTTOM, &low);
+        words(place.right_bottom(), Align2::RIGHT_BOTTOM, &high);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::digits;
+
+    #[test]
+    fn three_digits_count() {
+        let shown = [0.0, 0.012_345, 0.5, 12.345, 1234.5, 123_456.0, 1.2e-6].map(digits);
+        assert_eq!(shown, ["0", "0.0123", "0.500", "12.3", "1234", "1.23e5", "1.20e-6"]);
+    }
+}

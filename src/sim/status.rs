@@ -3,6 +3,7 @@
 use crate::scene::IntegratorKind;
 use crate::solver::measure::MeasureValue;
 use crate::solver::snapshot::Snapshot;
+use glam::DVec3;
 use std::sync::Arc;
 
 /// The state of the simulation beside its picture.
@@ -88,6 +89,8 @@ pub struct Published {
     pub ghost: Option<Snapshot>,
     /// Every body at rest in its model frame; the same one until the scene is put together again.
     pub at_rest: Arc<Snapshot>,
+    /// Opposite corners of the box around all bodies where the scene places them [m], world; none without a body.
+    pub placed: Option<[DVec3; 2]>,
     /// The rest.
     pub status: Status,
     /// Runs that are compared; the snapshot shows them side by side then. Empty where none are.

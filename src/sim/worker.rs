@@ -11,6 +11,7 @@ use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
 use crate::solver::grab::Grab;
 use crate::solver::snapshot::Snapshot;
+use glam::DVec3;
 use sights::Sights;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
@@ -93,6 +94,7 @@ struct Loop {
     start: Option<Runner>,
     runner: Option<Runner>,
     at_rest: Arc<Snapshot>,
+    placed: Option<[DVec3; 2]>,
     /// An edit that waits until everything that was asked for has been heard: only the last of several is baked.
     edited: bool,
     speed: f64,
@@ -121,6 +123,7 @@ impl Loop {
             start: None,
             runner: None,
             at_rest: Arc::default(),
+            placed: None,
             edited: false,
             speed: 1.0,
             grabbed: None,
@@ -254,7 +257,7 @@ impl Loop {
         }
     }
 
-    fn grab(&mut self, body: usize, vertex: usize, target: glam::DVec3) {
+    fn grab(&mut self, body: usize, vertex: usize, target: DVec3) {
         let mut found = false;
         for held in self.bodies_mut(body) {
             let Some(point) = held.point(vertex) else { continue };
@@ -282,6 +285,7 @@ impl Loop {
                 self.status.failure = None;
                 let fresh = Runner::new(baked);
                 self.at_rest = Arc::new(Snapshot::in_model_frames(fresh.world()));
+                self.placed = fresh.world().placed();
                 self.start = Some(fresh.clone());
                 let mut runner = fresh;
                 if let Some(before) = self.runner.as_ref().filter(|_| keep_motion) {
@@ -378,7 +382,14 @@ impl Loop {
             compared = side_by_side.compared();
         }
         let at_rest = Arc::clone(&self.at_rest);
-        self.out.publish(Published { snapshot, ghost, at_rest, status: self.status.clone(), compared });
+        self.out.publish(Published {
+            snapshot,
+            ghost,
+            at_rest,
+            placed: self.placed,
+            status: self.status.clone(),
+            compared,
+        });
     }
 }
 

@@ -82,6 +82,12 @@ impl World {
         &self.bodies
     }
 
+    /// Opposite corners of the box around all bodies where they were put, undeformed [m]; none without a body.
+    pub fn placed(&self) -> Option<[DVec3; 2]> {
+        let rest = self.bodies.iter().flat_map(|body| body.parts().rest.iter().copied());
+        rest.map(|point| [point; 2]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+    }
+
     /// One body, to give it another integrator or one more force.
     pub fn body_mut(&mut self, index: usize) -> Option<&mut Body> {
         self.met = false;

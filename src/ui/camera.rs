@@ -122,10 +122,11 @@ impl View3d<'_> {
         }
         match self.pane.kind {
             PaneKind::Drawing(_) => points(&shown.bodies),
-            // The whole fall is to be seen, from the start down to the floor.
+            // The whole fall is to be seen, from the start down to the floor, whenever in it the view is fitted.
             PaneKind::Result => points(&shown.bodies).map(|bounds| {
-                let floor = self.app.scene().room.floor.unwrap_or(bounds.min.y).min(bounds.min.y);
-                Bounds { min: bounds.min.with_y(floor), ..bounds }
+                let [low, high] = self.app.published.placed.unwrap_or([bounds.min, bounds.max]);
+                let floor = self.app.scene().room.floor.unwrap_or(bounds.min.y);
+                Bounds { min: bounds.min.min(low).min(bounds.min.with_y(floor)), max: bounds.max.max(high) }
             }),
         }
     }

@@ -73,7 +73,7 @@ fn the_read_out_tells_the_pace() {
     let mut window = still();
     assert!(!read_out(&window));
     press_key(&mut window, Modifiers::NONE, Key::Space);
-    until(&mut window, |app| app.published().status.real_time_factor > 0.0);
+    until(&mut window, |app| app.published().status.playing && app.published().status.real_time_factor > 0.0);
     window.step();
     assert!(read_out(&window));
     assert!(window.query_all_by_label_contains("frames/s").next().is_some());
@@ -86,4 +86,20 @@ fn a_scene_without_bodies_says_what_to_do() {
         .build_eframe(|creation| App::new(&creation.egui_ctx, None, scene(r#"{"version": 1}"#)));
     window.run_steps(5);
     assert!(window.query_all_by_label_contains("The scene has no body").next().is_some());
+}
+
+#[test]
+fn the_result_is_fitted_to_the_whole_fall_whenever_in_it_that_is_done() {
+    let mut window = still();
+    let [low, high] = window.state().published().placed.expect("a body");
+    press_key(&mut window, Modifiers::NONE, Key::Space);
+    // On the floor by now, and pressed together.
+    until(&mut window, |app| time(app) > 0.2);
+    press_key(&mut window, Modifiers::NONE, Key::Home);
+    window.run_steps(40);
+    let view = super::view(&window, "Result");
+    for corner in [low, high, low.with_y(high.y), high.with_y(0.0)] {
+        let at = window.state().shown_at(corner).expect("before the eye");
+        assert!(view.contains(at), "{corner} is shown at {at:?}, beside {view:?}");
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::error::printable;
 use super::order_plot::{Line, order_plot};
-use super::prepare::{Sets, folder_of, load, on_threads, put_together};
+use super::prepare::{Sets, Threads, folder_of, load, put_together};
 use super::table::{Align, Table, figures};
 use super::{CliError, Console, Outcome, output};
 use crate::io::load_assets;
@@ -35,9 +35,8 @@ pub struct Compare {
     plot: Option<PathBuf>,
     #[command(flatten)]
     sets: Sets,
-    /// Threads to run on; the result is the same on any number
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     /// Write all runs as JSON
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -90,7 +89,7 @@ struct Order {
 /// # Errors
 /// A scene or an option that cannot be used, before anything runs; a file that cannot be written.
 pub fn run(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
-    on_threads(args.threads, || compare(args, console))
+    args.threads.run(|| compare(args, console))
 }
 
 fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {

@@ -48,6 +48,32 @@ impl Span {
     }
 }
 
+/// How many threads to run on.
+#[derive(Clone, Copy, Debug, Default, Args)]
+pub struct Threads {
+    /// Threads to run on; the result is the same on any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+impl Threads {
+    /// As many as were asked for, or as the machine has.
+    pub fn count(self) -> usize {
+        self.threads.map_or_else(rayon::current_num_threads, usize::from)
+    }
+
+    /// Runs `work` on that many. The results are the same bits on any number.
+    ///
+    /// # Errors
+    /// The threads cannot be started.
+    pub fn run<T: Send>(self, work: impl FnOnce() -> Result<T, CliError> + Send) -> Result<T, CliError> {
+        match self.threads {
+            Some(threads) => rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build()?.install(work),
+            None => work(),
+        }
+    }
+}
+
 /// A pointer and the text of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assignment {
@@ -167,20 +193,6 @@ pub fn word(note: &Note) -> &'static str {
 pub fn tell(notes: &[Note], console: &mut Console) {
     for note in notes {
         console.say(word(note), note);
-    }
-}
-
-/// Runs `work` on `threads` threads, or on as many as the machine has. The results are the same bits on any number.
-///
-/// # Errors
-/// [`CliError::Threads`] where they cannot be started, and what `work` gives.
-pub fn on_threads<T: Send>(
-    threads: Option<u16>,
-    work: impl FnOnce() -> Result<T, CliError> + Send,
-) -> Result<T, CliError> {
-    match threads {
-        Some(threads) => rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build()?.install(work),
-        None => work(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::drive::drive;
 use super::picture::{Look, Studio};
-use super::prepare::{Sets, load, notes, on_threads, put_together, seconds, tell};
+use super::prepare::{Sets, Threads, load, notes, put_together, seconds, tell};
 use super::{CliError, Console, Outcome, output};
 use crate::sim::Runner;
 use clap::Args;
@@ -21,9 +21,8 @@ pub struct Render {
     out: PathBuf,
     #[command(flatten)]
     sets: Sets,
-    /// Threads to run on; the result is the same on any number
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     #[command(flatten)]
     look: Look,
 }
@@ -33,7 +32,7 @@ pub struct Render {
 /// # Errors
 /// A scene or an option that cannot be used, or no driver, before any file is made; a file that cannot be written.
 pub fn run(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
-    on_threads(args.threads, || render(args, console))
+    args.threads.run(|| render(args, console))
 }
 
 fn render(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {

@@ -2,7 +2,7 @@
 
 use super::drive::{Drive, End, drive};
 use super::picture::{Look, Studio};
-use super::prepare::{Sets, Span, load, notes, on_threads, put_together, source_name, tell, word};
+use super::prepare::{Sets, Span, Threads, load, notes, put_together, source_name, tell, word};
 use super::series::Series;
 use super::summary::summary;
 use super::table::figures;
@@ -22,9 +22,8 @@ pub struct Simulate {
     span: Span,
     #[command(flatten)]
     sets: Sets,
-    /// Threads to run on; the result is the same on any number
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     /// Write a report as JSON
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -54,7 +53,7 @@ impl Simulate {
 /// # Errors
 /// A scene or an option that cannot be used, before any file is made; a file that cannot be written.
 pub fn run(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
-    on_threads(args.threads, || simulate(args, console))
+    args.threads.run(|| simulate(args, console))
 }
 
 fn simulate(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {

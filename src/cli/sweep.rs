@@ -3,7 +3,7 @@
 use super::drive::{End, drive};
 use super::error::printable;
 use super::parallel::in_parallel;
-use super::prepare::{Sets, Span, folder_of, load, notes, with_frame_rate, with_sets, word};
+use super::prepare::{Sets, Span, Threads, folder_of, load, notes, with_frame_rate, with_sets, word};
 use super::table::{Align, Table, figures, readable};
 use super::vary::{Product, Vary};
 use super::{CliError, Console, Outcome, output};
@@ -28,9 +28,8 @@ pub struct Sweep {
     span: Span,
     #[command(flatten)]
     sets: Sets,
-    /// Threads to run on; the result is the same on any number
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     /// Write all rows as JSON
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -73,7 +72,7 @@ pub fn run(args: &Sweep, console: &mut Console) -> Result<Outcome, CliError> {
     let mut assets = Assets::default();
     complete_assets(&mut assets, &base, folder_of(Some(&args.scene)), &mut |_| {}).ok();
     let plan = Plan { args, base: &base, assets: &assets, product };
-    let threads = args.threads.map_or_else(rayon::current_num_threads, usize::from);
+    let threads = args.threads.count();
     let rows = product.rows() as u64;
 
     console.begin();

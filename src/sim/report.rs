@@ -91,7 +91,7 @@ pub struct EnergyReport {
     pub springs: f64,
     /// Energy of enclosed gas.
     pub pressure: f64,
-    /// Elastic energy of contacts with the room.
+    /// Elastic energy of contacts: with the room and panels whole, with other bodies half.
     pub contact: f64,
     /// Potential energy in the gravity field.
     pub gravity: f64,

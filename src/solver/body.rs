@@ -99,6 +99,8 @@ pub struct Body {
     parts: BodyParts,
     grabs: Vec<Grab>,
     held: Vec<DVec3>,
+    /// Elastic energy of contacts with other bodies and panels [J].
+    meeting_energy: f64,
     net: Vec<DVec3>,
     current: bool,
     guarded: bool,
@@ -115,6 +117,7 @@ impl Body {
         let mut body = Self {
             grabs: Vec::new(),
             held: vec![DVec3::ZERO; n],
+            meeting_energy: 0.0,
             net: Vec::new(),
             current: false,
             guarded: true,
@@ -222,9 +225,20 @@ impl Body {
         self.net[i] + self.held[i]
     }
 
-    /// Forces from other bodies over the present outer step [N].
-    pub(super) fn held_mut(&mut self) -> &mut [DVec3] {
-        &mut self.held
+    /// Forgets what other bodies and panels do to it, before that is found anew.
+    pub(super) fn begin_meeting(&mut self) {
+        self.held.fill(DVec3::ZERO);
+        self.meeting_energy = 0.0;
+    }
+
+    /// Holds a force [N] of another body or panel on a particle over the present outer step.
+    pub(super) fn hold(&mut self, i: usize, force: DVec3) {
+        self.held[i] += force;
+    }
+
+    /// Adds the body's share of the energy [J] of a contact with another body or panel.
+    pub(super) fn store(&mut self, energy: f64) {
+        self.meeting_energy += energy;
     }
 
     /// Whether the net forces are those of the present state.
@@ -343,6 +357,7 @@ impl Body {
         for force in &self.parts.forces {
             force.add_energy(time, &self.parts.state, &mut energies);
         }
+        energies.contact += self.meeting_energy;
         energies
     }
 

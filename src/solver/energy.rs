@@ -17,7 +17,7 @@ pub struct Energies {
     pub springs: f64,
     /// Energy of enclosed gas.
     pub pressure: f64,
-    /// Elastic energy of contacts.
+    /// Elastic energy of contacts: with the room and panels whole, with other bodies half.
     pub contact: f64,
     /// Potential energy in the gravity field, zero at the world's origin.
     pub gravity: f64,

@@ -113,8 +113,9 @@ fn grains_on_grains(a: &mut Body, b: &mut Body, law: &ContactLaw, region: &Regio
             let gap = line.length();
             let Some(normal) = line.try_normalize() else { continue };
             let force = law.force(gap, normal, a.state().velocities[i] - b.state().velocities[j]);
-            a.held_mut()[i] += force;
-            b.held_mut()[j] -= force;
+            a.hold(i, force);
+            b.hold(j, -force);
+            share(a, b, law.energy(gap));
         }
     }
 }
@@ -185,10 +186,17 @@ fn push<const N: usize>(points: &mut Body, surface: &mut Body, law: &ContactLaw,
     let velocities = &surface.state().velocities;
     let moving: DVec3 = foot.particles.iter().zip(foot.weights).map(|(&k, w)| w * velocities[k as usize]).sum();
     let force = law.force(gap, along, points.state().velocities[i] - moving);
-    points.held_mut()[i] += force;
+    points.hold(i, force);
     for (&k, w) in foot.particles.iter().zip(foot.weights) {
-        surface.held_mut()[k as usize] -= w * force;
+        surface.hold(k as usize, -w * force);
     }
+    share(points, surface, law.energy(gap));
+}
+
+/// The energy [J] of a contact is half the one's and half the other's.
+fn share(a: &mut Body, b: &mut Body, energy: f64) {
+    a.store(0.5 * energy);
+    b.store(0.5 * energy);
 }
 
 fn nearest_on_faces(x: DVec3, positions: &[DVec3], faces: &[[u32; 3]]) -> Option<Foot<3>> {

@@ -43,7 +43,8 @@ impl Panel {
             }
             let velocity = body.state().velocities[i] - DVec3::new(0.0, self.velocity, 0.0);
             let force = law.force(gap, DVec3::NEG_Y, velocity);
-            body.held_mut()[i] += force;
+            body.hold(i, force);
+            body.store(law.energy(gap));
             lift -= force.y;
         }
         lift

@@ -151,7 +151,7 @@ impl World {
     /// Forces between two things are evaluated together, equal and opposite.
     fn meet(&mut self) {
         for body in &mut self.bodies {
-            body.held_mut().fill(DVec3::ZERO);
+            body.begin_meeting();
         }
         for first in 0..self.bodies.len() {
             let (before, after) = self.bodies.split_at_mut(first + 1);

@@ -109,6 +109,27 @@ fn a_falling_panel_and_the_bar_exchange_momentum_equally() {
 }
 
 #[test]
+fn a_bar_that_bounces_off_a_panel_and_the_panel_keep_their_energy_together() {
+    let mut bar = short_bar(2e5);
+    bar.initial.velocity = [0.0, 1.0, 0.0];
+    let mut scene = in_space(bar);
+    scene.time.frames_per_second = 2000.0;
+    scene.panels = vec![Panel { friction: 0.0, ..panel(PanelMotion::Falls, 0.5, 0.0725) }];
+    let mut runner = runner(&scene);
+    let (mut start, mut greatest) = (None, 0.0_f64);
+    for _ in 0..100 {
+        runner.advance_frame();
+        let energies = runner.world().bodies()[0].energies(runner.world().time());
+        let total = energies.total() + 0.25 * runner.world().panels()[0].velocity.powi(2);
+        let start = *start.get_or_insert(total);
+        assert!((total / start - 1.0).abs() < 0.01, "{total} J of {start} J at {} s", runner.world().time());
+        greatest = greatest.max(energies.contact / start);
+    }
+    println!("contact held up to {greatest} of the energy");
+    assert!(greatest > 0.02, "the contact holds enough to be missed: {greatest}");
+}
+
+#[test]
 fn a_heavy_panel_comes_to_rest_on_the_bar_with_its_weight() {
     let mut bar = short_bar(2e5);
     bar.material.damping.pair = 300.0;

@@ -2,7 +2,7 @@
 
 use super::{Window, button, click, drag, press_key, still, until, view};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use sinew::sim::Timeline;
 use sinew::solver::snapshot::Snapshot;
 use sinew::ui::App;

@@ -94,7 +94,7 @@ fn bits(snapshot: &Snapshot) -> Vec<u64> {
     let fibres = snapshot.bodies.iter().flat_map(|body| &body.fibres).flat_map(|fibre| &fibre.vertices);
     let points = snapshot.bodies.iter().flat_map(|body| &body.particles).chain(fibres);
     let panels = snapshot.panels.iter().copied();
-    points.flat_map(|point| point.to_array()).chain(panels).map(f64::to_bits).collect()
+    points.flat_map(DVec3::to_array).chain(panels).map(f64::to_bits).collect()
 }
 
 /// Every frame is shown again with the same bits, in any order; the live end is where it was.

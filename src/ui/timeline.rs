@@ -18,6 +18,8 @@ const INSET: f32 = 2.0 * GRID;
 const BUTTON: Vec2 = Vec2::new(6.0 * GRID, 6.0 * GRID);
 /// Room of the read-out of memory, so that its digits move nothing [points].
 const MEMORY_WIDTH: f32 = 44.0 * GRID;
+/// Half the width of a mark [points].
+const MARK: f32 = GRID;
 /// Memory that can be chosen [MiB].
 const CHOICES: [usize; 7] = [128, 256, 512, 1024, 2048, 4096, 8192];
 const MIB: usize = 1 << 20;
@@ -194,7 +196,7 @@ impl App {
     fn track(&mut self, ui: &mut Ui) {
         let place = Rect::from_min_size(ui.max_rect().min, Vec2::new(ui.available_width(), HEIGHT));
         let response = ui.allocate_rect(place, Sense::click_and_drag());
-        let bar = Rect::from_min_size(place.min, Vec2::new(place.width(), BAR));
+        let bar = Rect::from_min_size(place.min + Vec2::new(0.0, 0.5 * GRID), Vec2::new(place.width(), BAR));
         let span = self.published.status.timeline.span.filter(|_| self.published.compared.is_empty());
         let Some(span) = span.filter(|_| bar.width() > 4.0 * INSET) else {
             let why = if self.published.compared.is_empty() {
@@ -216,9 +218,26 @@ impl App {
         self.paint_track(ui, bar, &scale, span, shown);
         if let Some(at) = response.hover_pos() {
             self.hint = "Drag to see the motion at another time; pulls, strikes and edits go on from there";
+            // Above the pointer, where it hides neither labels nor the hint.
             let under = scale.time(at.x).clamp(span[0], span[1]);
-            response.on_hover_text_at_pointer(format!("{under:.2} s"));
+            let mut tip = egui::Tooltip::for_enabled(&response);
+            tip.popup = tip.popup.anchor(Rect::from_x_y_ranges(at.x..=at.x, bar.y_range())).align(egui::RectAlign::TOP);
+            tip.show(|ui| ui.label(self.words_at(&scale, at.x, under)));
         }
+    }
+
+    /// What is to be said of a place of the bar, at which a time [s] lies.
+    fn words_at(&self, scale: &Scale, x: f32, time: f64) -> String {
+        let timeline = &self.published.status.timeline;
+        let near = |marks: &[f64]| marks.iter().any(|mark| (scale.place(*mark) - x).abs() <= MARK);
+        let mut words = format!("{time:.2} s");
+        if near(&timeline.edits) {
+            words.push_str("\nThe scene was changed");
+        }
+        if near(&timeline.breaks) {
+            words.push_str("\nA fibre broke");
+        }
+        words
     }
 
     /// Asks for the frame under the pointer while it is pressed: one at a time, the newest.
@@ -269,7 +288,7 @@ impl App {
         }
         for time in &timeline.breaks {
             let at = Pos2::new(scale.place(*time), bar.bottom() - 1.5 * GRID);
-            painter.circle_filled(at, 2.5, self.tone.error());
+            painter.circle_filled(at, 0.75 * MARK, self.tone.error());
         }
         painter.vline(head, bar.y_range(), Stroke::new(2.0, accent));
         let knob = Pos2::new(head, bar.center().y);
@@ -279,7 +298,7 @@ impl App {
 
 /// A small mark that points down from the upper edge of the bar.
 fn wedge(top: Pos2, colour: egui::Color32) -> Shape {
-    let points = vec![top + Vec2::new(-3.5, 0.0), top + Vec2::new(3.5, 0.0), top + Vec2::new(0.0, 5.0)];
+    let points = vec![top + Vec2::new(-MARK, 0.0), top + Vec2::new(MARK, 0.0), top + Vec2::new(0.0, 1.5 * MARK)];
     Shape::convex_polygon(points, colour, Stroke::NONE)
 }
 

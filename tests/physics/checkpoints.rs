@@ -47,7 +47,7 @@ fn bits(world: &World) -> Vec<u64> {
         let forces = (0..body.state().len()).map(|i| body.net_force(i)).collect::<Vec<_>>();
         let vectors: Vec<DVec3> = [&*body.state().positions, &*body.state().velocities, &*forces].concat();
         let energy = body.energies(world.time()).total();
-        let mut bits: Vec<u64> = vectors.iter().flat_map(|v| v.to_array()).map(f64::to_bits).collect();
+        let mut bits: Vec<u64> = vectors.iter().flat_map(DVec3::to_array).map(f64::to_bits).collect();
         bits.extend([energy.to_bits(), body.steps(), body.evaluations(), body.breaks().count() as u64]);
         bits
     };
@@ -208,7 +208,7 @@ fn a_stopped_body_goes_back_to_before_it_was_stopped() {
     assert!(world.divergence().is_some() && bits(&world) == stopped.1);
 }
 
-/// A checkpoint takes about a hundred bytes a particle, whatever the rest data take, and says how many.
+/// A checkpoint takes little more than a hundred bytes a particle, whatever the rest data take, and says how many.
 #[test]
 fn a_checkpoint_is_small() {
     let mut scene = scene_from_json(CROWD).unwrap();

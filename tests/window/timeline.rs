@@ -39,14 +39,14 @@ fn track(window: &Window) -> Rect {
 /// Where the timeline shows a time of the first five seconds.
 fn place(window: &Window, time: f64) -> Pos2 {
     let bar = track(window);
-    Pos2::new(bar.left() + 8.0 + (time / 5.0) as f32 * (bar.width() - 16.0), bar.top() + 8.0)
+    Pos2::new(bar.left() + 8.0 + (time / 5.0) as f32 * (bar.width() - 16.0), bar.top() + 10.0)
 }
 
 fn is_frame(window: &Window, shown: &[Snapshot], index: usize) {
     let snapshot = &window.state().published().snapshot;
     let bits = |snapshot: &Snapshot| -> Vec<u64> {
         let points = snapshot.bodies.iter().flat_map(|body| &body.particles);
-        points.flat_map(|point| point.to_array()).map(f64::to_bits).collect()
+        points.flat_map(glam::DVec3::to_array).map(f64::to_bits).collect()
     };
     assert_eq!(bits(snapshot), bits(&shown[index]), "frame {index}");
     assert_eq!(*snapshot, shown[index], "frame {index}");

@@ -46,7 +46,8 @@ impl Loop {
     }
 
     pub(super) fn shown_time(&self) -> f64 {
-        self.shown().map_or(0.0, |runner| runner.world().time())
+        // After a failure there is no live world, but what was kept before it.
+        self.shown().map_or(f64::INFINITY, |runner| runner.world().time())
     }
 
     /// Keeps the present state as a frame.

@@ -1,7 +1,7 @@
 //! What the motion of one body goes on from.
 
 use super::{Body, Divergence};
-use crate::solver::forces::Force;
+use crate::solver::forces::{Force, MatrixForce};
 use crate::solver::grab::Grab;
 use crate::solver::integrators::Integrator;
 use crate::solver::layers::Layers;
@@ -95,6 +95,6 @@ impl Body {
         let skin = self.parts.skin.as_deref().map_or(0, Skin::bytes);
         let springs = self.parts.layers.as_deref().map_or(0, Layers::bytes);
         // Twice the state: the last good one is kept, too.
-        2 * particles + frames + forces + matrix.map_or(0, |matrix| matrix.shared_bytes()) + fibres + skin + springs
+        2 * particles + frames + forces + matrix.map_or(0, MatrixForce::shared_bytes) + fibres + skin + springs
     }
 }

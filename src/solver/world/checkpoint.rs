@@ -1,10 +1,11 @@
 //! What a world goes on from: kept frame by frame, it lets a motion be looked at again and taken up anywhere.
 
 use super::World;
+use crate::solver::body::Body;
 use crate::solver::body::checkpoint::BodyCheckpoint;
 use crate::solver::measure::MeasureValue;
 
-/// Everything of a world that moving changes: about a hundred bytes a particle. A world that goes back to it moves on as
+/// Everything of a world that moving changes: about 120 bytes a particle. A world that goes back to it moves on as
 /// if nothing had happened since, bit for bit.
 #[derive(Clone)]
 pub struct Checkpoint {
@@ -31,7 +32,7 @@ impl World {
     /// What the world goes on from.
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint {
-            bodies: self.bodies.iter().map(|body| body.keep()).collect(),
+            bodies: self.bodies.iter().map(Body::keep).collect(),
             panels: self.panels.iter().map(|panel| [panel.height, panel.velocity]).collect(),
             peaks: self.peaks.clone(),
             met: self.met,
@@ -58,6 +59,6 @@ impl World {
 
     /// Memory that the world takes [bytes], about.
     pub fn bytes(&self) -> usize {
-        self.bodies.iter().map(|body| body.bytes()).sum()
+        self.bodies.iter().map(Body::bytes).sum()
     }
 }

@@ -25,7 +25,8 @@
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
 //!   world.
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
-//!   paces it for a window; the comparison of integrators, by numbers and side by side.
+//!   paces it for a window and keeps the last minutes of motion in bounded memory, to be shown again and gone on from
+//!   bit for bit; the comparison of integrators, by numbers and side by side.
 //! - [`io`]: the only file access. Scene JSON and its schema, models, OBJ sequences, atomic writes, recovery.
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.
@@ -70,7 +71,8 @@
 //!
 //! # A force and an integrator of your own
 //!
-//! Both are traits; implement them and hand them to a body.
+//! Both are traits; implement them and hand them to a body. A world can go back to any checkpoint of it and moves on from
+//! there bit for bit: what a force or an integrator remembers goes along by its `clone_box`.
 //!
 //! ```
 //! use glam::DVec3;

@@ -8,11 +8,11 @@ use std::sync::Arc;
 /// A request to the [`super::Worker`].
 #[derive(Clone, Debug)]
 pub enum SimCommand {
-    /// Run.
+    /// Run; where an earlier frame is shown, replay from there to the last one, then go on.
     Play,
     /// Hold still.
     Pause,
-    /// Advance by one frame, then hold still.
+    /// Advance by one frame, then hold still; while an earlier frame is shown, show the next one.
     Step,
     /// Back to the start of the scene.
     Reset,
@@ -52,6 +52,19 @@ pub enum SimCommand {
     /// Run another scene of the same models in step, from where the world is now; what is pulled or struck in one is in
     /// both. None ends it.
     Ghost(Option<Arc<Scene>>),
+    /// Show the kept frame that is nearest to a simulated time [s], and hold the simulation.
+    Show(f64),
+    /// Show the kept frame before the one that is shown, and hold the simulation.
+    StepBack,
+    /// Show the kept frames from the one that is shown on, or from the first, as fast as they were meant to be, and hold
+    /// at the end.
+    Replay,
+    /// Go on from the frame that is shown; the later ones are dropped. A pull, a strike and an edit do so, too.
+    GoOn,
+    /// Back from earlier frames to where the simulation has come to.
+    Live,
+    /// Memory that the kept frames may take [bytes].
+    Memory(usize),
     /// Strike a whole body.
     Strike {
         /// Index of the body.

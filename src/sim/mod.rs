@@ -3,6 +3,7 @@
 
 mod command;
 mod compare;
+mod recording;
 mod report;
 mod runner;
 mod side_by_side;
@@ -12,8 +13,9 @@ mod worker;
 
 pub use command::SimCommand;
 pub use compare::{Trial, order, reference};
+pub use recording::USUAL_MEMORY;
 pub use report::{BodyReport, EnergyReport, MeasureReport, Report};
 pub use runner::Runner;
-pub use status::{Compared, Published, Reading, Status, Stepping};
+pub use status::{Compared, Published, Reading, Status, Stepping, Timeline};
 pub use study::{Convergence, study};
 pub use worker::Worker;

@@ -1,5 +1,6 @@
 //! Fixed frames, no clock: the window and a headless run take identical steps.
 
+use super::recording::RunCheckpoint;
 use crate::bake::Baked;
 use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;
@@ -28,6 +29,17 @@ impl Runner {
         self.restful_frames = if self.world.at_rest() { self.restful_frames + 1 } else { 0 };
     }
 
+    /// What the run goes on from.
+    pub(super) fn checkpoint(&self) -> RunCheckpoint {
+        RunCheckpoint { world: self.world.checkpoint(), restful_frames: self.restful_frames }
+    }
+
+    /// Back to a checkpoint of this run, or of another of the same start.
+    pub(super) fn go_back(&mut self, to: &RunCheckpoint) {
+        self.world.go_back(&to.world);
+        self.restful_frames = to.restful_frames;
+    }
+
     /// Goes on with the motion of `before`, a runner of the same scene before an edit.
     pub fn adopt(&mut self, before: &Self) {
         self.world.adopt(&before.world);
@@ -45,6 +57,11 @@ impl Runner {
                 body.grabs_mut().clear();
             }
         }
+    }
+
+    /// Whether anything is pulled.
+    pub fn is_held(&self) -> bool {
+        self.world.bodies().iter().any(|body| !body.grabs().is_empty())
     }
 
     /// The world as it stands.

@@ -33,6 +33,32 @@ pub struct Status {
     pub measures: Vec<MeasureValue>,
     /// Document edits taken over so far, so that a window knows whether its last one has arrived.
     pub edits: u64,
+    /// What is kept of the motion.
+    pub timeline: Timeline,
+}
+
+/// What is kept of the motion so far, and what is seen of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Timeline {
+    /// Times of the first and the last frame [s]; none where nothing is kept.
+    pub span: Option<[f64; 2]>,
+    /// Number of frames.
+    pub frames: usize,
+    /// Whether an earlier frame is shown, not what the simulation has come to.
+    pub looks_back: bool,
+    /// Whether the frame that is shown was computed before the scene was last put together: what goes on from it is the
+    /// present scene in the motion of that frame.
+    pub of_another_scene: bool,
+    /// Memory taken [bytes].
+    pub bytes: usize,
+    /// Memory that may be taken [bytes]; the oldest frames are dropped for new ones.
+    pub limit: usize,
+    /// Times of the last frames before the scene was put together anew [s].
+    pub edits: Vec<f64>,
+    /// Times of frames in which fibres broke [s].
+    pub breaks: Vec<f64>,
+    /// How often the simulation went on from an earlier frame, and what is to be said of the last time.
+    pub went_on: (u64, String),
 }
 
 /// How a body is stepped.

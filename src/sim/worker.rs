@@ -6,12 +6,12 @@
 use super::side_by_side::SideBySide;
 use super::status::{Published, Status, Stepping};
 use super::{Runner, SimCommand};
-use crate::bake::{Baked, bake};
 use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
-use crate::solver::grab::Grab;
 use crate::solver::snapshot::Snapshot;
+use baking::describe;
 use glam::DVec3;
+use replay::Replay;
 use sights::Sights;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
@@ -91,7 +91,7 @@ impl Out {
 struct Loop {
     scene: Arc<Scene>,
     assets: Arc<Assets>,
-    start: Option<Runner>,
+    start: Option<Arc<Runner>>,
     runner: Option<Runner>,
     at_rest: Arc<Snapshot>,
     placed: Option<[DVec3; 2]>,
@@ -104,6 +104,7 @@ struct Loop {
     wanted: (Vec<IntegratorKind>, f64),
     side_by_side: Option<SideBySide>,
     sights: Sights,
+    replay: Replay,
     status: Status,
     out: Out,
     rate: Rate,
@@ -113,6 +114,12 @@ struct Loop {
 struct Rate {
     since: Instant,
     frames: u32,
+}
+
+impl Rate {
+    fn new() -> Self {
+        Self { since: Instant::now(), frames: 0 }
+    }
 }
 
 impl Loop {
@@ -130,9 +137,10 @@ impl Loop {
             wanted: (Vec::new(), 0.0),
             side_by_side: None,
             sights: Sights::default(),
+            replay: Replay::default(),
             status: Status { playing, ..Status::default() },
             out,
-            rate: Rate { since: Instant::now(), frames: 0 },
+            rate: Rate::new(),
         }
     }
 
@@ -155,6 +163,7 @@ impl Loop {
                     Err(RecvTimeoutError::Disconnected) => return,
                 }
             }
+            self.show_wanted();
             if std::mem::take(&mut self.edited) {
                 self.put_together(true);
             }
@@ -177,26 +186,48 @@ impl Loop {
     }
 
     fn runs(&self) -> bool {
-        let ready = self.runner.as_ref().is_some_and(|runner| self.side_by_side.is_some() || !runner.all_stopped());
-        self.status.playing && ready
+        let moves = |runner: &Runner| self.side_by_side.is_some() || !runner.all_stopped();
+        self.status.playing && (self.looks_back() || self.runner.as_ref().is_some_and(moves))
     }
 
     fn frame_seconds(&self) -> f64 {
-        self.runner.as_ref().map_or(1.0, |runner| runner.world().plan().frame_seconds)
+        self.shown().map_or(1.0, |runner| runner.world().plan().frame_seconds)
     }
 
     fn obey(&mut self, command: SimCommand) {
+        if let SimCommand::Show(time) = command {
+            self.replay.wanted = Some(time);
+            return;
+        }
+        self.show_wanted();
         match command {
             SimCommand::Play => {
-                self.status.playing = true;
-                self.rate = Rate { since: Instant::now(), frames: 0 };
+                self.replay.goes_on = true;
+                self.play();
             }
-            SimCommand::Pause => self.status.playing = false,
+            SimCommand::Pause => self.hold(),
             SimCommand::Step => {
-                self.status.playing = false;
-                self.advance();
+                self.hold();
+                self.step();
+            }
+            SimCommand::Show(_) => {}
+            SimCommand::StepBack => self.step_back(),
+            SimCommand::Replay => {
+                self.rate = Rate::new();
+                self.start_replay();
+            }
+            SimCommand::GoOn => {
+                self.go_on();
+                self.play();
+            }
+            SimCommand::Live => self.live(),
+            SimCommand::Memory(limit) => {
+                let time = self.shown_time();
+                self.replay.recording.set_limit(limit);
+                self.replay.wanted = self.looks_back().then_some(time);
             }
             SimCommand::Compare { integrators, dt } => {
+                self.look_ahead();
                 self.wanted = (integrators, dt);
                 self.start_comparison();
             }
@@ -204,9 +235,10 @@ impl Loop {
                 self.grabbed = None;
                 self.sights.reset();
                 self.start_comparison();
-                if self.start.is_some() {
-                    self.runner.clone_from(&self.start);
+                if let Some(start) = &self.start {
+                    self.runner = Some((**start).clone());
                     self.status.failure = None;
+                    self.record_anew();
                 } else {
                     self.put_together(false);
                 }
@@ -221,6 +253,7 @@ impl Loop {
             }
             SimCommand::Speed(speed) => self.speed = speed,
             SimCommand::Edit(scene) => {
+                self.go_on();
                 self.scene = scene;
                 self.status.edits += 1;
                 self.edited = true;
@@ -235,99 +268,53 @@ impl Loop {
                 self.put_together(false);
             }
             SimCommand::Strike { body, impulse } => {
+                self.go_on();
                 self.bodies_mut(body).into_iter().for_each(|body| body.strike(impulse));
             }
-            SimCommand::Grab { body, vertex, target } => self.grab(body, vertex, target),
+            SimCommand::Grab { body, vertex, target } => {
+                self.go_on();
+                self.grab(body, vertex, target);
+            }
             SimCommand::MoveGrab(target) => {
                 for grab in self.grabs().filter_map(|grabs| grabs.last_mut()) {
                     grab.target = target;
                 }
             }
-            SimCommand::Release => {
-                for grabs in self.grabs() {
-                    grabs.pop();
-                }
-                self.grabbed = None;
-            }
+            SimCommand::Release => self.let_go(),
             SimCommand::PinGrab => self.grabbed = None,
+            // There is nothing to do to an earlier frame in which nothing is held.
+            SimCommand::ReleaseAll if self.looks_back() && !self.shown().is_some_and(Runner::is_held) => {}
             SimCommand::ReleaseAll => {
+                self.go_on();
                 self.grabbed = None;
                 self.runner.iter_mut().chain(self.sights.runner_mut()).for_each(Runner::release_all);
             }
         }
     }
 
-    fn grab(&mut self, body: usize, vertex: usize, target: DVec3) {
-        let mut found = false;
-        for held in self.bodies_mut(body) {
-            let Some(point) = held.point(vertex) else { continue };
-            let grab = Grab::on(held, point, target);
-            held.grabs_mut().push(grab);
-            found = true;
-        }
-        self.grabbed = found.then_some(body).or(self.grabbed);
+    fn play(&mut self) {
+        self.status.playing = true;
+        self.rate = Rate::new();
     }
 
-    /// Pulls on the body that follows the pointer, and on its like.
-    fn grabs(&mut self) -> impl Iterator<Item = &mut Vec<Grab>> {
-        let bodies = self.grabbed.map_or_else(Vec::new, |body| self.bodies_mut(body));
-        bodies.into_iter().map(Body::grabs_mut)
-    }
-
-    /// Bakes the scene. After an edit the motion goes on; where the scene cannot be put together, the old world does.
-    fn put_together(&mut self, keep_motion: bool) {
-        let scene = Arc::clone(&self.scene);
-        let result = catch_unwind(AssertUnwindSafe(|| self.bake(&scene)));
-        self.status.baking = None;
-        match result {
-            Ok(Ok(baked)) => {
-                self.status.notes = baked.notes.iter().map(ToString::to_string).collect();
-                self.status.failure = None;
-                let fresh = Runner::new(baked);
-                self.at_rest = Arc::new(Snapshot::in_model_frames(fresh.world()));
-                self.placed = fresh.world().placed();
-                self.start = Some(fresh.clone());
-                let mut runner = fresh;
-                if let Some(before) = self.runner.as_ref().filter(|_| keep_motion) {
-                    runner.adopt(before);
-                }
-                self.runner = Some(runner);
-                self.start_comparison();
-            }
-            Ok(Err(problem)) => self.status.failure = Some(problem),
-            Err(panic) => self.status.failure = Some(describe(panic.as_ref())),
-        }
-    }
-
-    fn bake(&mut self, scene: &Scene) -> Result<Baked, String> {
-        scene.validate().map_err(|error| error.to_string())?;
-        let mut shown = Instant::now();
-        let assets = Arc::clone(&self.assets);
-        bake(scene, &assets, &mut |name, stage| {
-            self.status.baking = Some(format!("{name}: {stage}"));
-            // Only what takes long enough to be read is shown.
-            if shown.elapsed() > Duration::from_millis(200) {
-                shown = Instant::now();
-                self.publish();
-            }
-        })
-        .map_err(|error| error.to_string())
-    }
-
-    /// Starts what is to be compared from the start of the scene; nothing where nothing is.
-    fn start_comparison(&mut self) {
-        self.side_by_side = None;
-        let (integrators, dt) = &self.wanted;
-        if integrators.is_empty() {
-            return;
-        }
-        match SideBySide::new(&self.scene, &self.assets, integrators, *dt) {
-            Ok(side_by_side) => self.side_by_side = Some(side_by_side),
-            Err(problem) => self.status.failure = Some(problem.to_string()),
-        }
-    }
-
+    /// One frame, of the world or of a replay.
     fn advance(&mut self) {
+        if self.looks_back() {
+            self.replay_frame();
+        } else {
+            self.solve();
+        }
+        self.rate.frames += 1;
+        let elapsed = self.rate.since.elapsed();
+        if elapsed >= RATE_WINDOW {
+            let rate = f64::from(self.rate.frames) / elapsed.as_secs_f64();
+            self.status.frames_per_second = rate;
+            self.status.real_time_factor = rate * self.frame_seconds();
+            self.rate = Rate::new();
+        }
+    }
+
+    fn solve(&mut self) {
         let seconds = self.frame_seconds();
         let Some(runner) = &mut self.runner else { return };
         let outcome = catch_unwind(AssertUnwindSafe(|| match &mut self.side_by_side {
@@ -342,25 +329,18 @@ impl Loop {
         }
         if self.side_by_side.is_none() {
             self.advance_ghost();
-        }
-        self.rate.frames += 1;
-        let elapsed = self.rate.since.elapsed();
-        if elapsed >= RATE_WINDOW {
-            let rate = f64::from(self.rate.frames) / elapsed.as_secs_f64();
-            self.status.frames_per_second = rate;
-            self.status.real_time_factor = rate * self.frame_seconds();
-            self.rate = Rate { since: Instant::now(), frames: 0 };
+            self.record();
         }
     }
 
     fn publish(&mut self) {
         let mut snapshot = Snapshot::default();
-        let (field, mut ghost) = (self.field(), self.sights.ghost());
-        if let Some(runner) = &self.runner {
+        let (field, mut ghost) = (self.field(), self.ghost());
+        self.status.timeline = self.timeline();
+        if let Some(runner) = self.shown() {
             let world = runner.world();
             snapshot = runner.particles();
             snapshot.field = field;
-            self.status.time = world.time();
             let plan = world.plan();
             let stepping = |(body, count): (&Body, &u32)| Stepping {
                 name: body.parts().name.clone(),
@@ -369,10 +349,14 @@ impl Loop {
                 limited_by: body.parts().limited_by.clone(),
                 substeps: count * plan.outer_steps,
             };
-            self.status.bodies = world.bodies().iter().zip(&plan.substeps).map(stepping).collect();
-            self.status.particles = world.bodies().iter().map(|body| body.state().len()).sum();
-            self.status.divergence = world.divergence().map(ToString::to_string);
-            self.status.measures = world.measures();
+            self.status = Status {
+                time: world.time(),
+                bodies: world.bodies().iter().zip(&plan.substeps).map(stepping).collect(),
+                particles: world.bodies().iter().map(|body| body.state().len()).sum(),
+                divergence: world.divergence().map(ToString::to_string),
+                measures: world.measures(),
+                ..std::mem::take(&mut self.status)
+            };
         }
         let mut compared = Vec::new();
         if let Some(side_by_side) = &self.side_by_side {
@@ -393,16 +377,9 @@ impl Loop {
     }
 }
 
-/// What a panic said.
-fn describe(panic: &(dyn std::any::Any + Send)) -> String {
-    let said = panic
-        .downcast_ref::<&str>()
-        .map(|text| (*text).to_owned())
-        .or_else(|| panic.downcast_ref::<String>().cloned())
-        .unwrap_or_else(|| "no message".to_owned());
-    format!("the solver failed ({said}); the document is unharmed: undo the last change or reset")
-}
-
+mod baking;
+mod pulls;
+mod replay;
 mod sights;
 #[cfg(test)]
 mod tests;

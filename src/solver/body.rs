@@ -1,5 +1,7 @@
 //! One body: a [`ParticleState`] with a list of forces and an integrator that steps it.
 
+pub(super) mod checkpoint;
+
 use super::constraint::Constraint;
 use super::dynamics::Dynamics;
 use super::embedding::Stencil;

@@ -25,6 +25,17 @@ pub struct Layers {
 }
 
 impl Layers {
+    /// Memory of the springs and surfaces [bytes].
+    pub(super) fn bytes(&self) -> usize {
+        let surfaces = [&self.outer_surface, &self.inner_surface].into_iter().flatten();
+        let surfaces = surfaces.map(|surface| match surface {
+            Surface::Polygon { edges, .. } => size_of_val(&**edges),
+            Surface::Faces(faces) => size_of_val(&**faces),
+        });
+        // Ends and rest length of every spring.
+        self.springs.ends().len() * size_of::<([u32; 2], f64)>() + surfaces.sum::<usize>()
+    }
+
     /// Puts particles that are behind a plane of [`Layers::reset`] on it, velocities untouched; whether there were any.
     pub(super) fn put_back(&self, state: &mut ParticleState) -> bool {
         let mut moved = false;

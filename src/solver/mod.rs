@@ -20,6 +20,7 @@ pub mod modes;
 pub mod neighbourhood;
 pub mod panel;
 pub mod rotation;
+pub mod scratch;
 pub mod skin;
 pub mod snapshot;
 pub mod stable_step;

@@ -83,6 +83,17 @@ pub struct TooThin {
 const FLAT: f64 = 1e-6;
 
 impl Neighbourhood {
+    /// Memory that it takes [bytes].
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.starts)
+            + size_of_val(&*self.neighbours)
+            + size_of_val(&*self.bonds)
+            + size_of_val(&*self.lattice.cells)
+            + size_of_val(&*self.inverse_moment)
+            + size_of_val(&*self.weighted_sum)
+            + size_of_val(&*self.weight_sum)
+    }
+
     /// Builds the neighbourhoods of particles on a lattice (rest, model frame); `volume` is that of a particle [m³].
     ///
     /// # Errors

@@ -126,6 +126,17 @@ impl Skin {
         }
     }
 
+    /// Memory that it takes [bytes], about: the surface of pictures, the same again, is counted before it is made.
+    pub(super) fn bytes(&self) -> usize {
+        let lists = size_of_val(&*self.starts)
+            + size_of_val(&*self.particles)
+            + size_of_val(&*self.weights)
+            + size_of_val(&*self.point_of)
+            + size_of_val(&*self.triangles)
+            + size_of_val(&*self.colours);
+        2 * lists
+    }
+
     /// Number of vertices.
     pub fn len(&self) -> usize {
         self.point_of.len()

@@ -1,5 +1,9 @@
 //! The simulated world: bodies and panels, advanced frame by frame.
 
+mod checkpoint;
+
+pub use checkpoint::Checkpoint;
+
 use super::body::{Body, Divergence};
 use super::measure::{MeasureValue, Quantity};
 use super::meeting::meet;

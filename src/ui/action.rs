@@ -99,7 +99,16 @@ actions! {
     Hide in Edit [plain(Key::H)] "Hide": "Hides the selected fibres; they act all the same";
     ShowAll in Edit [alt(Key::H)] "Show all": "Shows every hidden fibre of the body";
     PlayPause in Simulation [plain(Key::Space)] "Play or pause": "Runs or holds the simulation";
-    Step in Simulation [plain(Key::Period)] "Advance one frame": "Advances the simulation by one frame and holds it";
+    Step in Simulation [plain(Key::Period), plain(Key::ArrowRight)] "Advance one frame":
+        "Shows the next frame and holds the simulation; at the end of what is kept it is computed";
+    StepBack in Simulation [plain(Key::ArrowLeft)] "Step back": "Shows the frame before and holds the simulation";
+    FirstFrame in Simulation [shift(Key::ArrowLeft)] "First kept frame":
+        "Shows the oldest frame that is kept and holds the simulation";
+    Replay in Simulation [shift(Key::Space)] "Replay":
+        "Shows the kept frames from here on, or from the first, as fast as they were meant to be, and computes none";
+    GoOn in Simulation [shift(Key::Enter)] "Go on from here":
+        "Runs the simulation on from the frame that is shown; the later ones are dropped";
+    Live in Simulation [shift(Key::ArrowRight)] "Live": "Back from earlier frames to where the simulation has come to";
     Reset in Simulation [ctrl(Key::R)] "Back to the start": "Puts the simulation back to the start of the scene";
     ReleasePins in Simulation [ctrl_shift(Key::P)] "Release pinned drags":
         "Lets go of every point that P has pinned while dragging";
@@ -116,6 +125,7 @@ actions! {
         "Colours solids by strain, stress, volume fraction, speed, or not at all";
     Ghost in View [alt(Key::O)] "Next ghost":
         "Runs the scene without its fibres, as it was before the last edit, or nothing beside it";
+    Timeline in View [alt(Key::L)] "Show timeline": "Shows what is kept of the motion, below the views";
     Theme in View [alt(Key::T)] "Light or dark": "Switches between the light and the dark theme";
     Palette in Help [ctrl(Key::P)] "Command palette…": "Finds any of these by its name";
     Help in Help [plain(Key::F1)] "Keys and gestures": "Lists every key and gesture";
@@ -149,7 +159,7 @@ impl Action {
 }
 
 /// Gestures of the pointer and single keys that are no actions, for the help.
-pub const GESTURES: [(&str, &str); 15] = [
+pub const GESTURES: [(&str, &str); 16] = [
     ("Click on a fibre, Shift + click", "selects it, selects it too"),
     ("Drag an arrow, the square, the ring", "moves along an axis, moves freely, turns"),
     ("X, Y, Z, numbers, Shift, Ctrl while moving", "lock an axis, mm or degrees, finely, in steps"),
@@ -158,6 +168,7 @@ pub const GESTURES: [(&str, &str); 15] = [
     ("Escape", "takes the last stroke back"),
     ("Left drag on a body in the result view", "pulls it"),
     ("P while pulling", "leaves the point pinned where it is"),
+    ("Drag in the timeline", "shows the motion at another time"),
     ("Middle drag, Alt + left drag", "turns the result view, moves a drawing view"),
     ("Shift + middle drag, Alt + middle drag", "moves the view"),
     ("Wheel, Alt + right drag", "moves nearer or further"),

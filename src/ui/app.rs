@@ -9,6 +9,7 @@ use super::picture::Painter;
 use super::seeing::Seeing;
 use super::sketch_tool::SketchTool;
 use super::theme::Tone;
+use super::timeline::Timeline;
 use crate::draw::Display;
 use crate::edit::{Command, Editor};
 use crate::render::Camera;
@@ -81,6 +82,7 @@ pub struct App {
     pub(super) tab: PropertyTab,
     pub(super) comparison: Comparison,
     pub(super) seeing: Seeing,
+    pub(super) timeline: Timeline,
     pub(super) assets: Arc<Assets>,
     /// Impulse that the strike button gives [N s].
     pub(super) impulse: [f64; 3],
@@ -136,6 +138,7 @@ impl App {
             tab: PropertyTab::default(),
             comparison: Comparison::default(),
             seeing: Seeing::default(),
+            timeline: Timeline::default(),
             assets,
             impulse: [0.1, 0.0, 0.0],
             pull: None,
@@ -294,6 +297,7 @@ impl App {
         // The bar shows what the views found under the pointer one frame ago.
         self.status_bar(ui);
         self.hint = "Draw a stroke in a drawing view to begin a fibre";
+        self.timeline(ui);
         self.left_panel(ui);
         self.right_panel(ui);
         self.plots(ui);

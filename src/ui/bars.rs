@@ -93,6 +93,9 @@ impl App {
                 self.frame_times.len(),
                 status.real_time_factor
             )
+        } else if self.looks_back() {
+            let last = status.timeline.span.map_or(status.time, |span| span[1]);
+            format!("{:.2} s of {last:.2} s", status.time)
         } else {
             format!("{:.2} s", status.time)
         };

@@ -28,6 +28,8 @@ mod pulling;
 mod seeing;
 mod sketch_tool;
 pub mod theme;
+mod timeline;
+mod timescale;
 mod views;
 mod world_panel;
 

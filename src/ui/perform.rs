@@ -12,6 +12,8 @@ impl App {
         match action {
             Action::Undo => self.editor.undo_name().is_some(),
             Action::Redo => self.editor.redo_name().is_some(),
+            Action::StepBack | Action::FirstFrame | Action::Replay => self.has_frames(),
+            Action::GoOn | Action::Live => self.looks_back(),
             action if action.edits_fibres() => self.can_edit(action),
             _ => true,
         }
@@ -25,6 +27,7 @@ impl App {
             Action::Springs => Some(self.display.springs),
             Action::Strokes => Some(self.display.strokes),
             Action::Grid => Some(self.display.grid),
+            Action::Timeline => Some(self.timeline_shown()),
             Action::Vertices => Some(self.editing.selection.vertices().is_some()),
             Action::Redraw => Some(self.editing.redraws),
             Action::Paint => Some(self.editing.paints()),
@@ -86,6 +89,11 @@ impl App {
                 self.ask(if playing { SimCommand::Pause } else { SimCommand::Play });
             }
             Action::Step => self.ask(SimCommand::Step),
+            Action::StepBack => self.look_back(SimCommand::StepBack),
+            Action::FirstFrame => self.show_first(),
+            Action::Replay => self.look_back(SimCommand::Replay),
+            Action::GoOn => self.ask(SimCommand::GoOn),
+            Action::Live => self.ask(SimCommand::Live),
             Action::Reset => self.ask(SimCommand::Reset),
             Action::ReleasePins => self.ask(SimCommand::ReleaseAll),
             Action::Frame => self.reframe(true),
@@ -101,6 +109,7 @@ impl App {
             Action::Springs => self.display.springs = !self.display.springs,
             Action::Strokes => self.display.strokes = !self.display.strokes,
             Action::Grid => self.display.grid = !self.display.grid,
+            Action::Timeline => self.fold_timeline(),
             Action::ColourMap => self.next_field(),
             Action::Ghost => self.next_ghost(),
             Action::Theme => {

@@ -47,7 +47,11 @@ impl View3d<'_> {
                 self.app.pull = None;
             }
         } else if response.hovered() {
-            self.app.hint = "Drag a body to pull it; middle drag turns the view, the wheel comes closer";
+            self.app.hint = if self.app.looks_back() {
+                "Drag a body to pull it and go on from this frame; the later ones are dropped then"
+            } else {
+                "Drag a body to pull it; middle drag turns the view, the wheel comes closer"
+            };
         }
     }
 

@@ -107,6 +107,34 @@ fn whole_step(bencher: Bencher<'_, '_>, (rest_shape, layers): (&str, [u32; 3])) 
     bencher.counter(ItemsCount::new(items)).bench_local(|| world.advance_frame());
 }
 
+/// A frame of the built-in scene as it lands, and what it takes to keep one among a hundred others.
+#[divan::bench(sample_count = 20)]
+fn built_in_frame(bencher: Bencher<'_, '_>) {
+    let mut world = built_in();
+    bencher.bench_local(|| world.advance_frame());
+}
+
+#[divan::bench(sample_count = 200)]
+fn built_in_frame_kept(bencher: Bencher<'_, '_>) {
+    let world = built_in();
+    let mut kept = std::collections::VecDeque::new();
+    bencher.bench_local(|| {
+        kept.push_back(world.checkpoint());
+        if kept.len() > 100 {
+            kept.pop_front();
+        }
+    });
+}
+
+fn built_in() -> World {
+    let scene: Scene = serde_json::from_str(include_str!("../../scenes/short_bar_soft.json")).expect("a scene");
+    let mut world = bake(&scene, &Assets::default(), &mut |_, _| {}).expect("a world").world;
+    for _ in 0..10 {
+        world.advance_frame();
+    }
+    world
+}
+
 #[divan::bench(args = SIZES)]
 fn four_fibres(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
     let (mut forces, state) = deformed_block(layers);

@@ -4,6 +4,7 @@
 
 mod behaviours;
 mod breaking;
+mod checkpoints;
 mod common;
 mod conservation;
 mod fibres;

@@ -11,6 +11,7 @@ mod refusals;
 mod running;
 mod seeing;
 mod sketching;
+mod timeline;
 
 use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Vec2};
 use egui_kittest::Harness;

@@ -1,8 +1,10 @@
 //! What a window may want to see besides positions: a field over the world, and another scene in step with it.
 
-use super::{Loop, describe};
+use super::Loop;
+use super::baking::describe;
 use crate::scene::Scene;
 use crate::sim::Runner;
+use crate::sim::recording::Kept;
 use crate::solver::body::Body;
 use crate::solver::snapshot::{FieldKind, FieldSnapshot, Snapshot};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -27,11 +29,20 @@ pub(super) struct Sights {
 /// A scene in step with the document's.
 struct Ghost {
     scene: Arc<Scene>,
-    start: Runner,
+    start: Arc<Runner>,
     runner: Runner,
 }
 
 impl Ghost {
+    /// Goes on from where the world is.
+    fn join(&mut self, world: &Runner) {
+        self.runner = (*self.start).clone();
+        // At the start of the scene nothing is taken over: an adopted state is the same only up to round-off.
+        if world.world().time() > 0.0 || world.is_held() {
+            self.runner.adopt(world);
+        }
+    }
+
     /// Brings it forward to a time [s], in whole frames of its own.
     fn catch_up(&mut self, time: f64) {
         // Half a frame of leeway: both clocks may round differently.
@@ -63,12 +74,23 @@ impl Sights {
     pub(super) fn reset(&mut self) {
         self.top = 0.0;
         if let Some(ghost) = &mut self.ghost {
-            ghost.runner.clone_from(&ghost.start);
+            ghost.runner = (*ghost.start).clone();
         }
     }
 
-    pub(super) fn ghost(&self) -> Option<Snapshot> {
-        self.ghost.as_ref().map(|ghost| ghost.runner.particles())
+    /// The ghost's part of a frame.
+    pub(super) fn keep(&self) -> Option<Kept> {
+        self.ghost.as_ref().map(|ghost| Kept::new(&ghost.start, &ghost.runner))
+    }
+
+    /// Takes the ghost along to an earlier frame, from which `world` goes on: to where it was then, or to where the world
+    /// is if there was another ghost or none.
+    pub(super) fn go_on(&mut self, kept: Option<&Kept>, world: &Runner) {
+        let Some(ghost) = &mut self.ghost else { return };
+        match kept.filter(|kept| Arc::ptr_eq(&kept.build, &ghost.start)) {
+            Some(kept) => ghost.runner.go_back(&kept.state),
+            None => ghost.join(world),
+        }
     }
 
     /// The world that runs beside the document's.
@@ -79,9 +101,9 @@ impl Sights {
 
 impl Loop {
     /// Puts the ghost together if another one is wanted. It starts where the world is now, so that the two part only by
-    /// what their scenes differ in.
+    /// what their scenes differ in. While an earlier frame is shown it waits.
     pub(super) fn put_ghost_together(&mut self) {
-        if !std::mem::take(&mut self.sights.stale) {
+        if self.looks_back() || !std::mem::take(&mut self.sights.stale) {
             return;
         }
         let Some(scene) = self.sights.wanted.clone() else {
@@ -94,16 +116,13 @@ impl Loop {
         self.sights.ghost = None;
         let problem = match catch_unwind(AssertUnwindSafe(|| self.bake(&scene))) {
             Ok(Ok(baked)) => {
-                let start = Runner::new(baked);
-                let mut runner = start.clone();
-                // At the start of the scene nothing is taken over: an adopted state is the same only up to round-off.
-                let moved = |world: &Runner| {
-                    world.world().time() > 0.0 || world.world().bodies().iter().any(|body| !body.grabs().is_empty())
-                };
-                if let Some(world) = self.runner.as_ref().filter(|world| moved(world)) {
-                    runner.adopt(world);
+                let start = Arc::new(Runner::new(baked));
+                let runner = (*start).clone();
+                let mut ghost = Ghost { scene, start, runner };
+                if let Some(world) = &self.runner {
+                    ghost.join(world);
                 }
-                self.sights.ghost = Some(Ghost { scene, start, runner });
+                self.sights.ghost = Some(ghost);
                 None
             }
             Ok(Err(problem)) => Some(problem),
@@ -111,6 +130,15 @@ impl Loop {
         };
         self.status.baking = None;
         self.status.notes.extend(problem.map(|problem| format!("There is no ghost: {problem}")));
+    }
+
+    /// What is to be seen beside the world that is shown.
+    pub(super) fn ghost(&self) -> Option<Snapshot> {
+        if !self.looks_back() {
+            return self.sights.ghost.as_ref().map(|ghost| ghost.runner.particles());
+        }
+        // In an earlier frame it is the one that was there then.
+        self.sights.wanted.as_ref().and_then(|_| self.replay.ghost())
     }
 
     /// Brings the ghost to where the world is. One that fails is given up; the world goes on.
@@ -137,7 +165,7 @@ impl Loop {
     /// colours keep their meaning through a swing.
     pub(super) fn field(&mut self) -> Option<FieldSnapshot> {
         let kind = self.sights.field?;
-        let mut field = FieldSnapshot::of(self.runner.as_ref()?.world(), kind);
+        let mut field = FieldSnapshot::of(self.shown()?.world(), kind);
         let top = &mut self.sights.top;
         *top = field.range[1].max(*top + NARROWING * (field.range[1] - *top));
         field.range[1] = *top;

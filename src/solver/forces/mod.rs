@@ -81,7 +81,14 @@ pub trait Force: Send + Sync {
         None
     }
 
-    /// A copy in a box; bodies are cloned to be replayed or probed.
+    /// Memory that a copy takes beside what copies share [bytes], so that a recording of many can be bounded. By default
+    /// that of the value itself; one with lists of its own adds them.
+    fn bytes(&self) -> usize {
+        size_of_val(self)
+    }
+
+    /// A copy in a box; bodies are cloned to be replayed or probed. It gives the same forces from here on, bit for bit:
+    /// warm starts go along, buffers need not (see [`super::scratch::Scratch`]).
     fn clone_box(&self) -> Box<dyn Force>;
 }
 

@@ -7,6 +7,7 @@
 use super::{Force, StepLimit};
 use crate::solver::energy::Energies;
 use crate::solver::neighbourhood::Neighbourhood;
+use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
 use fearless_simd::{Level, Simd, dispatch, f64x4, prelude::*};
 use glam::{DVec3, IVec3};
@@ -21,14 +22,31 @@ pub struct PairDamping {
     greatest_share: f64,
     rows: Arc<Rows>,
     level: Level,
+    buffers: Scratch<Buffers>,
+}
+
+#[derive(Default)]
+struct Buffers {
     /// x, y, z of positions [m] and velocities [m/s], and masses [kg], along the rows.
     along: [Vec<f64>; 7],
     /// Damping of every brick's particles over the rate [N s], components side by side.
     sums: Vec<[[f64; LANES]; 3]>,
 }
 
+impl Buffers {
+    /// Makes room for these rows. Empty places are never written and stay zero.
+    fn fit(&mut self, rows: &Rows) {
+        for along in &mut self.along {
+            along.resize(rows.length, 0.0);
+        }
+        self.sums.resize(rows.bricks.len(), [[0.0; LANES]; 3]);
+    }
+}
+
 /// Where the particles lie in the rows, and their bonds.
 struct Rows {
+    /// Places along the rows, empty ones among them.
+    length: usize,
     /// Place of every particle along the rows.
     places: Vec<u32>,
     /// Brick of every particle, times four, plus its place there.
@@ -81,21 +99,20 @@ impl PairDamping {
         let shares: Vec<HashMap<IVec3, f64>> =
             (0..cells.len()).map(|i| near(i).map(|bond| share(i, bond)).collect()).collect();
         let total = |i: usize| near(i).map(|bond| share(i, bond).1).sum::<f64>();
-        let (rows, places) = Rows::new(cells, &shares);
+        let rows = Rows::new(cells, &shares);
         Self {
             rate,
             greatest_share: (0..cells.len()).map(total).fold(0.0, f64::max),
             level: Level::new(),
-            along: std::array::from_fn(|_| vec![0.0; places]),
-            sums: vec![Default::default(); rows.bricks.len()],
+            buffers: Scratch::default(),
             rows: Arc::new(rows),
         }
     }
 }
 
 impl Rows {
-    /// Lays out particles with these shares by offset; also says how many places there are.
-    fn new(cells: &[IVec3], shares: &[HashMap<IVec3, f64>]) -> (Self, usize) {
+    /// Lays out particles with these shares by offset.
+    fn new(cells: &[IVec3], shares: &[HashMap<IVec3, f64>]) -> Self {
         let brick_of = |cell: IVec3| IVec3::new(cell.x.div_euclid(BRICK), cell.y, cell.z);
         let lane_of = |cell: IVec3| cell.x.rem_euclid(BRICK) as usize;
         let mut bricks: Vec<IVec3> =
@@ -143,7 +160,7 @@ impl Rows {
         };
         let bricks = bricks.iter().zip(of_brick).map(with_shares).collect();
         // One more, so that the last empty brick has one behind it, too.
-        (Self { places, lanes, bricks, shares: distinct }, LANES * (next as usize + 1))
+        Self { length: LANES * (next as usize + 1), places, lanes, bricks, shares: distinct }
     }
 
     /// Damping over the rate of a brick's particles.
@@ -206,7 +223,9 @@ fn beside<S: Simd>(simd: S, window: &[f64; 3 * LANES], dx: i32) -> f64x4<S> {
 
 impl Force for PairDamping {
     fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        let Self { rows, along, sums, level, rate, .. } = self;
+        let Self { rows, buffers, level, rate, .. } = self;
+        buffers.fit(rows);
+        let Buffers { along, sums } = &mut **buffers;
         let [x, y, z, u, v, w, m] = &mut *along;
         for (i, &place) in rows.places.iter().enumerate() {
             let place = place as usize;

@@ -2,6 +2,7 @@
 
 use super::Force;
 use crate::solver::energy::Energies;
+use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -92,13 +93,13 @@ pub struct Pressure {
     pub energy_scale: f64,
     /// Surfaces with +1 or -1.
     pub surfaces: Vec<(Surface, f64)>,
-    scratch: Vec<DVec3>,
+    scratch: Scratch<Vec<DVec3>>,
 }
 
 impl Pressure {
     /// Gas of `energy_scale` nRT [J] between these surfaces.
     pub fn new(energy_scale: f64, surfaces: Vec<(Surface, f64)>) -> Self {
-        Self { energy_scale, surfaces, scratch: Vec::new() }
+        Self { energy_scale, surfaces, scratch: Scratch::default() }
     }
 
     /// Volume of the gas [m³], or area [m²].
@@ -132,7 +133,7 @@ impl Force for Pressure {
         }
         let growth: f64 = self.scratch.iter().zip(dx).map(|(gradient, dx)| gradient.dot(*dx)).sum();
         let loss = -pressure / volume * growth;
-        for (out, gradient) in out.iter_mut().zip(&self.scratch) {
+        for (out, gradient) in out.iter_mut().zip(&*self.scratch) {
             *out += loss * *gradient;
         }
     }

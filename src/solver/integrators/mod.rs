@@ -32,7 +32,7 @@ pub trait Integrator: Send + Sync {
     /// [1/s] does not grow; for those that let every undamped oscillation grow, a step at which it grows slowly.
     fn stable_step(&self, omega: f64, damping: f64) -> f64;
 
-    /// A copy in a box.
+    /// A copy in a box, which steps on as this one would, bit for bit.
     fn clone_box(&self) -> Box<dyn Integrator>;
 }
 

@@ -70,6 +70,11 @@ impl Breakage {
         }
     }
 
+    /// Memory of the lists [bytes].
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.bends) + size_of_val(&*self.edges) + size_of_val(&*self.breaks)
+    }
+
     /// Breaks the vertex of bend `k` of a fibre whose first bend is `first_bend` of all.
     pub(super) fn at_vertex(&mut self, fibre: &FibreRest, first_bend: usize, k: usize, time: f64) {
         self.bends[first_bend + k] = true;

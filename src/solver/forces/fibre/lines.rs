@@ -7,8 +7,10 @@
 use super::corner::{Corner, Edge, FOLD};
 use super::rest::FibreRest;
 use crate::solver::forces::matrix::lanes::{LANES, Vectors, dot, scaled};
+use crate::solver::scratch::Scratch;
 use fearless_simd::{Simd, f64x4, prelude::*};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// A vector for each vertex or edge, by components.
 type Columns = [Vec<f64>; 3];
@@ -17,9 +19,15 @@ type Columns = [Vec<f64>; 3];
 #[derive(Clone, Debug)]
 pub(super) struct Lines {
     count: usize,
-    stretching: Vec<f64>,
-    rest_lengths: Vec<f64>,
-    bending: Vec<f64>,
+    stretching: Arc<Vec<f64>>,
+    rest_lengths: Arc<[f64]>,
+    bending: Arc<Vec<f64>>,
+    buffers: Scratch<Buffers>,
+}
+
+/// What is computed of vertices and edges.
+#[derive(Debug, Default)]
+struct Buffers {
     positions: Columns,
     tangents: Columns,
     lengths: Vec<f64>,
@@ -30,40 +38,42 @@ pub(super) struct Lines {
     slopes_after: Columns,
 }
 
+impl Buffers {
+    /// Makes room for so many numbers; those beyond the fibres are never written and stay zero.
+    fn fit(&mut self, numbers: usize) {
+        let columns = [&mut self.positions, &mut self.tangents, &mut self.slopes, &mut self.slopes_after];
+        let columns = columns.into_iter().flatten().chain([&mut self.lengths, &mut self.inverse_lengths]);
+        columns.for_each(|column| column.resize(numbers, 0.0));
+    }
+}
+
 impl Lines {
     /// The fibres at rest, with nothing broken.
     pub(super) fn new(fibres: &[FibreRest]) -> Self {
         let count = fibres.iter().map(|fibre| fibre.vertices.len()).sum::<usize>();
         // Whole lanes, and the vertices that the last of them look at beyond.
         let numbers = count.next_multiple_of(LANES) + LANES;
-        let zeros = || vec![0.0; numbers];
-        let columns = || [zeros(), zeros(), zeros()];
-        let mut this = Self {
-            count,
-            stretching: zeros(),
-            rest_lengths: zeros(),
-            bending: zeros(),
-            positions: columns(),
-            tangents: columns(),
-            lengths: zeros(),
-            inverse_lengths: zeros(),
-            slopes: columns(),
-            slopes_after: columns(),
-        };
+        let [mut stretching, mut rest_lengths, mut bending] = [(); 3].map(|()| vec![0.0; numbers]);
         let mut first = 0;
         for fibre in fibres {
             for (k, &(stiffness, rest_length)) in fibre.edges.iter().enumerate() {
-                this.stretching[first + k] = stiffness;
-                this.rest_lengths[first + k] = rest_length;
+                stretching[first + k] = stiffness;
+                rest_lengths[first + k] = rest_length;
             }
             for (k, bend) in fibre.bends.iter().enumerate() {
                 if bend.curved.is_none() {
-                    this.bending[first + k] = bend.stiffness;
+                    bending[first + k] = bend.stiffness;
                 }
             }
             first += fibre.vertices.len();
         }
-        this
+        let (stretching, bending) = (Arc::new(stretching), Arc::new(bending));
+        Self { count, stretching, rest_lengths: rest_lengths.into(), bending, buffers: Scratch::default() }
+    }
+
+    /// Memory that a copy of its own takes once something is broken [bytes].
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&**self.stretching) + size_of_val(&**self.bending)
     }
 
     /// Number of vertices.
@@ -73,18 +83,25 @@ impl Lines {
 
     /// What is broken of the fibre whose first vertex is this one carries nothing any more.
     pub(super) fn lose(&mut self, first: usize, bends: &[bool], edges: &[bool]) {
-        for (k, _) in bends.iter().enumerate().filter(|(_, broken)| **broken) {
-            self.bending[first + k] = 0.0;
+        for (stiffness, broken) in [(&mut self.bending, bends), (&mut self.stretching, edges)] {
+            for k in (0..broken.len()).filter(|&k| broken[k]) {
+                // Copies share what is as it was.
+                if stiffness[first + k] != 0.0 {
+                    Arc::make_mut(stiffness)[first + k] = 0.0;
+                }
+            }
         }
-        for (k, _) in edges.iter().enumerate().filter(|(_, broken)| **broken) {
-            self.stretching[first + k] = 0.0;
-        }
+    }
+
+    /// Makes ready for vertices to be put.
+    pub(super) fn begin(&mut self) {
+        self.buffers.fit(self.rest_lengths.len());
     }
 
     /// Puts a vertex somewhere [m].
     #[inline(always)]
     pub(super) fn put(&mut self, vertex: usize, at: DVec3) {
-        for (column, number) in self.positions.iter_mut().zip(at.to_array()) {
+        for (column, number) in self.buffers.positions.iter_mut().zip(at.to_array()) {
             column[vertex] = number;
         }
     }
@@ -92,30 +109,32 @@ impl Lines {
     /// Gradients [N] by all edges, of stretching and straight bending.
     #[inline(always)]
     pub(super) fn slopes<S: Simd>(&mut self, simd: S) {
+        let Self { count, stretching, rest_lengths, bending, buffers } = self;
+        let Buffers { positions, tangents, lengths, inverse_lengths, slopes, slopes_after } = &mut **buffers;
         let zero = f64x4::splat(simd, 0.0);
         let one = f64x4::splat(simd, 1.0);
-        for k in (0..self.count).step_by(LANES) {
+        for k in (0..*count).step_by(LANES) {
             let mut edge = [zero; 3];
             for c in 0..3 {
-                edge[c] = at(simd, &self.positions[c], k + 1) - at(simd, &self.positions[c], k);
+                edge[c] = at(simd, &positions[c], k + 1) - at(simd, &positions[c], k);
             }
             let length = dot(&edge, &edge).sqrt();
             let inverse = length.simd_gt(zero).select(one / length, zero);
             let tangent = scaled(inverse, edge);
-            let pull = at(simd, &self.stretching, k) * (length - at(simd, &self.rest_lengths, k));
-            set_all(&mut self.tangents, k, tangent);
-            set(&mut self.lengths, k, length);
-            set(&mut self.inverse_lengths, k, inverse);
-            set_all(&mut self.slopes, k, scaled(pull, tangent));
+            let pull = at(simd, stretching, k) * (length - at(simd, rest_lengths, k));
+            set_all(tangents, k, tangent);
+            set(lengths, k, length);
+            set(inverse_lengths, k, inverse);
+            set_all(slopes, k, scaled(pull, tangent));
         }
         let (eight, fold) = (f64x4::splat(simd, 8.0), f64x4::splat(simd, FOLD));
-        for k in (0..self.count).step_by(LANES) {
-            let (before, after) = (all(simd, &self.tangents, k), all(simd, &self.tangents, k + 1));
+        for k in (0..*count).step_by(LANES) {
+            let (before, after) = (all(simd, tangents, k), all(simd, tangents, k + 1));
             let cosine = dot(&before, &after);
             let inverse = one / (one + cosine);
             // `-d/dc (1 - c) / (1 + c)`, twice over: 8 stands for 4 times 2 beyond the fold's 4 times 8, too.
             let steepness = cosine.simd_lt(fold).select(f64x4::splat(simd, 4.0), inverse * inverse);
-            let slope = zero - eight * at(simd, &self.bending, k) * steepness;
+            let slope = zero - eight * at(simd, bending, k) * steepness;
             let across = |of: Vectors<S>, other: Vectors<S>, inverse_length: f64x4<S>| {
                 // The part of the other tangent that lies across this one.
                 let mut part = other;
@@ -124,22 +143,22 @@ impl Lines {
                 }
                 scaled(slope * inverse_length, part)
             };
-            let by_before = across(before, after, at(simd, &self.inverse_lengths, k));
-            let by_after = across(after, before, at(simd, &self.inverse_lengths, k + 1));
-            let mut sum = all(simd, &self.slopes, k);
+            let by_before = across(before, after, at(simd, inverse_lengths, k));
+            let by_after = across(after, before, at(simd, inverse_lengths, k + 1));
+            let mut sum = all(simd, slopes, k);
             for c in 0..3 {
                 sum[c] += by_before[c];
             }
-            set_all(&mut self.slopes, k, sum);
-            set_all(&mut self.slopes_after, k + 1, by_after);
+            set_all(slopes, k, sum);
+            set_all(slopes_after, k + 1, by_after);
         }
     }
 
     /// Corner k as it stands; none if one of its edges has no length.
     pub(super) fn corner(&self, k: usize) -> Option<Corner> {
         let edge = |k: usize| Edge {
-            tangent: DVec3::from_array([0, 1, 2].map(|c| self.tangents[c][k])),
-            length: self.lengths[k],
+            tangent: DVec3::from_array([0, 1, 2].map(|c| self.buffers.tangents[c][k])),
+            length: self.buffers.lengths[k],
         };
         Corner::between(edge(k), edge(k + 1))
     }
@@ -147,15 +166,15 @@ impl Lines {
     /// Adds gradients [N] by both edges of corner k.
     pub(super) fn add(&mut self, k: usize, (before, after): (DVec3, DVec3)) {
         for c in 0..3 {
-            self.slopes[c][k] += before[c];
-            self.slopes_after[c][k + 1] += after[c];
+            self.buffers.slopes[c][k] += before[c];
+            self.buffers.slopes_after[c][k + 1] += after[c];
         }
     }
 
     /// Force on a vertex [N].
     #[inline(always)]
     pub(super) fn force(&self, vertex: usize) -> DVec3 {
-        let edge = |k: usize, c: usize| self.slopes[c][k] + self.slopes_after[c][k];
+        let edge = |k: usize, c: usize| self.buffers.slopes[c][k] + self.buffers.slopes_after[c][k];
         let before = |c: usize| if vertex > 0 { edge(vertex - 1, c) } else { 0.0 };
         DVec3::new(edge(vertex, 0) - before(0), edge(vertex, 1) - before(1), edge(vertex, 2) - before(2))
     }

@@ -99,6 +99,7 @@ impl FibreForce {
     #[inline(always)]
     fn evaluate<S: Simd>(&mut self, simd: S, positions: &[f64], forces: &mut [f64]) {
         let Self { packed, lines, broken, turns, .. } = self;
+        lines.begin();
         for vertex in 0..lines.len() {
             let [at] = packed.vertices.gather(simd, vertex, positions, None);
             lines.put(vertex, at);
@@ -197,6 +198,11 @@ impl Force for FibreForce {
 
     fn breaks(&self) -> &[FibreBreak] {
         &self.broken.breaks
+    }
+
+    fn bytes(&self) -> usize {
+        let lines = if self.broken.breaks.is_empty() { 0 } else { self.lines.bytes() };
+        size_of_val(self) + size_of_val(&*self.turns) + self.broken.bytes() + lines
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

@@ -139,6 +139,11 @@ impl MatrixForce {
         Self { kernel: Kernel::Pairs(PairList::new(rotations)), matter: self.matter }
     }
 
+    /// Memory of the rest data, which copies share [bytes].
+    pub(in crate::solver) fn shared_bytes(&self) -> usize {
+        self.matter.neighbourhood.bytes() + size_of_val(&*self.matter.rest) + size_of_val(&*self.matter.share)
+    }
+
     /// Whether it is computed by a stencil, not from the pair list.
     pub fn is_stencil(&self) -> bool {
         matches!(self.kernel, Kernel::Stencil(_))
@@ -211,6 +216,14 @@ impl Force for MatrixForce {
 
     fn matrix(&self) -> Option<&MatrixForce> {
         Some(self)
+    }
+
+    fn bytes(&self) -> usize {
+        let rotations = match &self.kernel {
+            Kernel::Stencil(stencil) => stencil.bytes(),
+            Kernel::Pairs(pairs) => pairs.bytes(),
+        };
+        size_of_val(self) + rotations
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

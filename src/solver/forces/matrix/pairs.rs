@@ -4,6 +4,7 @@ use super::lanes::mean_turn;
 use super::{Elasticity, Matter};
 use crate::solver::neighbourhood::{Neighbourhood, outer};
 use crate::solver::rotation::nearest_rotation;
+use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
 use fearless_simd::{Level, Simd, dispatch, f64x4, prelude::*};
 use glam::{DMat3, DQuat, DVec3};
@@ -18,6 +19,11 @@ const PARALLEL_FROM: usize = 512;
 pub(super) struct PairList {
     level: Level,
     rotations: Vec<DQuat>,
+    buffers: Scratch<Buffers>,
+}
+
+#[derive(Default)]
+struct Buffers {
     deviations: Vec<[f64; 4]>,
     fields: Vec<Field>,
     own: Vec<DVec3>,
@@ -31,14 +37,12 @@ struct Field([[f64; 4]; 4]);
 impl PairList {
     /// The kernel of particles that start with these rotations.
     pub(super) fn new(rotations: Vec<DQuat>) -> Self {
-        let n = rotations.len();
-        Self {
-            level: Level::new(),
-            rotations,
-            deviations: vec![[0.0; 4]; n],
-            fields: vec![Field::default(); n],
-            own: vec![DVec3::ZERO; n],
-        }
+        Self { level: Level::new(), rotations, buffers: Scratch::default() }
+    }
+
+    /// Memory of the rotations [bytes].
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.rotations)
     }
 
     /// Rotation of particle i at the last evaluation.
@@ -48,7 +52,12 @@ impl PairList {
 
     /// Adds the forces [N].
     pub(super) fn add_forces(&mut self, matter: &Matter, state: &ParticleState, forces: &mut [DVec3]) {
-        let Self { level, rotations, deviations, fields, own } = self;
+        let Self { level, rotations, buffers } = self;
+        let n = rotations.len();
+        let Buffers { deviations, fields, own } = &mut **buffers;
+        deviations.resize(n, [0.0; 4]);
+        fields.resize(n, Field::default());
+        own.resize(n, DVec3::ZERO);
         let body_turn = DMat3::from_quat(mean_turn(rotations.iter().copied()));
         for (deviation, (&x, &rest)) in deviations.iter_mut().zip(state.positions.iter().zip(matter.rest.iter())) {
             // Differences to particle 0 first: they are exact far from the origin, too.

@@ -66,7 +66,7 @@ pub(super) const MOST_SITES: usize = 24;
 const LINES: usize = 3 * STEPS;
 
 /// Combined rows of a chunk: of each component, each line runs along the sites.
-#[derive(Clone)]
+#[derive(Default)]
 pub(super) struct Lines(Vec<[[f64; LANES * MOST_SITES]; LINES]>);
 
 impl Lines {

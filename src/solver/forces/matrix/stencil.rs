@@ -13,6 +13,7 @@ use super::layout::{Chunk, Layout, NONE};
 use super::rest::{Rest, Share, rests, shares};
 use super::rows::{Lines, MOST, Rows, Weights};
 use super::{Elasticity, Matter};
+use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
 use fearless_simd::{Level, Simd, dispatch, f64x4, prelude::*};
 use glam::{DMat3, DQuat, DVec3};
@@ -39,12 +40,30 @@ pub(super) struct Stencil {
     level: Level,
     /// Rotation of every brick's particles times the stencil's axes: x, y, z, w.
     rotations: Vec<[Lanes; 4]>,
+    buffers: Scratch<Buffers>,
+}
+
+/// What an evaluation writes down for its second pass.
+#[derive(Default)]
+struct Buffers {
     /// Of the empty brick and all others.
     deviations: Vec<Deviations>,
     fields: Vec<Fields>,
     /// A particle's own part of its force, later the whole of it [N].
     forces: Vec<[Lanes; 3]>,
     lines: Lines,
+}
+
+impl Buffers {
+    /// Makes room for so many bricks. Places without a particle are never written and stay zero.
+    fn fit(&mut self, bricks: usize) {
+        if self.forces.len() != bricks {
+            self.deviations = vec![Deviations::default(); bricks + 1];
+            self.fields = vec![Fields::default(); bricks + 1];
+            self.forces = vec![[Lanes::default(); 3]; bricks];
+            self.lines = Lines::new();
+        }
+    }
 }
 
 /// What does not change.
@@ -96,10 +115,7 @@ impl Stencil {
         let bricks = layout.particles.len();
         Some(Self {
             rotations: vec![turn; bricks],
-            deviations: vec![Deviations::default(); bricks + 1],
-            fields: vec![Fields::default(); bricks + 1],
-            forces: vec![[Lanes::default(); 3]; bricks],
-            lines: Lines::new(),
+            buffers: Scratch::default(),
             level: Level::new(),
             fixed: Arc::new(Fixed {
                 weights: Weights::new(weights, lattice.spacing),
@@ -120,6 +136,11 @@ impl Stencil {
         rotation(&self.rotations[place / LANES], place % LANES) * axes.conjugate()
     }
 
+    /// Memory of the rotations [bytes].
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.rotations)
+    }
+
     /// Adds the forces [N].
     pub(super) fn add_forces(&mut self, matter: &Matter, state: &ParticleState, forces: &mut [DVec3]) {
         match self.fixed.reach {
@@ -134,7 +155,9 @@ impl Stencil {
         state: &ParticleState,
         forces: &mut [DVec3],
     ) {
-        let Self { fixed, level, rotations, deviations, fields, forces: own, lines } = self;
+        let Self { fixed, level, rotations, buffers } = self;
+        buffers.fit(rotations.len());
+        let Buffers { deviations, fields, forces: own, lines } = &mut **buffers;
         let layout = &fixed.layout;
         let parallel = state.len() >= PARALLEL_FROM;
         let sample = rotations.iter().step_by(rotations.len().div_ceil(SAMPLED).max(1));

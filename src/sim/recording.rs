@@ -1,0 +1,213 @@
+//! The last minutes of a motion, frame by frame, in bounded memory: to be looked at again and gone on from.
+
+use super::Runner;
+use crate::solver::world::Checkpoint;
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// Memory that a recording takes at most unless it is told otherwise [bytes].
+pub const USUAL_MEMORY: usize = 512 << 20;
+
+/// A state of a run, and the run's start, which has the rest data that it goes with.
+pub(super) struct Kept {
+    /// The start of the scene as it was put together then.
+    pub(super) build: Arc<Runner>,
+    pub(super) state: RunCheckpoint,
+}
+
+/// What a runner goes on from.
+pub(super) struct RunCheckpoint {
+    pub(super) world: Checkpoint,
+    pub(super) restful_frames: u32,
+}
+
+impl Kept {
+    /// The present state of a runner that was put together as `build`.
+    pub(super) fn new(build: &Arc<Runner>, runner: &Runner) -> Self {
+        Self { build: Arc::clone(build), state: runner.checkpoint() }
+    }
+
+    /// Brings a runner of the same build to this state, or gives one that is there.
+    pub(super) fn show(&self, seen: &mut Option<Seen>) {
+        let same = seen.as_ref().is_some_and(|seen| Arc::ptr_eq(&seen.build, &self.build));
+        if !same {
+            *seen = Some(Seen { build: Arc::clone(&self.build), runner: (*self.build).clone() });
+        }
+        if let Some(seen) = seen {
+            seen.runner.go_back(&self.state);
+        }
+    }
+}
+
+/// A run as it was at some time.
+pub(super) struct Seen {
+    /// What it was put together as.
+    pub(super) build: Arc<Runner>,
+    pub(super) runner: Runner,
+}
+
+/// One frame.
+pub(super) struct Frame {
+    /// Simulated time [s].
+    pub(super) time: f64,
+    /// The document's world.
+    pub(super) world: Kept,
+    /// The ghost's, where there was one.
+    pub(super) ghost: Option<Kept>,
+    /// Body whose last grab followed the pointer.
+    pub(super) grabbed: Option<usize>,
+    /// Fibres broken so far.
+    breaks: usize,
+    bytes: usize,
+}
+
+impl Frame {
+    /// A frame of a world, a ghost beside it and what is pulled.
+    pub(super) fn new(world: Kept, runner: &Runner, ghost: Option<Kept>, grabbed: Option<usize>) -> Self {
+        let bytes = |kept: &Kept| kept.state.world.bytes();
+        Self {
+            time: runner.world().time(),
+            bytes: size_of::<Self>() + bytes(&world) + ghost.as_ref().map_or(0, bytes),
+            breaks: runner.world().bodies().iter().map(|body| body.breaks().count()).sum(),
+            world,
+            ghost,
+            grabbed,
+        }
+    }
+
+    fn builds(&self) -> [Option<&Arc<Runner>>; 2] {
+        [Some(&self.world.build), self.ghost.as_ref().map(|ghost| &ghost.build)]
+    }
+}
+
+/// Frames in the order of time. The oldest are dropped for new ones.
+pub(super) struct Recording {
+    frames: VecDeque<Frame>,
+    /// Times [s] of the last frames before the scene was put together anew, and of frames in which fibres broke.
+    marks: [VecDeque<f64>; 2],
+    /// Memory of all frames, and of what they were put together as [bytes].
+    bytes: usize,
+    limit: usize,
+}
+
+impl Default for Recording {
+    fn default() -> Self {
+        Self { frames: VecDeque::new(), marks: Default::default(), bytes: 0, limit: USUAL_MEMORY }
+    }
+}
+
+impl Recording {
+    /// Appends a frame and drops the oldest ones until all fit; even the new one where it is too large alone.
+    pub(super) fn push(&mut self, frame: Frame) {
+        self.bytes += frame.bytes + new_builds(&frame, self.frames.back());
+        if let Some(last) = self.frames.back() {
+            if !Arc::ptr_eq(&last.world.build, &frame.world.build) {
+                self.marks[0].push_back(last.time);
+            }
+            if frame.breaks > last.breaks {
+                self.marks[1].push_back(frame.time);
+            }
+        }
+        self.frames.push_back(frame);
+        self.shrink();
+    }
+
+    /// Takes at most so much memory from now on [bytes].
+    pub(super) fn set_limit(&mut self, limit: usize) {
+        self.limit = limit;
+        self.shrink();
+    }
+
+    fn shrink(&mut self) {
+        while self.bytes > self.limit {
+            let Some(oldest) = self.frames.pop_front() else { return };
+            self.bytes -= oldest.bytes + new_builds(&oldest, self.frames.front());
+            for marks in &mut self.marks {
+                while marks.front().is_some_and(|time| *time <= oldest.time) {
+                    marks.pop_front();
+                }
+            }
+        }
+    }
+
+    /// Drops every frame after one; gives how many.
+    pub(super) fn drop_after(&mut self, index: usize) -> usize {
+        let mut dropped = 0;
+        while self.frames.len() > index + 1
+            && let Some(last) = self.frames.pop_back()
+        {
+            self.bytes -= last.bytes + new_builds(&last, self.frames.back());
+            dropped += 1;
+        }
+        let end = self.frames.back().map_or(f64::NEG_INFINITY, |frame| frame.time);
+        for (marks, after) in self.marks.iter_mut().zip([|time: f64, end: f64| time >= end, |time, end| time > end]) {
+            while marks.back().is_some_and(|time| after(*time, end)) {
+                marks.pop_back();
+            }
+        }
+        dropped
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.frames.clear();
+        self.marks.iter_mut().for_each(VecDeque::clear);
+        self.bytes = 0;
+    }
+
+    /// Number of the frame that is nearest to a time [s]; none where nothing is kept.
+    pub(super) fn nearest(&self, time: f64) -> Option<usize> {
+        let after = self.frames.partition_point(|frame| frame.time < time);
+        let distance = |&index: &usize| self.frames.get(index).map_or(f64::INFINITY, |frame| (frame.time - time).abs());
+        let last = self.frames.len().checked_sub(1)?;
+        let candidates = [after.saturating_sub(1), after.min(last)];
+        candidates.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    /// Number of the last frame before a time [s].
+    pub(super) fn before(&self, time: f64) -> Option<usize> {
+        self.frames.partition_point(|frame| frame.time < time).checked_sub(1)
+    }
+
+    /// Number of the first frame after a time [s].
+    pub(super) fn after(&self, time: f64) -> Option<usize> {
+        let index = self.frames.partition_point(|frame| frame.time <= time);
+        (index < self.frames.len()).then_some(index)
+    }
+
+    pub(super) fn frame(&self, index: usize) -> Option<&Frame> {
+        self.frames.get(index)
+    }
+
+    /// Number of frames.
+    pub(super) fn len(&self) -> usize {
+        self.frames.len()
+    }
+
+    /// Memory that is taken, and the most that may be [bytes].
+    pub(super) fn memory(&self) -> [usize; 2] {
+        [self.bytes, self.limit]
+    }
+
+    /// Times of the first and the last frame [s].
+    pub(super) fn span(&self) -> Option<[f64; 2]> {
+        Some([self.frames.front()?.time, self.frames.back()?.time])
+    }
+
+    /// Times [s] at which the scene was put together anew, and at which fibres broke.
+    pub(super) fn marks(&self) -> [Vec<f64>; 2] {
+        let [edits, breaks] = &self.marks;
+        [edits, breaks].map(|marks| marks.iter().copied().collect())
+    }
+}
+
+/// Memory of what a frame was put together as and its neighbour was not [bytes].
+fn new_builds(frame: &Frame, neighbour: Option<&Frame>) -> usize {
+    let of_neighbour = neighbour.map(Frame::builds);
+    let pairs = frame.builds().into_iter().zip(of_neighbour.unwrap_or_default());
+    let fresh = pairs.filter_map(|(build, other)| {
+        let build = build?;
+        let same = other.is_some_and(|other| Arc::ptr_eq(build, other));
+        (!same).then(|| build.world().bytes())
+    });
+    fresh.sum()
+}

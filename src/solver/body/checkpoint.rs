@@ -1,0 +1,104 @@
+//! What the motion of one body goes on from.
+
+use super::{Body, Divergence};
+use crate::solver::forces::{Force, MatrixForce};
+use crate::solver::grab::Grab;
+use crate::solver::integrators::Integrator;
+use crate::solver::layers::Layers;
+use crate::solver::skin::Skin;
+use crate::solver::state::ParticleState;
+use glam::DVec3;
+
+/// Everything of a body that moving changes. Rest data are not among it: they stay in the body, and copies of forces
+/// share theirs.
+#[derive(Clone)]
+pub(in crate::solver) struct BodyCheckpoint {
+    positions: Vec<DVec3>,
+    velocities: Vec<DVec3>,
+    /// Forces of the last evaluation [N]: the next step may start from them.
+    net: Vec<DVec3>,
+    /// Forces from other bodies [N]; empty where there are none.
+    held: Vec<DVec3>,
+    /// Energy of contacts with other bodies [J].
+    meeting_energy: f64,
+    /// With their warm starts and what has broken in them.
+    forces: Vec<Box<dyn Force>>,
+    integrator: Box<dyn Integrator>,
+    grabs: Vec<Grab>,
+    current: bool,
+    steps: u64,
+    evaluations: u64,
+    divergence: Option<Divergence>,
+}
+
+impl BodyCheckpoint {
+    /// Memory that it takes [bytes].
+    pub(in crate::solver) fn bytes(&self) -> usize {
+        let lists = size_of_val(&*self.positions)
+            + size_of_val(&*self.velocities)
+            + size_of_val(&*self.net)
+            + size_of_val(&*self.held);
+        let grabs: usize = self.grabs.iter().map(|grab| size_of_val(grab) + size_of_val(&*grab.point.weights)).sum();
+        let forces: usize = self.forces.iter().map(|force| force.bytes() + size_of_val(force)).sum();
+        size_of_val(self) + lists + grabs + forces + size_of_val(&*self.integrator)
+    }
+}
+
+impl Body {
+    /// What the body goes on from.
+    pub(in crate::solver) fn keep(&self) -> BodyCheckpoint {
+        let pushed = self.held.iter().any(|force| *force != DVec3::ZERO);
+        BodyCheckpoint {
+            positions: self.parts.state.positions.clone(),
+            velocities: self.parts.state.velocities.clone(),
+            net: self.net.clone(),
+            held: if pushed { self.held.clone() } else { Vec::new() },
+            meeting_energy: self.meeting_energy,
+            forces: self.parts.forces.clone(),
+            integrator: self.parts.integrator.clone(),
+            grabs: self.grabs.clone(),
+            current: self.current,
+            steps: self.steps,
+            evaluations: self.evaluations,
+            divergence: self.divergence.clone(),
+        }
+    }
+
+    /// Back to what `kept` was taken of: this body, or another of the same parts.
+    pub(in crate::solver) fn go_back(&mut self, kept: &BodyCheckpoint) {
+        let ParticleState { positions, velocities, .. } = &mut self.parts.state;
+        positions.clone_from(&kept.positions);
+        velocities.clone_from(&kept.velocities);
+        self.net.clone_from(&kept.net);
+        if kept.held.is_empty() {
+            self.held.fill(DVec3::ZERO);
+        } else {
+            self.held.clone_from(&kept.held);
+        }
+        self.meeting_energy = kept.meeting_energy;
+        self.parts.forces.clone_from(&kept.forces);
+        self.parts.integrator.clone_from(&kept.integrator);
+        self.grabs.clone_from(&kept.grabs);
+        self.current = kept.current;
+        self.steps = kept.steps;
+        self.evaluations = kept.evaluations;
+        self.divergence.clone_from(&kept.divergence);
+        // A stopped body stands in its last good state; another takes its own at the start of the next frame.
+        self.last_good.clone_from(&self.parts.state);
+    }
+
+    /// Memory that the body takes [bytes], about: its state and rest data.
+    pub(in crate::solver) fn bytes(&self) -> usize {
+        let state = &self.parts.state;
+        let particles = size_of_val(&*state.positions) + size_of_val(&*state.velocities) + size_of_val(&*state.masses);
+        let frames = size_of_val(&*self.parts.rest) + size_of_val(&*self.parts.model);
+        let forces: usize = self.parts.forces.iter().map(|force| force.bytes()).sum();
+        let matrix = self.parts.forces.iter().find_map(|force| force.matrix());
+        let vertices = self.parts.fibres.iter().flat_map(|fibre| &fibre.vertices);
+        let fibres: usize = vertices.map(|vertex| size_of_val(&*vertex.weights)).sum();
+        let skin = self.parts.skin.as_deref().map_or(0, Skin::bytes);
+        let springs = self.parts.layers.as_deref().map_or(0, Layers::bytes);
+        // Twice the state: the last good one is kept, too.
+        2 * particles + frames + forces + matrix.map_or(0, MatrixForce::shared_bytes) + fibres + skin + springs
+    }
+}

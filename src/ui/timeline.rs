@@ -1,0 +1,326 @@
+//! The timeline: what is kept of the motion, to be scrubbed, stepped through, replayed and gone on from.
+
+use super::action::Action;
+use super::app::{App, Gravity};
+use super::theme::{self, GRID};
+use super::timescale::{Scale, clock, memory};
+use crate::sim::{Published, SimCommand, USUAL_MEMORY};
+use egui::{Align2, FontId, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// Height of the panel's content [points].
+const HEIGHT: f32 = 8.0 * GRID;
+/// Height of the bar that is dragged in, and how far its ends lie inside [points].
+const BAR: f32 = 4.0 * GRID;
+const INSET: f32 = 2.0 * GRID;
+/// Buttons with a sign [points].
+const BUTTON: Vec2 = Vec2::new(6.0 * GRID, 6.0 * GRID);
+/// Room of the read-out of memory, so that its digits move nothing [points].
+const MEMORY_WIDTH: f32 = 44.0 * GRID;
+/// Half the width of a mark [points].
+const MARK: f32 = GRID;
+/// Memory that can be chosen [MiB].
+const CHOICES: [usize; 7] = [128, 256, 512, 1024, 2048, 4096, 8192];
+const MIB: usize = 1 << 20;
+
+/// What is remembered of the timeline from one start to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Kept {
+    shown: bool,
+    /// Memory that frames may take [MiB].
+    memory: usize,
+}
+
+impl Default for Kept {
+    fn default() -> Self {
+        Self { shown: true, memory: USUAL_MEMORY / MIB }
+    }
+}
+
+/// The timeline's own state.
+#[derive(Default)]
+pub(super) struct Timeline {
+    kept: Kept,
+    /// Time under the pointer while it drags [s]; the last one that was asked for, and what was shown then.
+    held: Option<f64>,
+    asked: Option<(f64, Arc<Published>)>,
+    /// How many of the simulation's words on it have been passed on.
+    said: u64,
+}
+
+/// What a button shows.
+#[derive(Clone, Copy)]
+enum Sign {
+    First,
+    Back,
+    Replay,
+    Pause,
+    Forward,
+}
+
+impl App {
+    /// What is to be remembered of the timeline.
+    pub(super) fn timeline_kept(&self) -> Kept {
+        self.timeline.kept
+    }
+
+    /// Goes on with the timeline of the last time.
+    pub(super) fn recall_timeline(&mut self, kept: Kept) {
+        self.timeline.kept.shown = kept.shown;
+        self.choose_memory(kept.memory.clamp(CHOICES[0], CHOICES[CHOICES.len() - 1]));
+    }
+
+    pub(super) fn timeline_shown(&self) -> bool {
+        self.timeline.kept.shown
+    }
+
+    pub(super) fn fold_timeline(&mut self) {
+        self.timeline.kept.shown = !self.timeline.kept.shown;
+    }
+
+    fn choose_memory(&mut self, mebibytes: usize) {
+        self.timeline.kept.memory = mebibytes;
+        self.ask(SimCommand::Memory(mebibytes * MIB));
+    }
+
+    /// Whether there are earlier frames to be seen.
+    pub(super) fn has_frames(&self) -> bool {
+        self.published.compared.is_empty() && self.published.status.timeline.frames > 1
+    }
+
+    /// Whether an earlier frame is shown.
+    pub(super) fn looks_back(&self) -> bool {
+        self.published.status.timeline.looks_back
+    }
+
+    /// Asks for earlier frames; what was held by the pointer is let go.
+    pub(super) fn look_back(&mut self, command: SimCommand) {
+        self.pull = None;
+        self.ask(command);
+    }
+
+    /// Asks for the first frame that is kept.
+    pub(super) fn show_first(&mut self) {
+        if let Some([first, _]) = self.published.status.timeline.span {
+            self.look_back(SimCommand::Show(first));
+        }
+    }
+
+    pub(super) fn timeline(&mut self, ui: &mut Ui) {
+        let (count, said) = &self.published.status.timeline.went_on;
+        if *count != self.timeline.said {
+            let said = said.clone();
+            self.timeline.said = *count;
+            self.say(Gravity::Note, said);
+            ui.ctx().request_repaint();
+        }
+        if !self.timeline.kept.shown {
+            return;
+        }
+        egui::Panel::bottom("timeline").exact_size(HEIGHT + GRID).frame(theme::panel(ui)).show(ui, |ui| {
+            ui.horizontal_centered(|ui| {
+                ui.spacing_mut().item_spacing.x = 0.5 * GRID;
+                self.sign(ui, Action::FirstFrame, Sign::First);
+                self.sign(ui, Action::StepBack, Sign::Back);
+                if self.published.status.playing {
+                    self.sign(ui, Action::PlayPause, Sign::Pause);
+                } else {
+                    self.sign(ui, Action::Replay, Sign::Replay);
+                }
+                self.sign(ui, Action::Step, Sign::Forward);
+                ui.spacing_mut().item_spacing.x = 2.0 * GRID;
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    self.memory(ui);
+                    self.control(ui, Action::Live, "Live");
+                    self.control(ui, Action::GoOn, "Go on from here");
+                    self.track(ui);
+                });
+            });
+        });
+    }
+
+    /// A button for an action that shows a sign in place of its name.
+    fn sign(&mut self, ui: &mut Ui, action: Action, sign: Sign) {
+        let key = action.shortcuts().first().map_or_else(String::new, |shortcut| ui.ctx().format_shortcut(shortcut));
+        let name = match sign {
+            Sign::Pause => "Hold the motion",
+            _ => action.name(),
+        };
+        let response = ui.add_enabled_ui(self.can(action), |ui| {
+            let (place, response) = ui.allocate_exact_size(BUTTON, Sense::click());
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
+            let visuals = ui.style().interact(&response);
+            if response.hovered() || response.has_focus() {
+                ui.painter().rect_filled(place, visuals.corner_radius, visuals.weak_bg_fill);
+            }
+            for shape in sign.shapes(place.center(), visuals.text_color()) {
+                ui.painter().add(shape);
+            }
+            response
+        });
+        if response.inner.on_hover_text(format!("{} ({key})", action.tooltip())).clicked() {
+            let ctx = ui.ctx().clone();
+            self.perform(&ctx, action);
+        }
+    }
+
+    /// How much is kept; opens what may be.
+    fn memory(&mut self, ui: &mut Ui) {
+        let timeline = &self.published.status.timeline;
+        let length = timeline.span.map_or(0.0, |[first, last]| last - first);
+        let text = format!("{} kept, {}", clock(length), memory(timeline.bytes, timeline.limit));
+        let tooltip = format!(
+            "{} frames of the motion are kept in {} of memory; the oldest make room for new ones. Click to change how much",
+            timeline.frames,
+            memory(timeline.bytes, timeline.limit)
+        );
+        let size = Vec2::new(MEMORY_WIDTH, HEIGHT);
+        ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.set_min_width(MEMORY_WIDTH);
+            let menu = ui.menu_button(egui::RichText::new(text).small(), |ui| {
+                ui.label(egui::RichText::new("Memory for the motion").weak());
+                for choice in CHOICES {
+                    let name = if choice < 1024 { format!("{choice} MiB") } else { format!("{} GiB", choice / 1024) };
+                    if ui.selectable_label(self.timeline.kept.memory == choice, name).clicked() {
+                        self.choose_memory(choice);
+                        ui.close();
+                    }
+                }
+            });
+            menu.response.on_hover_text(tooltip);
+        });
+    }
+
+    /// The bar in which the motion is scrubbed.
+    fn track(&mut self, ui: &mut Ui) {
+        let place = Rect::from_min_size(ui.max_rect().min, Vec2::new(ui.available_width(), HEIGHT));
+        let response = ui.allocate_rect(place, Sense::click_and_drag());
+        let bar = Rect::from_min_size(place.min + Vec2::new(0.0, 0.5 * GRID), Vec2::new(place.width(), BAR));
+        let span = self.published.status.timeline.span.filter(|_| self.published.compared.is_empty());
+        let Some(span) = span.filter(|_| bar.width() > 4.0 * INSET) else {
+            let why = if self.published.compared.is_empty() {
+                "Nothing is kept yet"
+            } else {
+                "Nothing is recorded while integrators are compared"
+            };
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, why));
+            ui.painter().rect_filled(bar, 4.0, ui.visuals().extreme_bg_color);
+            let ink = ui.visuals().weak_text_color();
+            ui.painter().text(bar.center(), Align2::CENTER_CENTER, why, FontId::proportional(11.0), ink);
+            return;
+        };
+        let scale = Scale::new(span, bar.shrink2(Vec2::new(INSET, 0.0)).x_range());
+        self.scrub(&response, &scale, span);
+        let shown = self.timeline.held.unwrap_or(self.published.status.time).clamp(span[0], span[1]);
+        let spoken = format!("Timeline from {:.2} s to {:.2} s", span[0], span[1]);
+        response.widget_info(|| egui::WidgetInfo::slider(true, shown, &spoken));
+        self.paint_track(ui, bar, &scale, span, shown);
+        if let Some(at) = response.hover_pos() {
+            self.hint = "Drag to see the motion at another time; pulls, strikes and edits go on from there";
+            // Above the pointer, where it hides neither labels nor the hint.
+            let under = scale.time(at.x).clamp(span[0], span[1]);
+            let mut tip = egui::Tooltip::for_enabled(&response);
+            tip.popup = tip.popup.anchor(Rect::from_x_y_ranges(at.x..=at.x, bar.y_range())).align(egui::RectAlign::TOP);
+            tip.show(|ui| ui.label(self.words_at(&scale, at.x, under)));
+        }
+    }
+
+    /// What is to be said of a place of the bar, at which a time [s] lies.
+    fn words_at(&self, scale: &Scale, x: f32, time: f64) -> String {
+        let timeline = &self.published.status.timeline;
+        let near = |marks: &[f64]| marks.iter().any(|mark| (scale.place(*mark) - x).abs() <= MARK);
+        let mut words = format!("{time:.2} s");
+        if near(&timeline.edits) {
+            words.push_str("\nThe scene was changed");
+        }
+        if near(&timeline.breaks) {
+            words.push_str("\nA fibre broke");
+        }
+        words
+    }
+
+    /// Asks for the frame under the pointer while it is pressed: one at a time, the newest.
+    fn scrub(&mut self, response: &Response, scale: &Scale, span: [f64; 2]) {
+        let pressed = response.is_pointer_button_down_on().then(|| response.interact_pointer_pos()).flatten();
+        if let Some(at) = pressed {
+            self.timeline.held = Some(scale.time(at.x).clamp(span[0], span[1]));
+            self.pull = None;
+        }
+        let Some(time) = self.timeline.held else { return };
+        let waits = self.timeline.asked.as_ref().filter(|(asked, _)| *asked == time);
+        match waits {
+            // Where too much is waiting already, it is asked for again in the next frame.
+            None => {
+                if self.worker.send(SimCommand::Show(time)) {
+                    self.timeline.asked = Some((time, Arc::clone(&self.published)));
+                }
+            }
+            // The head stays under the pointer until what was asked for last has come.
+            Some((_, shown)) if pressed.is_none() && !Arc::ptr_eq(shown, &self.published) => {
+                (self.timeline.held, self.timeline.asked) = (None, None);
+            }
+            Some(_) => {}
+        }
+    }
+
+    fn paint_track(&self, ui: &Ui, bar: Rect, scale: &Scale, span: [f64; 2], shown: f64) {
+        let painter = ui.painter();
+        let visuals = ui.visuals();
+        let accent = theme::color(self.tone.pictures().accent);
+        painter.rect_filled(bar, 4.0, visuals.extreme_bg_color);
+        let [first, last, head] = [span[0], span[1], shown].map(|time| scale.place(time));
+        let kept = Rect::from_x_y_ranges(first..=last.max(first + 1.0), bar.y_range());
+        painter.rect_filled(kept, 2.0, accent.gamma_multiply(0.25));
+        let played = Rect::from_x_y_ranges(first..=head.max(first + 1.0), bar.y_range());
+        painter.rect_filled(played, 2.0, accent.gamma_multiply(0.35));
+        let ink = visuals.weak_text_color();
+        for (time, text) in scale.ticks() {
+            let x = scale.place(time);
+            painter.vline(x, bar.bottom()..=bar.bottom() + GRID, Stroke::new(1.0, ink.gamma_multiply(0.6)));
+            let at = Pos2::new(x, bar.bottom() + GRID);
+            painter.text(at, Align2::CENTER_TOP, text, FontId::proportional(10.0), ink);
+        }
+        let timeline = &self.published.status.timeline;
+        for time in &timeline.edits {
+            let top = Pos2::new(scale.place(*time), bar.top());
+            painter.add(wedge(top, visuals.text_color()));
+        }
+        for time in &timeline.breaks {
+            let at = Pos2::new(scale.place(*time), bar.bottom() - 1.5 * GRID);
+            painter.circle_filled(at, 0.75 * MARK, self.tone.error());
+        }
+        painter.vline(head, bar.y_range(), Stroke::new(2.0, accent));
+        let knob = Pos2::new(head, bar.center().y);
+        painter.circle(knob, 1.5 * GRID, accent, Stroke::new(1.5, visuals.panel_fill));
+    }
+}
+
+/// A small mark that points down from the upper edge of the bar.
+fn wedge(top: Pos2, colour: egui::Color32) -> Shape {
+    let points = vec![top + Vec2::new(-MARK, 0.0), top + Vec2::new(MARK, 0.0), top + Vec2::new(0.0, 1.5 * MARK)];
+    Shape::convex_polygon(points, colour, Stroke::NONE)
+}
+
+impl Sign {
+    /// The sign about a point.
+    fn shapes(self, at: Pos2, colour: egui::Color32) -> Vec<Shape> {
+        let triangle = |x: f32, toward: f32| {
+            let tip = at + Vec2::new(x + 4.0 * toward, 0.0);
+            let base = x - 4.0 * toward;
+            let points = vec![tip, at + Vec2::new(base, -5.0), at + Vec2::new(base, 5.0)];
+            Shape::convex_polygon(points, colour, Stroke::NONE)
+        };
+        let upright = |x: f32| {
+            let place = Rect::from_center_size(at + Vec2::new(x, 0.0), Vec2::new(2.0, 10.0));
+            Shape::rect_filled(place, 0.0, colour)
+        };
+        match self {
+            Self::First => vec![upright(-5.0), triangle(1.0, -1.0)],
+            Self::Back => vec![triangle(-1.0, -1.0), upright(5.0)],
+            Self::Replay => vec![triangle(0.0, 1.0)],
+            Self::Pause => vec![upright(-3.0), upright(3.0)],
+            Self::Forward => vec![upright(-5.0), triangle(1.0, 1.0)],
+        }
+    }
+}

@@ -6,74 +6,60 @@
 
 use super::corner::{Corner, Edge, FOLD};
 use super::rest::FibreRest;
-use crate::solver::forces::matrix::lanes::{LANES, Vectors, dot, scaled};
-use crate::solver::scratch::Scratch;
+use crate::solver::forces::matrix::lanes::{LANES, Lanes, Vectors, dot, load, load_all, scaled, store, store_all};
 use fearless_simd::{Simd, f64x4, prelude::*};
 use glam::DVec3;
-use std::sync::Arc;
 
-/// A vector for each vertex or edge, by components.
-type Columns = [Vec<f64>; 3];
+/// A vector for each vertex, by components.
+pub(super) type Columns = [Vec<f64>; 3];
 
 /// Vertices and edges of all fibres; edge and corner k begin with vertex k.
 #[derive(Clone, Debug)]
 pub(super) struct Lines {
     count: usize,
-    stretching: Arc<Vec<f64>>,
-    rest_lengths: Arc<[f64]>,
-    bending: Arc<Vec<f64>>,
-    buffers: Scratch<Buffers>,
+    /// All of them, and an empty four, which the last one looks at.
+    fours: Vec<Four>,
+    /// Forces on vertices.
+    forces: Columns,
 }
 
-/// What is computed of vertices and edges.
-#[derive(Debug, Default)]
-struct Buffers {
-    positions: Columns,
-    tangents: Columns,
-    lengths: Vec<f64>,
-    inverse_lengths: Vec<f64>,
-    /// Gradients by edges: of stretching and of the corner that the edge ends in.
-    slopes: Columns,
-    /// Of the corner that the edge begins in.
-    slopes_after: Columns,
-}
-
-impl Buffers {
-    /// Makes room for so many numbers; those beyond the fibres are never written and stay zero.
-    fn fit(&mut self, numbers: usize) {
-        let columns = [&mut self.positions, &mut self.tangents, &mut self.slopes, &mut self.slopes_after];
-        let columns = columns.into_iter().flatten().chain([&mut self.lengths, &mut self.inverse_lengths]);
-        columns.for_each(|column| column.resize(numbers, 0.0));
-    }
+/// Four vertices with the edges and corners that begin with them.
+#[derive(Clone, Debug, Default)]
+struct Four {
+    stretching: Lanes,
+    rest_lengths: Lanes,
+    bending: Lanes,
+    positions: [Lanes; 3],
+    tangents: [Lanes; 3],
+    lengths: Lanes,
+    inverse_lengths: Lanes,
+    /// Gradients by edges: of stretching and of the corner that begins with the same vertex.
+    slopes: [Lanes; 3],
+    /// Of that corner, by the edge after.
+    slopes_after: [Lanes; 3],
 }
 
 impl Lines {
     /// The fibres at rest, with nothing broken.
     pub(super) fn new(fibres: &[FibreRest]) -> Self {
         let count = fibres.iter().map(|fibre| fibre.vertices.len()).sum::<usize>();
-        // Whole lanes, and the vertices that the last of them look at beyond.
-        let numbers = count.next_multiple_of(LANES) + LANES;
-        let [mut stretching, mut rest_lengths, mut bending] = [(); 3].map(|()| vec![0.0; numbers]);
+        let fours = count.div_ceil(LANES);
+        let forces = [0, 1, 2].map(|_| vec![0.0; LANES * fours]);
+        let mut this = Self { count, fours: vec![Four::default(); fours + 1], forces };
         let mut first = 0;
         for fibre in fibres {
             for (k, &(stiffness, rest_length)) in fibre.edges.iter().enumerate() {
-                stretching[first + k] = stiffness;
-                rest_lengths[first + k] = rest_length;
+                let (four, lane) = this.four(first + k);
+                four.stretching.0[lane] = stiffness;
+                four.rest_lengths.0[lane] = rest_length;
             }
-            for (k, bend) in fibre.bends.iter().enumerate() {
-                if bend.curved.is_none() {
-                    bending[first + k] = bend.stiffness;
-                }
+            for (k, bend) in fibre.bends.iter().enumerate().filter(|(_, bend)| bend.curved.is_none()) {
+                let (four, lane) = this.four(first + k);
+                four.bending.0[lane] = bend.stiffness;
             }
             first += fibre.vertices.len();
         }
-        let (stretching, bending) = (Arc::new(stretching), Arc::new(bending));
-        Self { count, stretching, rest_lengths: rest_lengths.into(), bending, buffers: Scratch::default() }
-    }
-
-    /// Memory that a copy of its own takes once something is broken [bytes].
-    pub(super) fn bytes(&self) -> usize {
-        size_of_val(&**self.stretching) + size_of_val(&**self.bending)
+        this
     }
 
     /// Number of vertices.
@@ -81,123 +67,140 @@ impl Lines {
         self.count
     }
 
-    /// What is broken of the fibre whose first vertex is this one carries nothing any more.
-    pub(super) fn lose(&mut self, first: usize, bends: &[bool], edges: &[bool]) {
-        for (stiffness, broken) in [(&mut self.bending, bends), (&mut self.stretching, edges)] {
-            for k in (0..broken.len()).filter(|&k| broken[k]) {
-                // Copies share what is as it was.
-                if stiffness[first + k] != 0.0 {
-                    Arc::make_mut(stiffness)[first + k] = 0.0;
-                }
-            }
-        }
+    #[inline(always)]
+    fn four(&mut self, vertex: usize) -> (&mut Four, usize) {
+        (&mut self.fours[vertex / LANES], vertex % LANES)
     }
 
-    /// Makes ready for vertices to be put.
-    pub(super) fn begin(&mut self) {
-        self.buffers.fit(self.rest_lengths.len());
+    /// What is broken of the fibre whose first vertex is this one carries nothing any more.
+    pub(super) fn lose(&mut self, first: usize, bends: &[bool], edges: &[bool]) {
+        for (k, _) in bends.iter().enumerate().filter(|(_, broken)| **broken) {
+            let (four, lane) = self.four(first + k);
+            four.bending.0[lane] = 0.0;
+        }
+        for (k, _) in edges.iter().enumerate().filter(|(_, broken)| **broken) {
+            let (four, lane) = self.four(first + k);
+            four.stretching.0[lane] = 0.0;
+        }
     }
 
     /// Puts a vertex somewhere [m].
     #[inline(always)]
     pub(super) fn put(&mut self, vertex: usize, at: DVec3) {
-        for (column, number) in self.buffers.positions.iter_mut().zip(at.to_array()) {
-            column[vertex] = number;
+        let (four, lane) = self.four(vertex);
+        for c in 0..3 {
+            four.positions[c].0[lane] = at[c];
         }
     }
 
     /// Gradients [N] by all edges, of stretching and straight bending.
     #[inline(always)]
     pub(super) fn slopes<S: Simd>(&mut self, simd: S) {
-        let Self { count, stretching, rest_lengths, bending, buffers } = self;
-        let Buffers { positions, tangents, lengths, inverse_lengths, slopes, slopes_after } = &mut **buffers;
         let zero = f64x4::splat(simd, 0.0);
         let one = f64x4::splat(simd, 1.0);
-        for k in (0..*count).step_by(LANES) {
-            let mut edge = [zero; 3];
+        for k in 1..self.fours.len() {
+            let (before, after) = self.fours.split_at_mut(k);
+            let (this, next) = (&mut before[k - 1], &after[0]);
+            let positions = load_all(simd, &this.positions);
+            let mut edge = shifted(simd, positions, load_all(simd, &next.positions));
             for c in 0..3 {
-                edge[c] = at(simd, &positions[c], k + 1) - at(simd, &positions[c], k);
+                edge[c] -= positions[c];
             }
             let length = dot(&edge, &edge).sqrt();
             let inverse = length.simd_gt(zero).select(one / length, zero);
             let tangent = scaled(inverse, edge);
-            let pull = at(simd, stretching, k) * (length - at(simd, rest_lengths, k));
-            set_all(tangents, k, tangent);
-            set(lengths, k, length);
-            set(inverse_lengths, k, inverse);
-            set_all(slopes, k, scaled(pull, tangent));
+            let pull = load(simd, &this.stretching) * (length - load(simd, &this.rest_lengths));
+            this.tangents = store_all(tangent);
+            this.lengths = store(length);
+            this.inverse_lengths = store(inverse);
+            this.slopes = store_all(scaled(pull, tangent));
         }
         let (eight, fold) = (f64x4::splat(simd, 8.0), f64x4::splat(simd, FOLD));
-        for k in (0..*count).step_by(LANES) {
-            let (before, after) = (all(simd, tangents, k), all(simd, tangents, k + 1));
+        for k in 1..self.fours.len() {
+            let (before, after) = self.fours.split_at_mut(k);
+            let (this, next) = (&mut before[k - 1], &after[0]);
+            let before = load_all(simd, &this.tangents);
+            let after = shifted(simd, before, load_all(simd, &next.tangents));
+            let inverse_before = load(simd, &this.inverse_lengths);
+            let inverse_after = simd.slide_f64x4::<1>(inverse_before, load(simd, &next.inverse_lengths));
             let cosine = dot(&before, &after);
             let inverse = one / (one + cosine);
             // `-d/dc (1 - c) / (1 + c)`, twice over: 8 stands for 4 times 2 beyond the fold's 4 times 8, too.
             let steepness = cosine.simd_lt(fold).select(f64x4::splat(simd, 4.0), inverse * inverse);
-            let slope = zero - eight * at(simd, bending, k) * steepness;
-            let across = |of: Vectors<S>, other: Vectors<S>, inverse_length: f64x4<S>| {
-                // The part of the other tangent that lies across this one.
-                let mut part = other;
-                for c in 0..3 {
-                    part[c] -= of[c] * cosine;
-                }
-                scaled(slope * inverse_length, part)
-            };
-            let by_before = across(before, after, at(simd, inverse_lengths, k));
-            let by_after = across(after, before, at(simd, inverse_lengths, k + 1));
-            let mut sum = all(simd, slopes, k);
+            let slope = zero - eight * load(simd, &this.bending) * steepness;
+            let by_before = across(before, after, cosine, slope * inverse_before);
+            let mut slopes = load_all(simd, &this.slopes);
             for c in 0..3 {
-                sum[c] += by_before[c];
+                slopes[c] += by_before[c];
             }
-            set_all(slopes, k, sum);
-            set_all(slopes_after, k + 1, by_after);
+            this.slopes = store_all(slopes);
+            this.slopes_after = store_all(across(after, before, cosine, slope * inverse_after));
         }
     }
 
     /// Corner k as it stands; none if one of its edges has no length.
     pub(super) fn corner(&self, k: usize) -> Option<Corner> {
-        let edge = |k: usize| Edge {
-            tangent: DVec3::from_array([0, 1, 2].map(|c| self.buffers.tangents[c][k])),
-            length: self.buffers.lengths[k],
+        let edge = |k: usize| {
+            let (four, lane) = (&self.fours[k / LANES], k % LANES);
+            let tangent = DVec3::from_array([0, 1, 2].map(|c: usize| four.tangents[c].0[lane]));
+            Edge { tangent, length: four.lengths.0[lane] }
         };
         Corner::between(edge(k), edge(k + 1))
     }
 
     /// Adds gradients [N] by both edges of corner k.
     pub(super) fn add(&mut self, k: usize, (before, after): (DVec3, DVec3)) {
+        let (four, lane) = self.four(k);
         for c in 0..3 {
-            self.buffers.slopes[c][k] += before[c];
-            self.buffers.slopes_after[c][k + 1] += after[c];
+            four.slopes[c].0[lane] += before[c];
+            four.slopes_after[c].0[lane] += after[c];
         }
     }
 
-    /// Force on a vertex [N].
+    /// Forces on all vertices [N].
     #[inline(always)]
-    pub(super) fn force(&self, vertex: usize) -> DVec3 {
-        let edge = |k: usize, c: usize| self.buffers.slopes[c][k] + self.buffers.slopes_after[c][k];
-        let before = |c: usize| if vertex > 0 { edge(vertex - 1, c) } else { 0.0 };
-        DVec3::new(edge(vertex, 0) - before(0), edge(vertex, 1) - before(1), edge(vertex, 2) - before(2))
+    pub(super) fn forces<S: Simd>(&mut self, simd: S) -> &Columns {
+        let zero = f64x4::splat(simd, 0.0);
+        // Of the four before: gradients by the edges after, and all gradients by edges.
+        let (mut after_before, mut sums_before) = ([zero; 3], [zero; 3]);
+        let [x, y, z] = &mut self.forces;
+        let columns = [x.as_chunks_mut().0, y.as_chunks_mut().0, z.as_chunks_mut().0];
+        for (k, four) in self.fours.iter().enumerate().take(columns[0].len()) {
+            let (slopes, after) = (load_all(simd, &four.slopes), load_all(simd, &four.slopes_after));
+            for c in 0..3 {
+                let sum = slopes[c] + simd.slide_f64x4::<3>(after_before[c], after[c]);
+                columns[c][k] = (sum - simd.slide_f64x4::<3>(sums_before[c], sum)).into();
+                sums_before[c] = sum;
+            }
+            after_before = after;
+        }
+        &self.forces
     }
 }
 
+/// The vectors that follow those of four, of which the next four are given.
 #[inline(always)]
-fn at<S: Simd>(simd: S, column: &[f64], k: usize) -> f64x4<S> {
-    f64x4::from_slice(simd, &column[k..k + LANES])
-}
-
-#[inline(always)]
-fn all<S: Simd>(simd: S, columns: &Columns, k: usize) -> Vectors<S> {
-    [at(simd, &columns[0], k), at(simd, &columns[1], k), at(simd, &columns[2], k)]
-}
-
-#[inline(always)]
-fn set<S: Simd>(column: &mut [f64], k: usize, value: f64x4<S>) {
-    value.store_slice(&mut column[k..k + LANES]);
-}
-
-#[inline(always)]
-fn set_all<S: Simd>(columns: &mut Columns, k: usize, values: Vectors<S>) {
+fn shifted<S: Simd>(simd: S, four: Vectors<S>, next: Vectors<S>) -> Vectors<S> {
+    let mut out = four;
     for c in 0..3 {
-        set(&mut columns[c], k, values[c]);
+        out[c] = simd.slide_f64x4::<1>(four[c], next[c]);
     }
+    out
+}
+
+/// The part of another tangent that lies across a tangent, times a factor.
+#[inline(always)]
+fn across<S: Simd>(tangent: Vectors<S>, other: Vectors<S>, cosine: f64x4<S>, factor: f64x4<S>) -> Vectors<S> {
+    let mut part = other;
+    for c in 0..3 {
+        part[c] -= tangent[c] * cosine;
+    }
+    scaled(factor, part)
+}
+
+/// Puts a vector into a place.
+#[inline(always)]
+pub(super) fn put(columns: &mut Columns, place: usize, vector: DVec3) {
+    let [x, y, z] = columns;
+    (x[place], y[place], z[place]) = (vector.x, vector.y, vector.z);
 }

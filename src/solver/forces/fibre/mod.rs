@@ -8,11 +8,12 @@
 //! Eq. 7 is half of Bergou's energy, so that EI is the paper's `K_b / 2`. The energy of eq. 6 is unbounded where a
 //! fibre folds back on itself; below `c = -1/2` it continues linearly in c.
 
+mod band;
 pub mod breaking;
 mod corner;
 mod lines;
 mod rest;
-mod windows;
+mod strip;
 
 pub use corner::curvature_binormal;
 pub use rest::{Bend, CurvedRest, FibreRest};
@@ -22,14 +23,16 @@ use crate::solver::embedding::TurnStencil;
 use crate::solver::energy::Energies;
 use crate::solver::neighbourhood::outer;
 use crate::solver::rotation::{nearest_rotation, turn_stiffness};
+use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
+use band::{Band, Points};
 use breaking::{Breakage, FibreBreak};
 use corner::{Corner, straight_energy};
-use fearless_simd::{Level, Simd, dispatch};
+use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use glam::{DMat3, DQuat, DVec3};
-use lines::Lines;
+use lines::{Columns, Lines, put};
 use std::sync::Arc;
-use windows::Windows;
+use strip::{Strip, Window};
 
 /// Stretching and bending of all fibres of a body.
 #[derive(Clone)]
@@ -40,15 +43,44 @@ pub struct FibreForce {
     /// Last turn at every bend of every fibre, the warm start of the next.
     turns: Vec<DQuat>,
     broken: Breakage,
+    /// Follows from all that is above.
+    work: Scratch<Option<Work>>,
+}
+
+/// What an evaluation works on.
+#[derive(Debug)]
+struct Work {
     lines: Lines,
+    /// Positions of the strip's particles [m].
+    positions: Vec<Window>,
+    /// What turns every curved bend's particles, by the components of `om_k Z_k` [N m].
+    spins: [Columns; 3],
+}
+
+impl Work {
+    fn new(fibres: &[FibreRest], packed: &Packed, broken: &Breakage) -> Self {
+        let mut lines = Lines::new(fibres);
+        let (mut first, mut first_bend, mut first_edge) = (0, 0, 0);
+        for fibre in fibres {
+            let (bends, edges) = (fibre.bends.len(), fibre.edges.len());
+            let broken = [&broken.bends[first_bend..][..bends], &broken.edges[first_edge..][..edges]];
+            lines.lose(first, broken[0], broken[1]);
+            first += fibre.vertices.len();
+            first_bend += bends;
+            first_edge += edges;
+        }
+        let spins = || [0, 1, 2].map(|_| vec![0.0; packed.curved.len()]);
+        Self { lines, positions: vec![Window::default(); packed.strip.len()], spins: [spins(), spins(), spins()] }
+    }
 }
 
 /// The weights of all fibres of a body.
 struct Packed {
+    strip: Strip,
     /// Of every vertex, fibre after fibre.
-    vertices: Windows<1>,
+    vertices: Band<1>,
     /// Of every curved bend, by the components of `om_k Z_k`.
-    turns: Windows<3>,
+    turns: Band<3>,
     curved: Vec<CurvedBend>,
 }
 
@@ -63,22 +95,25 @@ struct CurvedBend {
 
 impl Packed {
     fn new(fibres: &[FibreRest]) -> Self {
-        let vertices = fibres.iter().flat_map(|fibre| &fibre.vertices);
-        let vertices = Windows::new(vertices.map(|at| at.weights.iter().map(|&(k, phi)| (k, [phi])).collect()));
-        let (mut turns, mut curved) = (Vec::new(), Vec::new());
+        let (mut strip, mut vertices, mut turns) = (Strip::default(), Points::default(), Points::default());
+        let mut curved = Vec::new();
         let (mut first_bend, mut first) = (0, 0);
         for fibre in fibres {
+            let places = strip.add(fibre.particles());
+            for vertex in &fibre.vertices {
+                vertices.add(&places, vertex.weights.iter().map(|&(particle, phi)| (particle, [phi])));
+            }
             for (k, bend) in fibre.bends.iter().enumerate() {
                 if let Some(CurvedRest { binormal, turn }) = &bend.curved {
                     let (bend, stiffness) = (first_bend + k, bend.stiffness);
                     curved.push(CurvedBend { bend, corner: first + k, stiffness, binormal: *binormal });
-                    turns.push(turn.weights.iter().map(|&(particle, z)| (particle, z.to_array())).collect());
+                    turns.add(&places, turn.weights.iter().map(|&(particle, z)| (particle, z.to_array())));
                 }
             }
             first_bend += fibre.bends.len();
             first += fibre.vertices.len();
         }
-        Self { vertices, turns: Windows::new(turns.into_iter()), curved }
+        Self { vertices: vertices.band(strip.len()), turns: turns.band(strip.len()), strip, curved }
     }
 }
 
@@ -91,47 +126,55 @@ impl FibreForce {
             level: Level::new(),
             turns: vec![orientation; bends],
             broken: Breakage::none(&fibres),
-            lines: Lines::new(&fibres),
+            work: Scratch::default(),
             fibres,
         }
     }
 
     #[inline(always)]
-    fn evaluate<S: Simd>(&mut self, simd: S, positions: &[f64], forces: &mut [f64]) {
-        let Self { packed, lines, broken, turns, .. } = self;
-        lines.begin();
+    fn evaluate<S: Simd>(&mut self, simd: S, positions: &[DVec3], forces: &mut [DVec3]) {
+        let Self { fibres, packed, broken, turns, work, .. } = self;
+        let Work { lines, positions: windows, spins } = work.get_or_insert_with(|| Work::new(fibres, packed, broken));
+        let Packed { strip, vertices, turns: turning, curved } = &**packed;
+        strip.fill(simd, positions, windows);
         for vertex in 0..lines.len() {
-            let [at] = packed.vertices.gather(simd, vertex, positions, None);
+            let [at] = vertices.gather(simd, vertex, windows);
             lines.put(vertex, at);
         }
         lines.slopes(simd);
-        for (k, rest) in packed.curved.iter().enumerate() {
-            if broken.bends[rest.bend] {
-                continue;
+        for (k, rest) in curved.iter().enumerate() {
+            let corner = if broken.bends[rest.bend] { None } else { lines.corner(rest.corner) };
+            let by_axis = if let Some(corner) = corner {
+                let [x, y, z] = turning.gather(simd, k, windows);
+                let (r, stretch) = polar(DMat3::from_cols(x, y, z), &mut turns[rest.bend]);
+                let slope = 2.0 * rest.stiffness * (corner.binormal() - r * rest.binormal);
+                let moment = -rest.binormal.cross(r.transpose() * slope);
+                let p = turn_stiffness(stretch).inverse() * moment;
+                lines.add(rest.corner, corner.curved_slopes(slope));
+                // `-R (p x Z)`, by the components of Z.
+                [r * DVec3::X.cross(p), r * DVec3::Y.cross(p), r * DVec3::Z.cross(p)]
+            } else {
+                [DVec3::ZERO; 3]
+            };
+            for (spin, value) in spins.iter_mut().zip(by_axis) {
+                put(spin, k, value);
             }
-            let Some(corner) = lines.corner(rest.corner) else { continue };
-            let origin = packed.turns.origin(k, positions);
-            let [x, y, z] = packed.turns.gather(simd, k, positions, Some(origin));
-            let (r, stretch) = polar(DMat3::from_cols(x, y, z), &mut turns[rest.bend]);
-            let slope = 2.0 * rest.stiffness * (corner.binormal() - r * rest.binormal);
-            let moment = -rest.binormal.cross(r.transpose() * slope);
-            let p = turn_stiffness(stretch).inverse() * moment;
-            // `-R (p x Z)`, by the components of Z.
-            let by_axis = [r * DVec3::X.cross(p), r * DVec3::Y.cross(p), r * DVec3::Z.cross(p)];
-            packed.turns.scatter(simd, k, by_axis, forces);
-            lines.add(rest.corner, corner.curved_slopes(slope));
         }
-        // Backwards: the last vertices' weights are still at hand.
-        for vertex in (0..lines.len()).rev() {
-            packed.vertices.scatter(simd, vertex, [lines.force(vertex)], forces);
+        let pulls = std::array::from_ref(lines.forces(simd));
+        for window in 0..strip.len() {
+            let mut sums = [f64x8::splat(simd, 0.0); 3];
+            vertices.scatter(simd, window, pulls, &mut sums);
+            if !curved.is_empty() {
+                turning.scatter(simd, window, spins, &mut sums);
+            }
+            strip.pass_on(window, sums, forces);
         }
     }
 }
 
 impl Force for FibreForce {
     fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        let (positions, forces) = (bytemuck::cast_slice(&state.positions), bytemuck::cast_slice_mut(forces));
-        dispatch!(self.level, simd => self.evaluate(simd, positions, forces));
+        dispatch!(self.level, simd => self.evaluate(simd, &state.positions, forces));
     }
 
     fn add_energy(&self, _time: f64, state: &ParticleState, energies: &mut Energies) {
@@ -182,8 +225,10 @@ impl Force for FibreForce {
                     (_, (by, k)) if by > 1.0 => self.broken.at_vertex(fibre, first_bend, k, time),
                     _ => {}
                 }
-                let bends = &self.broken.bends[first_bend..first_bend + fibre.bends.len()];
-                self.lines.lose(first, bends, &self.broken.edges[first_edge..first_edge + fibre.edges.len()]);
+                if let Some(work) = self.work.as_mut() {
+                    let bends = &self.broken.bends[first_bend..first_bend + fibre.bends.len()];
+                    work.lines.lose(first, bends, &self.broken.edges[first_edge..first_edge + fibre.edges.len()]);
+                }
             }
             first += fibre.vertices.len();
             first_bend += fibre.bends.len();
@@ -201,8 +246,7 @@ impl Force for FibreForce {
     }
 
     fn bytes(&self) -> usize {
-        let lines = if self.broken.breaks.is_empty() { 0 } else { self.lines.bytes() };
-        size_of_val(self) + size_of_val(&*self.turns) + self.broken.bytes() + lines
+        size_of_val(self) + size_of_val(&*self.turns) + self.broken.bytes()
     }
 
     fn clone_box(&self) -> Box<dyn Force> {
@@ -216,6 +260,14 @@ fn furthest(shares: impl Iterator<Item = (f64, usize)>) -> (f64, usize) {
 }
 
 impl FibreRest {
+    /// The particles that it rides on, each with every vertex that it is around.
+    fn particles(&self) -> impl Iterator<Item = (usize, u32)> {
+        let vertices = self.vertices.iter().enumerate();
+        let curved = self.bends.iter().enumerate().filter_map(|(k, bend)| Some((k + 1, bend.curved.as_ref()?)));
+        let vertices = vertices.flat_map(|(k, vertex)| vertex.weights.iter().map(move |&(particle, _)| (k, particle)));
+        vertices.chain(curved.flat_map(|(k, rest)| rest.turn.weights.iter().map(move |&(particle, _)| (k, particle))))
+    }
+
     /// Force [N] that edge `k` carries between vertices at `x`; negative where it is pressed.
     fn tension(&self, x: &[DVec3], k: usize) -> f64 {
         let (stiffness, rest_length) = self.edges[k];

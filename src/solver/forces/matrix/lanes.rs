@@ -23,12 +23,12 @@ pub(super) type Matrices<S> = [Vectors<S>; 3];
 pub(super) type Quaternions<S> = [f64x4<S>; 4];
 
 #[inline(always)]
-pub(super) fn load<S: Simd>(simd: S, lanes: &Lanes) -> f64x4<S> {
+pub(in crate::solver::forces) fn load<S: Simd>(simd: S, lanes: &Lanes) -> f64x4<S> {
     f64x4::simd_from(simd, lanes.0)
 }
 
 #[inline(always)]
-pub(super) fn load_all<S: Simd, const N: usize>(simd: S, lanes: &[Lanes; N]) -> [f64x4<S>; N] {
+pub(in crate::solver::forces) fn load_all<S: Simd, const N: usize>(simd: S, lanes: &[Lanes; N]) -> [f64x4<S>; N] {
     let mut values = [f64x4::splat(simd, 0.0); N];
     for k in 0..N {
         values[k] = load(simd, &lanes[k]);
@@ -37,12 +37,12 @@ pub(super) fn load_all<S: Simd, const N: usize>(simd: S, lanes: &[Lanes; N]) -> 
 }
 
 #[inline(always)]
-pub(super) fn store<S: Simd>(value: f64x4<S>) -> Lanes {
+pub(in crate::solver::forces) fn store<S: Simd>(value: f64x4<S>) -> Lanes {
     Lanes(value.into())
 }
 
 #[inline(always)]
-pub(super) fn store_all<S: Simd, const N: usize>(values: [f64x4<S>; N]) -> [Lanes; N] {
+pub(in crate::solver::forces) fn store_all<S: Simd, const N: usize>(values: [f64x4<S>; N]) -> [Lanes; N] {
     let mut lanes = [Lanes::default(); N];
     for k in 0..N {
         lanes[k] = store(values[k]);

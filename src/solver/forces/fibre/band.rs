@@ -1,0 +1,209 @@
+//! Weighted sums over the particles around many points, and forces on those points passed back by the same weights.
+//!
+//! Over the windows of a strip the weights are a matrix with a row for each point. Its rows and columns have one run of
+//! weights each, hardly with a gap, and gaps are zeros. So no sum looks up an index, and none is written before it is
+//! complete: positions are summed along rows, forces along columns, each in the order in which its weights stand in memory.
+
+use super::lines::Columns;
+use super::strip::{Places, WIDTH, Wide, Window};
+use fearless_simd::{Simd, f64x8, prelude::*};
+use glam::DVec3;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Weights of N kinds of many points over a strip, in both orders.
+#[derive(Clone, Debug)]
+pub(super) struct Band<const N: usize> {
+    points: Runs<N>,
+    windows: Runs<N>,
+}
+
+/// Points with their weights, before they are put into a band.
+#[derive(Debug, Default)]
+pub(super) struct Points<const N: usize> {
+    count: usize,
+    /// Weights of a point and a window.
+    entries: BTreeMap<[usize; 2], [Wide; N]>,
+}
+
+impl<const N: usize> Points<N> {
+    /// Adds a point by its particles and their weights.
+    pub(super) fn add(&mut self, places: &Places, particles: impl Iterator<Item = (u32, [f64; N])>) {
+        for (particle, weights) in particles {
+            let (window, place) = places.of(particle);
+            let entry = self.entries.entry([self.count, window]).or_insert([Wide::default(); N]);
+            for (entry, weight) in entry.iter_mut().zip(weights) {
+                entry.0[place] += weight;
+            }
+        }
+        self.count += 1;
+    }
+
+    /// The band over this many windows.
+    pub(super) fn band(&self, windows: usize) -> Band<N> {
+        let points = Runs::new(self.count, self.entries.iter().map(|(&[point, window], w)| ([point, window], w)));
+        let windows = Runs::new(windows, self.entries.iter().map(|(&[point, window], w)| ([window, point], w)));
+        Band { points, windows }
+    }
+}
+
+/// Rows of a matrix, each from its first entry to its last.
+#[derive(Clone, Debug)]
+struct Runs<const N: usize> {
+    /// First column of each row, and where its entries begin and end.
+    rows: Vec<(u32, Range<u32>)>,
+    entries: Vec<[Wide; N]>,
+}
+
+impl<const N: usize> Runs<N> {
+    fn new<'a>(rows: usize, entries: impl Iterator<Item = ([usize; 2], &'a [Wide; N])> + Clone) -> Self {
+        let mut columns = vec![0..0; rows];
+        for ([row, column], _) in entries.clone() {
+            let Range { start, end } = &mut columns[row];
+            *start = if start == end { column } else { column.min(*start) };
+            *end = (column + 1).max(*end);
+        }
+        let mut this = Self { rows: Vec::new(), entries: Vec::new() };
+        for columns in &columns {
+            let begun = this.entries.len();
+            this.entries.resize(begun + columns.len(), [Wide::default(); N]);
+            this.rows.push((columns.start as u32, begun as u32..this.entries.len() as u32));
+        }
+        for ([row, column], weights) in entries {
+            let begun = this.rows[row].1.start as usize;
+            this.entries[begun + column - columns[row].start] = *weights;
+        }
+        this
+    }
+
+    /// Columns of a row and the entries there.
+    #[inline(always)]
+    fn row(&self, row: usize) -> (Range<usize>, &[[Wide; N]]) {
+        let (first, entries) = &self.rows[row];
+        let entries = &self.entries[entries.start as usize..entries.end as usize];
+        (*first as usize..*first as usize + entries.len(), entries)
+    }
+}
+
+impl<const N: usize> Band<N> {
+    /// `sum w x` over the particles around a point, for every kind of weight.
+    #[inline(always)]
+    pub(super) fn gather<S: Simd>(&self, simd: S, point: usize, windows: &[Window]) -> [DVec3; N] {
+        let (columns, weights) = self.points.row(point);
+        let windows = &windows[columns];
+        let mut sums = [[f64x8::splat(simd, 0.0); 3]; N];
+        for k in 0..weights.len().min(windows.len()) {
+            for kind in 0..N {
+                let weights = f64x8::simd_from(simd, weights[k][kind].0);
+                for c in 0..3 {
+                    sums[kind][c] = weights.mul_add(f64x8::simd_from(simd, windows[k][c].0), sums[kind][c]);
+                }
+            }
+        }
+        let mut gathered = [DVec3::ZERO; N];
+        for kind in 0..N {
+            gathered[kind] =
+                DVec3::new(total(simd, sums[kind][0]), total(simd, sums[kind][1]), total(simd, sums[kind][2]));
+        }
+        gathered
+    }
+
+    /// Adds to the vectors of a window's particles `sum w value` over the points around it, for every kind of weight.
+    #[inline(always)]
+    pub(super) fn scatter<S: Simd>(&self, simd: S, window: usize, values: &[Columns; N], sums: &mut [f64x8<S>; 3]) {
+        let (points, weights) = self.windows.row(window);
+        for kind in 0..N {
+            let [x, y, z] = &values[kind];
+            let (x, y, z) = (&x[points.clone()], &y[points.clone()], &z[points.clone()]);
+            for k in 0..weights.len() {
+                let weights = f64x8::simd_from(simd, weights[k][kind].0);
+                sums[0] = weights.mul_add(f64x8::splat(simd, x[k]), sums[0]);
+                sums[1] = weights.mul_add(f64x8::splat(simd, y[k]), sums[1]);
+                sums[2] = weights.mul_add(f64x8::splat(simd, z[k]), sums[2]);
+            }
+        }
+    }
+}
+
+/// Sum of all lanes.
+#[inline(always)]
+fn total<S: Simd>(simd: S, lanes: f64x8<S>) -> f64 {
+    let (low, high) = simd.split_f64x8(lanes);
+    let [a, b, c, d]: [f64; WIDTH / 2] = (low + high).into();
+    (a + c) + (b + d)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solver::embedding::Stencil;
+    use crate::solver::forces::fibre::strip::Strip;
+    use fearless_simd::{Level, dispatch};
+
+    /// Points over thirty particles: in a row, with gaps, at the end, out of order, none.
+    fn stencils() -> Vec<Stencil> {
+        let picks: [&[u32]; 6] =
+            [&[0, 1, 2, 3, 4, 5, 6, 7, 8, 9], &[10], &[7, 22, 9, 11, 12, 13, 14, 15, 16], &[27, 28, 29], &[], &[3, 29]];
+        let weights = |picks: &&[u32]| picks.iter().map(|&k| (k, 0.3 + 0.1 * f64::from(k))).collect();
+        picks.iter().map(|picks| Stencil { weights: weights(picks) }).collect()
+    }
+
+    /// Two fibres with their points' weights and minus twice these.
+    fn two_fibres(stencils: &[Stencil]) -> (Strip, Places, Band<2>) {
+        let (mut strip, mut points) = (Strip::default(), Points::default());
+        let mut add = |fibre: &[Stencil]| {
+            let around =
+                |(k, stencil): (usize, &Stencil)| stencil.weights.clone().into_iter().map(move |(p, _)| (k, p));
+            let places = strip.add(fibre.iter().enumerate().flat_map(around));
+            for stencil in fibre {
+                points.add(&places, stencil.weights.iter().map(|&(k, w)| (k, [w, -2.0 * w])));
+            }
+            places
+        };
+        let places = add(&stencils[..3]);
+        add(&stencils[3..]);
+        let band = points.band(strip.len());
+        (strip, places, band)
+    }
+
+    #[test]
+    fn sums_are_those_of_the_stencils_one_by_one() {
+        let stencils = stencils();
+        let (strip, places, band) = two_fibres(&stencils);
+        let field: Vec<DVec3> = (0..30).map(|k| DVec3::new(f64::from(k), 0.5 * f64::from(k * k), -3.0)).collect();
+        let mut windows = vec![Window::default(); strip.len()];
+        dispatch!(Level::new(), simd => Strip::fill(&strip, simd, &field, &mut windows));
+        let (window, place) = places.of(5);
+        let origin = field[5] - DVec3::from_array([0, 1, 2].map(|c| windows[window][c].0[place]));
+        for (point, stencil) in stencils.iter().enumerate() {
+            let [sum, other] = dispatch!(Level::new(), simd => Band::gather(&band, simd, point, &windows));
+            let total: f64 = stencil.weights.iter().map(|(_, w)| w).sum();
+            let expected = stencil.gather(&field) - total * origin;
+            assert!(sum.distance(expected) < 1e-11, "{point}: {sum}, not {expected}");
+            assert!(other.distance(-2.0 * expected) < 1e-11);
+        }
+    }
+
+    #[test]
+    fn forces_are_those_of_the_stencils_one_by_one() {
+        let stencils = stencils();
+        let (strip, _, band) = two_fibres(&stencils);
+        let values = |by: f64| [0, 1, 2].map(|c| (0..6).map(|k| by * f64::from(k + c).sin()).collect::<Vec<f64>>());
+        let values = [values(1.0), values(0.3)];
+        let (mut forces, mut one_by_one) = (vec![DVec3::X; 30], vec![DVec3::X; 30]);
+        dispatch!(Level::new(), simd => {
+            for window in 0..strip.len() {
+                let mut sums = [f64x8::splat(simd, 0.0); 3];
+                Band::scatter(&band, simd, window, &values, &mut sums);
+                Strip::pass_on(&strip, window, sums, &mut forces);
+            }
+        });
+        for (point, stencil) in stencils.iter().enumerate() {
+            let [value, other] = [0, 1].map(|kind: usize| DVec3::from_array([0, 1, 2].map(|c| values[kind][c][point])));
+            stencil.scatter(value - 2.0 * other, &mut one_by_one);
+        }
+        for (force, expected) in forces.iter().zip(&one_by_one) {
+            assert!(force.distance(*expected) < 1e-12, "{force}, not {expected}");
+        }
+    }
+}

@@ -25,7 +25,7 @@
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
 //!   world.
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
-//!   paces it for a window; the comparison of integrators, by numbers and side by side.
+//!   paces it for a window; readings frame by frame; the comparison of integrators, by numbers and side by side.
 //! - [`io`]: the only file access. Scene JSON and its schema, models, OBJ sequences, atomic writes, recovery.
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.

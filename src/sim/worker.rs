@@ -9,8 +9,8 @@ use super::{Runner, SimCommand};
 use crate::bake::{Baked, bake};
 use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
-use crate::solver::grab::Grab;
 use crate::solver::snapshot::Snapshot;
+pub use records::Records;
 use sights::Sights;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
@@ -28,11 +28,13 @@ const RATE_WINDOW: Duration = Duration::from_millis(500);
 const GREATEST_DEBT: Duration = Duration::from_millis(100);
 
 type Slot = Arc<Mutex<Option<Arc<Published>>>>;
+type Shared = Arc<Mutex<Records>>;
 
 /// The running simulation, seen from the window.
 pub struct Worker {
     sender: Option<SyncSender<SimCommand>>,
     slot: Slot,
+    records: Shared,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -41,12 +43,13 @@ impl Worker {
     pub fn start(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, notify: impl Fn() + Send + 'static) -> Self {
         let (sender, receiver) = sync_channel(WAITING);
         let slot: Slot = Arc::default();
-        let out = Out { slot: Arc::clone(&slot), notify: Box::new(notify) };
+        let records = Shared::default();
+        let out = Out { slot: Arc::clone(&slot), records: Arc::clone(&records), notify: Box::new(notify) };
         let thread = std::thread::Builder::new()
             .name("solver".into())
             .spawn(move || Loop::new(scene, assets, playing, out).run(&receiver))
             .ok();
-        Self { sender: Some(sender), slot, thread }
+        Self { sender: Some(sender), slot, records, thread }
     }
 
     /// Asks for something; false if too much is waiting already or the thread is gone.
@@ -60,6 +63,11 @@ impl Worker {
     /// The newest picture since the last call.
     pub fn take(&self) -> Option<Arc<Published>> {
         self.slot.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    /// Looks at what was recorded of every frame. The solver waits meanwhile: to be read, not to be worked with.
+    pub fn records<T>(&self, read: impl FnOnce(&Records) -> T) -> T {
+        read(&self.records.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
 
@@ -76,6 +84,7 @@ impl Drop for Worker {
 
 struct Out {
     slot: Slot,
+    records: Shared,
     notify: Box<dyn Fn() + Send>,
 }
 
@@ -135,6 +144,7 @@ impl Loop {
 
     fn run(mut self, receiver: &Receiver<SimCommand>) {
         self.put_together(false);
+        self.record();
         self.publish();
         let mut due = Instant::now();
         loop {
@@ -156,6 +166,9 @@ impl Loop {
                 self.put_together(true);
             }
             self.put_ghost_together();
+            if asked {
+                self.record();
+            }
             let advances = self.runs() && Instant::now() >= due;
             if advances {
                 self.advance();
@@ -207,8 +220,10 @@ impl Loop {
                 } else {
                     self.put_together(false);
                 }
+                self.record();
             }
             SimCommand::Field(kind) => self.sights.choose(kind),
+            SimCommand::Tension(on) => self.sights.choose_tension(on),
             SimCommand::Ghost(scene) => {
                 self.sights.want(scene);
                 // An edit that waits is put together first: the ghost starts from where that is.
@@ -230,6 +245,7 @@ impl Loop {
                 self.sights.drop_ghost();
                 self.wanted.0.clear();
                 self.put_together(false);
+                self.record();
             }
             SimCommand::Strike { body, impulse } => {
                 self.bodies_mut(body).into_iter().for_each(|body| body.strike(impulse));
@@ -252,23 +268,6 @@ impl Loop {
                 self.runner.iter_mut().chain(self.sights.runner_mut()).for_each(Runner::release_all);
             }
         }
-    }
-
-    fn grab(&mut self, body: usize, vertex: usize, target: glam::DVec3) {
-        let mut found = false;
-        for held in self.bodies_mut(body) {
-            let Some(point) = held.point(vertex) else { continue };
-            let grab = Grab::on(held, point, target);
-            held.grabs_mut().push(grab);
-            found = true;
-        }
-        self.grabbed = found.then_some(body).or(self.grabbed);
-    }
-
-    /// Pulls on the body that follows the pointer, and on its like.
-    fn grabs(&mut self) -> impl Iterator<Item = &mut Vec<Grab>> {
-        let bodies = self.grabbed.map_or_else(Vec::new, |body| self.bodies_mut(body));
-        bodies.into_iter().map(Body::grabs_mut)
     }
 
     /// Bakes the scene. After an edit the motion goes on; where the scene cannot be put together, the old world does.
@@ -338,6 +337,7 @@ impl Loop {
         }
         if self.side_by_side.is_none() {
             self.advance_ghost();
+            self.record();
         }
         self.rate.frames += 1;
         let elapsed = self.rate.since.elapsed();
@@ -351,11 +351,11 @@ impl Loop {
 
     fn publish(&mut self) {
         let mut snapshot = Snapshot::default();
-        let (field, mut ghost) = (self.field(), self.sights.ghost());
+        let (field, tension, mut ghost) = (self.field(), self.tension(), self.sights.ghost());
         if let Some(runner) = &self.runner {
             let world = runner.world();
             snapshot = runner.particles();
-            snapshot.field = field;
+            (snapshot.field, snapshot.tension) = (field, tension);
             self.status.time = world.time();
             let plan = world.plan();
             let stepping = |(body, count): (&Body, &u32)| Stepping {
@@ -392,6 +392,8 @@ fn describe(panic: &(dyn std::any::Any + Send)) -> String {
     format!("the solver failed ({said}); the document is unharmed: undo the last change or reset")
 }
 
+mod pulls;
+mod records;
 mod sights;
 #[cfg(test)]
 mod tests;

@@ -25,6 +25,8 @@ impl App {
             Action::Springs => Some(self.display.springs),
             Action::Strokes => Some(self.display.strokes),
             Action::Grid => Some(self.display.grid),
+            Action::Tension => Some(self.seeing.tension),
+            Action::Plots => Some(self.readings.open),
             Action::Vertices => Some(self.editing.selection.vertices().is_some()),
             Action::Redraw => Some(self.editing.redraws),
             Action::Paint => Some(self.editing.paints()),
@@ -70,6 +72,7 @@ impl App {
                 None => self.dialog = Some(Dialog::path(PathPurpose::Save, None)),
             },
             Action::SaveAs => self.dialog = Some(Dialog::path(PathPurpose::Save, self.path.as_deref())),
+            Action::Export => self.dialog = Some(Dialog::path(PathPurpose::Export, Some(&self.export_path()))),
             Action::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
             Action::Undo => {
                 if self.editor.undo() {
@@ -102,7 +105,10 @@ impl App {
             Action::Strokes => self.display.strokes = !self.display.strokes,
             Action::Grid => self.display.grid = !self.display.grid,
             Action::ColourMap => self.next_field(),
+            Action::Tension => self.toggle_tension(),
+            Action::Slice => self.next_slice(),
             Action::Ghost => self.next_ghost(),
+            Action::Plots => self.readings.open = !self.readings.open,
             Action::Theme => {
                 self.tone = self.tone.other();
                 self.tone.apply(ctx);

@@ -17,6 +17,8 @@ struct Remembered {
     views: Tree<Pane>,
     light: bool,
     coach: bool,
+    #[serde(default)]
+    plots: bool,
 }
 
 /// Front and side stacked beside the result.
@@ -65,6 +67,7 @@ impl App {
             self.panes = last.views;
         }
         self.coach = last.coach;
+        self.readings.open = last.plots;
         if last.light != (self.tone == super::theme::Tone::Light) {
             self.tone = self.tone.other();
             self.tone.apply(ctx);
@@ -73,7 +76,8 @@ impl App {
 
     pub(super) fn remember(&mut self, storage: &mut dyn eframe::Storage) {
         let views = std::mem::replace(&mut self.panes, Tree::empty(egui::Id::unique("no panes")));
-        let now = Remembered { views, light: self.tone == super::theme::Tone::Light, coach: self.coach };
+        let (light, plots) = (self.tone == super::theme::Tone::Light, self.readings.open);
+        let now = Remembered { views, light, coach: self.coach, plots };
         eframe::set_value(storage, KEY, &now);
         self.panes = now.views;
     }

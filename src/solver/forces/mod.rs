@@ -81,6 +81,11 @@ pub trait Force: Send + Sync {
         None
     }
 
+    /// The fibres, where it is those: their tensions can be looked at.
+    fn fibres(&self) -> Option<&FibreForce> {
+        None
+    }
+
     /// A copy in a box; bodies are cloned to be replayed or probed.
     fn clone_box(&self) -> Box<dyn Force>;
 }

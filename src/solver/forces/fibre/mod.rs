@@ -12,6 +12,7 @@ pub mod breaking;
 mod corner;
 mod lines;
 mod rest;
+mod tension;
 mod windows;
 
 pub use corner::curvature_binormal;
@@ -197,6 +198,10 @@ impl Force for FibreForce {
 
     fn breaks(&self) -> &[FibreBreak] {
         &self.broken.breaks
+    }
+
+    fn fibres(&self) -> Option<&FibreForce> {
+        Some(self)
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

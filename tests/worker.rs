@@ -150,3 +150,47 @@ fn a_ghost_starts_from_where_the_world_is() {
     assert!(worker.send(SimCommand::Ghost(None)));
     until(&worker, |p| p.ghost.is_none());
 }
+
+#[test]
+fn every_frame_is_recorded_though_its_picture_is_missed() {
+    let worker = Worker::start(scene(""), Arc::default(), true, || {});
+    let start = Instant::now();
+    while worker.records(|records| records.world.len()) < 30 {
+        assert!(start.elapsed() < Duration::from_mins(1), "nothing is recorded");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    worker.records(|records| {
+        assert!(records.ghost.is_none() && records.world.dropped() == 0);
+        for (number, row) in records.world.rows() {
+            assert!((row[0] - number as f64 / 60.0).abs() < 1e-9, "frame {number} at {} s", row[0]);
+        }
+    });
+    // An edit that leaves the columns as they are goes on, one that does not begins anew.
+    let rows = |worker: &Worker| worker.records(|records| (records.world.len(), records.world.columns().len()));
+    assert!(worker.send(SimCommand::Pause));
+    until(&worker, |p| !p.status.playing);
+    let (before, columns) = rows(&worker);
+    let mut edited = (*scene("")).clone();
+    edited.bodies[0].material.young_modulus = 2e5;
+    assert!(worker.send(SimCommand::Edit(Arc::new(edited))));
+    until(&worker, |p| p.status.edits == 1 && p.status.baking.is_none());
+    assert_eq!(rows(&worker), (before, columns));
+    let size = r#""measures": [{"name": "size", "body": "cube", "kind": {"size": {"axis": "y"}}}],"#;
+    assert!(worker.send(SimCommand::Edit(scene(size))));
+    until(&worker, |p| p.status.edits == 2 && p.status.baking.is_none());
+    assert_eq!(rows(&worker), (1, columns + 1));
+}
+
+#[test]
+fn of_more_rows_than_are_kept_the_oldest_go() {
+    let baked = sinew::bake::bake(&scene(""), &sinew::scene::Assets::default(), &mut |_, _| {}).expect("it bakes");
+    let mut runner = sinew::sim::Runner::new(baked);
+    let mut series = sinew::sim::Series::new(runner.world(), 5);
+    for _ in 0..8 {
+        series.push(runner.world());
+        series.push(runner.world());
+        runner.advance_frame();
+    }
+    assert_eq!((series.len(), series.dropped()), (5, 3));
+    assert_eq!(series.rows().map(|(number, _)| number).collect::<Vec<_>>(), [3, 4, 5, 6, 7]);
+}

@@ -3,12 +3,12 @@
 use super::check_model::{ModelOptions, check_model};
 use super::error::printable;
 use super::prepare::{Sets, load, notes, put_together, tell};
-use super::series::labels;
 use super::table::{Align, Table, figures};
 use super::{CliError, Console, Outcome};
 use crate::bake::Baked;
 use crate::io::is_model;
 use crate::scene::{Scene, one_line};
+use crate::sim::labels;
 use crate::solver::body::Body;
 use crate::solver::world::World;
 use clap::Args;

@@ -18,7 +18,6 @@ mod picture;
 mod prepare;
 mod render;
 mod schema;
-mod series;
 mod simulate;
 mod summary;
 mod sweep;

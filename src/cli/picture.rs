@@ -1,14 +1,15 @@
 //! Pictures from the command line: what they show, and the making of them.
 
 use super::CliError;
-use crate::scene::Scene;
+use crate::draw::Slice;
+use crate::scene::{Axis, Scene};
 use crate::solver::snapshot::Snapshot;
 use clap::{Args, ValueEnum};
 use std::fmt;
 use std::str::FromStr;
 
 /// What pictures show, and how.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Args)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Args)]
 #[command(next_help_heading = "Pictures")]
 pub struct Look {
     /// From where
@@ -23,6 +24,9 @@ pub struct Look {
     /// Show material and structure particles in place of skins
     #[arg(long, conflicts_with = "x_ray")]
     particles: bool,
+    /// Cut bodies open across X, Y or Z at so many metres: `x=0.01` takes away what lies beyond, `-x=0.01` what lies before
+    #[arg(long, value_name = "AXIS=M", allow_hyphen_values = true)]
+    slice: Option<Cut>,
     /// Colours
     #[arg(long, value_name = "THEME", default_value_t, value_enum)]
     theme: ThemeName,
@@ -82,6 +86,32 @@ impl FromStr for PixelSize {
     }
 }
 
+/// Where bodies are cut open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Cut(Slice);
+
+impl FromStr for Cut {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let read = || {
+            let (name, place) = text.split_once('=')?;
+            let flipped = name.starts_with('-');
+            let axis = match name.trim_start_matches('-').to_lowercase().as_str() {
+                "x" => Axis::X,
+                "y" => Axis::Y,
+                "z" => Axis::Z,
+                _ => return None,
+            };
+            let at = place.parse().ok().filter(|at: &f64| at.is_finite())?;
+            Some(Self(Slice { axis, at, flipped }))
+        };
+        read().ok_or_else(|| {
+            "give an axis and a place on it in metres, as in x=0.01, or -x=0.01 for the other side".to_owned()
+        })
+    }
+}
+
 #[cfg(feature = "render")]
 pub use drawn::Studio;
 #[cfg(not(feature = "render"))]
@@ -120,6 +150,7 @@ mod drawn {
                 (_, true) => Display::particles(),
                 _ => Display::default(),
             };
+            let display = Display { slice: look.slice.map(|cut| cut.0), ..display };
             let theme = match look.theme {
                 ThemeName::Light => Theme::light(),
                 ThemeName::Dark => Theme::dark(),
@@ -188,6 +219,16 @@ mod undrawn {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_cut_is_an_axis_a_place_and_a_side() {
+        let cut = |axis, at, flipped| Ok(Cut(Slice { axis, at, flipped }));
+        assert_eq!("x=0.01".parse(), cut(Axis::X, 0.01, false));
+        assert_eq!("-Y=-2e-3".parse(), cut(Axis::Y, -2e-3, true));
+        for bad in ["", "x", "w=1", "x=", "x=nan", "x=0.01m", "=1"] {
+            assert!(bad.parse::<Cut>().is_err(), "{bad}");
+        }
+    }
 
     #[test]
     fn sizes_are_two_numbers_with_an_x() {

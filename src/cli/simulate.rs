@@ -3,13 +3,12 @@
 use super::drive::{Drive, End, drive};
 use super::picture::{Look, Studio};
 use super::prepare::{Sets, Span, Threads, load, notes, put_together, source_name, tell, word};
-use super::series::Series;
 use super::summary::summary;
 use super::table::figures;
 use super::{CliError, Console, Outcome, output};
 use crate::io::{FrameFolder, write_obj};
 use crate::scene::Scene;
-use crate::sim::{Report, Runner};
+use crate::sim::{Report, Runner, Series};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -123,7 +122,7 @@ impl Records {
     fn new(args: &Simulate, scene: &Scene, runner: &Runner) -> Result<Self, CliError> {
         // A driver may be missing: that is found out before a folder is made.
         let studio = args.png.as_ref().map(|_| Studio::open(&args.look, scene, &runner.snapshot())).transpose()?;
-        let series = args.series.as_ref().map(|_| Series::new(runner.world())).transpose()?;
+        let series = args.series.as_ref().map(|_| Series::new(runner.world(), usize::MAX));
         let folder = |path: Option<&PathBuf>, extension| path.map(|path| FrameFolder::create(path, extension));
         let shapes = folder(args.out.as_ref(), "obj").transpose()?;
         let pictures = studio.zip(folder(args.png.as_ref(), "png").transpose()?);
@@ -132,7 +131,7 @@ impl Records {
 
     fn push(&mut self, scene: &Scene, runner: &Runner) -> Result<(), CliError> {
         if let Some(series) = &mut self.series {
-            series.push(runner)?;
+            series.push(runner.world());
         }
         if let Some(shapes) = &mut self.shapes {
             shapes.push(|out| write_obj(out, &runner.snapshot()))?;
@@ -152,7 +151,7 @@ impl Records {
             text += &output::wrote("report", path);
         }
         if let (Some(path), Some(series)) = (&args.series, self.series) {
-            output::write_bytes(path, &series.into_bytes()?)?;
+            output::write_bytes(path, &series.to_csv()?)?;
             text += &output::wrote("series", path);
         }
         let pictures = self.pictures.as_ref().map(|(_, pictures)| ("pictures", pictures));

@@ -1,27 +1,17 @@
 //! A scene and a snapshot of its world become a draw list.
 
-use super::list::{DrawList, Faces, Hung, Line, Mesh, PickId, PickKind, Points, Size, Surface};
+use super::fibre::Shape;
+use super::list::{DrawList, Faces, Hung, Mesh, PickId, PickKind, Surface};
 use super::options::{Display, SkinStyle};
 use super::surroundings;
-use super::tube::tube;
 use super::{Bounds, Colour, Theme, colour_map};
 use crate::scene::{Fibre, Scene};
-use crate::solver::snapshot::{BodySnapshot, LayersSnapshot, Snapshot, SpringKind};
-use glam::{DVec3, Vec3};
+use crate::solver::snapshot::{BodySnapshot, Snapshot};
+use glam::DVec3;
 use std::sync::Arc;
 
-/// Radii in particle spacings D: fibres thin enough to stay apart when drawn a spacing from each other, structure
-/// particles as beads on them, material particles with room to look in between.
-const FIBRE_RADIUS: f64 = 0.22;
-const SELECTED_RADIUS: f64 = 0.32;
-const STRUCTURE_RADIUS: f64 = 0.30;
-const MATERIAL_RADIUS: f64 = 0.20;
-
-/// Springs [pixels].
-const SPRING_WIDTH: f32 = 1.5;
-
 /// Share of a fibre's mark that shows through the skin.
-const THROUGH: f32 = 0.35;
+pub(super) const THROUGH: f32 = 0.35;
 
 /// What is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +31,7 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
     let origin = bounds.map_or(DVec3::ZERO, |bounds| bounds.center());
     let mut list = DrawList::new(origin, surroundings::ground(scene, display), *theme);
     list.bounds = bounds;
+    list.slice = display.slice;
     // Fibres are numbered through all bodies, so that no two in sight share a hue.
     let mut hue = 0;
     for (index, body) in snapshot.bodies.iter().enumerate() {
@@ -53,7 +44,9 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
         }
         let values = snapshot.field.as_ref().and_then(|field| Some((field.range, field.bodies.get(index)?.as_slice())));
         let values = values.filter(|(_, values)| values.len() == body.particles.len());
-        pen.body(body, &looks, values, &mut list, &mut hue);
+        let tensions = snapshot.tension.as_ref();
+        let tensions = tensions.and_then(|tension| Some((tension.range, tension.bodies.get(index)?.as_slice())));
+        pen.body(body, &looks, Values { field: values, tensions }, &mut list, &mut hue);
         if let (true, Some(body)) = (display.strokes, scene.bodies.get(number)) {
             surroundings::strokes(body, &mut list);
         }
@@ -113,12 +106,20 @@ impl<'a> Looks<'a> {
     }
 }
 
+/// Values that colours stand for, with their ranges.
+struct Values<'a> {
+    /// At every particle.
+    field: Option<([f64; 2], &'a [f64])>,
+    /// At every edge of every fibre [N].
+    tensions: Option<(f64, &'a [Vec<f64>])>,
+}
+
 /// Draws one body.
-struct Pen<'a> {
-    index: u32,
-    spacing: f64,
-    display: &'a Display,
-    theme: &'a Theme,
+pub(super) struct Pen<'a> {
+    pub(super) index: u32,
+    pub(super) spacing: f64,
+    pub(super) display: &'a Display,
+    pub(super) theme: &'a Theme,
 }
 
 impl Pen<'_> {
@@ -126,18 +127,18 @@ impl Pen<'_> {
         &self,
         body: &BodySnapshot,
         looks: &Looks<'_>,
-        values: Option<([f64; 2], &[f64])>,
+        Values { field, tensions }: Values<'_>,
         list: &mut DrawList,
         hue: &mut usize,
     ) {
         let mut has_skin = false;
         // Colours that stand for values can be told from each other only where nothing shines through them.
-        let clear = self.display.skin == SkinStyle::XRay && values.is_none();
+        let clear = self.display.skin == SkinStyle::XRay && field.is_none();
         let surface = if clear { Surface::XRay } else { Surface::Solid };
         if let (true, Some(mut mesh)) = (self.display.skin != SkinStyle::Hidden, skin_mesh(list, body, surface)) {
             mesh.pick = self.number(PickKind::Skin, 1, list);
             mesh.colour = self.tint().or(looks.color.map(Colour::from_rgb)).unwrap_or(mesh.colour);
-            if let (Some((range, values)), Some(rig)) = (values, body.rig()) {
+            if let (Some((range, values)), Some(rig)) = (field, body.rig()) {
                 mesh.tints = colour_map::over(rig, values, range);
             }
             list.meshes.push(mesh);
@@ -148,86 +149,20 @@ impl Pen<'_> {
             let colour = own.and_then(|own| own.color).map_or_else(|| self.theme.fibre(*hue), Colour::from_rgb);
             *hue += 1;
             if !own.is_some_and(|own| own.hidden) {
-                self.fibre(index as u32, &fibre.vertices, colour, [has_skin, clear], list);
+                let tensions = tensions.and_then(|(range, fibres)| Some((range, fibres.get(index)?.as_slice())));
+                let breaks = body.breaks.iter().filter(|at| at.fibre as usize == index).map(|at| at.place).collect();
+                let shape = Shape { vertices: &fibre.vertices, breaks, tensions, colour };
+                self.fibre(index as u32, &shape, [has_skin, clear], list);
             }
         }
-        // A body without a skin shows what it is made of instead.
-        let bare = !has_skin && self.display.skin != SkinStyle::Hidden;
-        if let (true, Some(layers)) = (self.display.springs || bare, &body.layers) {
-            self.springs(layers, &body.particles, list);
-        }
-        if self.display.particles || bare || (self.display.springs && body.layers.is_some()) {
-            let pick = self.number(PickKind::Particle, body.particles.len(), list);
-            let outer = body.layers.as_ref().map_or(body.particles.len(), |layers| layers.outer);
-            let (outer, inner) = body.particles.split_at(outer.min(body.particles.len()));
-            let cool = self.tint().unwrap_or(self.theme.material);
-            self.balls(outer, MATERIAL_RADIUS, cool, pick, list);
-            self.balls(inner, MATERIAL_RADIUS, self.theme.structure, pick + outer.len() as u32, list);
-        }
+        self.particles(body, has_skin, field, list);
     }
 
-    fn tint(&self) -> Option<Colour> {
+    pub(super) fn tint(&self) -> Option<Colour> {
         self.display.tints.get(self.index as usize).copied()
     }
 
-    fn springs(&self, layers: &LayersSnapshot, at: &[DVec3], list: &mut DrawList) {
-        let theme = self.theme;
-        for (kind, range) in &layers.kinds {
-            let colour = match kind {
-                SpringKind::Structural => self.tint().unwrap_or(theme.text.with_alpha(0.8)),
-                SpringKind::Radius => theme.axes[1],
-                SpringKind::ShearLeft => theme.axes[0],
-                SpringKind::ShearRight => theme.axes[2],
-            };
-            for ends in &layers.springs[range.clone()] {
-                let points: Vec<Vec3> = ends.iter().filter_map(|&i| Some(list.local(*at.get(i as usize)?))).collect();
-                list.lines.push(Line { points, width: SPRING_WIDTH, colour, through: THROUGH, pick: 0 });
-            }
-        }
-    }
-
-    fn fibre(&self, index: u32, vertices: &[DVec3], colour: Colour, [has_skin, clear]: [bool; 2], list: &mut DrawList) {
-        let points: Vec<Vec3> = vertices.iter().filter(|v| v.is_finite()).map(|&v| list.local(v)).collect();
-        let selected = self.display.selected.contains(&[self.index, index]);
-        // Inside an opaque skin there is nothing to see of them but ends that stick out.
-        let inside = has_skin && !clear;
-        if self.display.fibres && !inside {
-            let radius = self.spacing * if selected { SELECTED_RADIUS } else { FIBRE_RADIUS };
-            let (vertices, indices) = tube(&points, radius as f32);
-            if !indices.is_empty() {
-                let pick = list.register(PickId { body: self.index, kind: PickKind::Fibre, index }, 1);
-                let casts_shadow = !has_skin;
-                let faces = Faces::Free(vertices, indices);
-                list.meshes.push(Mesh {
-                    faces,
-                    colour,
-                    tints: Vec::new(),
-                    surface: Surface::Solid,
-                    casts_shadow,
-                    pick,
-                });
-            }
-        }
-        if selected {
-            let line = Line { points, width: 1.5, colour: self.theme.accent, through: THROUGH, pick: 0 };
-            list.lines.push(line);
-        }
-        if self.display.structure {
-            let pick = self.number(PickKind::StructureVertex { fibre: index }, vertices.len(), list);
-            self.balls(vertices, STRUCTURE_RADIUS, self.theme.structure, pick, list);
-        }
-    }
-
-    fn balls(&self, at: &[DVec3], radius: f64, colour: Colour, pick: u32, list: &mut DrawList) {
-        if at.is_empty() {
-            return;
-        }
-        let centres = at.iter().map(|&point| list.local(point)).collect();
-        let size = Size::Metres((radius * self.spacing) as f32);
-        list.points.push(Points { centres, size, colour, through: 0.0, pick });
-    }
-
-    fn number(&self, kind: PickKind, count: usize, list: &mut DrawList) -> u32 {
+    pub(super) fn number(&self, kind: PickKind, count: usize, list: &mut DrawList) -> u32 {
         list.register(PickId { body: self.index, kind, index: 0 }, count)
     }
 }
@@ -253,7 +188,7 @@ mod tests {
             embedding: SkinEmbedding::of_particles(4, &TRIANGLES),
             ..BodySnapshot::default()
         };
-        Snapshot { time: 0.0, bodies: vec![body], panels: Vec::new(), field: None }
+        Snapshot { bodies: vec![body], ..Snapshot::default() }
     }
 
     fn drawn(snapshot: &Snapshot, display: &Display) -> DrawList {
@@ -329,6 +264,50 @@ mod tests {
         };
         let (plain, chosen) = (width(vec![]), width(vec![[0, 0]]));
         assert!(chosen.0 > 1.3 * plain.0 && (plain.1, chosen.1) == (0, 1));
+    }
+
+    #[test]
+    fn a_broken_fibre_is_two_tubes_with_one_number_and_a_red_ball() {
+        use crate::solver::snapshot::{BreakPlace, FibreBreak};
+        let mut broken = snapshot();
+        let place = BreakPlace::Vertex(1);
+        broken.bodies[0].breaks.push(FibreBreak { fibre: 1, place, time: 0.5 });
+        for theme in [Theme::light(), Theme::dark()] {
+            let scene = Scene::default();
+            let list = draw(&Subject { scene: &scene, snapshot: &broken, ghost: None }, &Display::x_ray(), &theme);
+            let tubes: Vec<u32> = list.meshes.iter().filter(|mesh| mesh.pick > 1).map(|mesh| mesh.pick).collect();
+            assert!(tubes.len() == 3 && tubes[1] == tubes[2] && tubes[0] != tubes[1], "{tubes:?}");
+            let [ball] = list.points.as_slice() else { panic!("{:?}", list.points) };
+            let at = broken.bodies[0].fibres[1].vertices[1];
+            assert_eq!((ball.centres.as_slice(), ball.colour), (&[list.local(at)][..], theme.broken));
+            assert!(ball.through > 0.0 && ball.colour.red > 2.0 * ball.colour.blue.max(ball.colour.green));
+        }
+        assert!(drawn(&snapshot(), &Display::x_ray()).points.is_empty());
+    }
+
+    #[test]
+    fn fibres_have_the_colours_of_what_they_carry() {
+        use crate::solver::snapshot::TensionSnapshot;
+        let mut pulled = snapshot();
+        let bodies = vec![vec![vec![3.0, 3.0], vec![-3.0, -3.0]]];
+        pulled.tension = Some(TensionSnapshot { range: 3.0, bodies });
+        let list = drawn(&pulled, &Display::x_ray());
+        let tints: Vec<[u8; 3]> = list.meshes.iter().filter(|mesh| mesh.pick > 1).map(|mesh| mesh.tints[0]).collect();
+        assert_eq!(tints, [1.0, -1.0].map(|place| colour_map::bytes(colour_map::signed_colour(place))));
+        assert!(drawn(&snapshot(), &Display::x_ray()).meshes.iter().all(|mesh| mesh.tints.is_empty()));
+    }
+
+    #[test]
+    fn what_is_cut_away_is_neither_drawn_nor_numbered_otherwise() {
+        let middle = snapshot().bodies[0].particles[0] + 0.5 * DVec3::Y;
+        let slice = Some(crate::draw::Slice { axis: crate::scene::Axis::Y, at: middle.y, flipped: false });
+        let list = drawn(&snapshot(), &Display { slice, ..Display::particles() });
+        let particles = list.points.last().expect("particles");
+        let seen: Vec<bool> = particles.centres.iter().map(|centre| centre.is_finite()).collect();
+        assert_eq!(seen, [true, true, false, true], "only the third lies above");
+        // An opaque skin that is cut open shows the fibres in it.
+        let tubes = |display: &Display| drawn(&snapshot(), display).meshes.len();
+        assert_eq!((tubes(&Display::default()), tubes(&Display { slice, ..Display::default() })), (1, 3));
     }
 
     #[test]

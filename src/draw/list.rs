@@ -1,6 +1,6 @@
 //! What is to be seen, as plain data.
 
-use super::{Bounds, Colour, Theme};
+use super::{Bounds, Colour, Slice, Theme};
 use crate::geometry::rig::Rig;
 use glam::{DVec3, Vec3};
 use std::borrow::Cow;
@@ -23,6 +23,8 @@ pub struct DrawList {
     pub labels: Vec<Label>,
     /// What lies below everything.
     pub ground: Ground,
+    /// Where surfaces that hang on particles are cut open; everything else is as it is given.
+    pub slice: Option<Slice>,
     /// Colours and lights.
     pub theme: Theme,
     /// What pick numbers stand for.
@@ -140,7 +142,7 @@ pub enum Size {
     Pixels(f32),
 }
 
-/// Balls of one size and colour.
+/// Balls of one size, in one colour or each in its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Points {
     /// Centres [m] about the list's origin.
@@ -149,6 +151,8 @@ pub struct Points {
     pub size: Size,
     /// Colour.
     pub colour: Colour,
+    /// Colours of the balls in place of that, as [`Mesh::tints`].
+    pub tints: Vec<[u8; 3]>,
     /// As [`Line::through`].
     pub through: f32,
     /// Pick number of the first; the others follow. Zero for what cannot be picked.
@@ -230,6 +234,7 @@ impl DrawList {
             points: Vec::new(),
             labels: Vec::new(),
             ground,
+            slice: None,
             theme,
             picks: Picks::default(),
         }
@@ -247,7 +252,7 @@ impl DrawList {
 }
 
 impl Picks {
-    fn register(&mut self, first: PickId, count: usize) -> u32 {
+    pub(super) fn register(&mut self, first: PickId, count: usize) -> u32 {
         let start = self.0.last().map_or(1, |last| last.start + last.count);
         self.0.push(PickRange { start, count: count as u32, first });
         start

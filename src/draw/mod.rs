@@ -8,8 +8,11 @@ mod bounds;
 mod build;
 mod colour;
 pub mod colour_map;
+mod fibre;
 mod list;
 mod options;
+mod particles;
+mod slice;
 mod surroundings;
 mod theme;
 mod tube;
@@ -21,4 +24,5 @@ pub use list::{
     DrawList, Faces, Ground, Hung, Label, Line, Mesh, PickId, PickKind, Picks, Points, Size, Surface, Vertex,
 };
 pub use options::{Display, SkinStyle};
+pub use slice::Slice;
 pub use theme::Theme;

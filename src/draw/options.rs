@@ -1,6 +1,6 @@
 //! What a person wants to see.
 
-use super::Colour;
+use super::{Colour, Slice};
 
 /// What is shown.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,8 @@ pub struct Display {
     pub axes: bool,
     /// Walls and ceiling of the room, faintly.
     pub room: bool,
+    /// Where bodies are cut open; fibres stay whole.
+    pub slice: Option<Slice>,
     /// Colours of the bodies in the order of the snapshot; the theme's where there is none.
     pub tints: Vec<Colour>,
     /// Fibres that are selected: (body, fibre), in the order of the snapshot.
@@ -56,6 +58,7 @@ impl Default for Display {
             grid: true,
             axes: true,
             room: true,
+            slice: None,
             tints: Vec::new(),
             selected: Vec::new(),
             first_body: 0,

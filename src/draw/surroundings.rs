@@ -164,7 +164,7 @@ fn draw_stroke(points: &[DVec3], list: &mut DrawList) {
     let (Some(&start), Some(&end)) = (points.first(), points.last()) else { return };
     let mut dot = |at: Vec3, colour: Colour| {
         let size = Size::Pixels(DOT_RADIUS);
-        list.points.push(Points { centres: vec![at], size, colour, through: 1.0, pick: 0 });
+        list.points.push(Points { centres: vec![at], size, colour, tints: Vec::new(), through: 1.0, pick: 0 });
     };
     dot(start, theme.stroke_start);
     dot(end, theme.stroke_end);

@@ -27,6 +27,8 @@ pub struct Theme {
     pub stroke_start: Colour,
     /// Where it ends.
     pub stroke_end: Colour,
+    /// Where a fibre is broken.
+    pub broken: Colour,
     /// A shape that is not there: neutral, at a quarter.
     pub ghost: Colour,
     /// Panels.
@@ -77,6 +79,7 @@ impl Theme {
             stroke: Colour::hex(0x26_2b33),
             stroke_start: Colour::hex(0x2f_9e44),
             stroke_end: Colour::hex(0xd9_3636),
+            broken: Colour::hex(0xcc_1414),
             ghost: Colour::hex(0x6b_717b).with_alpha(0.25),
             panel: Colour::hex(0xb9_bec6),
             wall: Colour::hex(0x7a_8494).with_alpha(0.10),
@@ -108,6 +111,7 @@ impl Theme {
             stroke: Colour::hex(0xf0_f2f5),
             stroke_start: Colour::hex(0x57_c768),
             stroke_end: Colour::hex(0xff_6a64),
+            broken: Colour::hex(0xff_2d2d),
             ghost: Colour::hex(0xb4_bac4).with_alpha(0.25),
             panel: Colour::hex(0x6c_727c),
             wall: Colour::hex(0xa8_b2c2).with_alpha(0.08),
@@ -125,10 +129,15 @@ impl Theme {
         }
     }
 
+    /// A colour of the fibres' lightness and chroma with this hue [turns].
+    pub fn hue(&self, turns: f32) -> Colour {
+        Colour::oklch(self.fibre_tone[0], self.fibre_tone[1], turns)
+    }
+
     /// Hue of the fibre with this number: one lightness and chroma, hues apart.
     pub fn fibre(&self, number: usize) -> Colour {
         let hue = (FIRST_HUE + HUE_STEP * number as f32).fract();
-        Colour::oklch(self.fibre_tone[0], self.fibre_tone[1], hue)
+        self.hue(hue)
     }
 }
 

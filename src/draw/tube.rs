@@ -11,14 +11,28 @@ const CAP_RINGS: u32 = 4;
 /// Points of the smooth curve between two vertices of the fibre.
 const PIECES: u32 = 4;
 
+/// A tube.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tube {
+    /// Its vertices.
+    pub vertices: Vec<Vertex>,
+    /// Three a triangle.
+    pub indices: Vec<u32>,
+    /// Where along the points each vertex is: 1.5 is half way from the second to the third.
+    pub along: Vec<f32>,
+}
+
+/// A point of the curve and where along the points it is.
+type Place = (Vec3, f32);
+
 /// A tube of `radius` [m] with rounded ends along a smooth curve through the points. Nothing for fewer than two points
 /// that differ.
-pub fn tube(points: &[Vec3], radius: f32) -> (Vec<Vertex>, Vec<u32>) {
-    let centres = without_ends(smooth(points), radius);
+pub fn tube(points: &[Vec3], radius: f32) -> Tube {
+    let (centres, places): (Vec<Vec3>, Vec<f32>) = without_ends(smooth(points), radius).into_iter().unzip();
     if centres.len() < 2 {
-        return (Vec::new(), Vec::new());
+        return Tube::default();
     }
-    let mut rings: Vec<(Vec3, Vec3, Vec3, f32, f32)> = Vec::new();
+    let mut rings: Vec<(usize, Vec3, Vec3, Vec3, f32, f32)> = Vec::new();
     let last = centres.len() - 1;
     let tangent_at = |k: usize| (centres[(k + 1).min(last)] - centres[k.saturating_sub(1)]).normalize_or(Vec3::Y);
     // A frame carried along by the least turn does not twist.
@@ -44,26 +58,29 @@ pub fn tube(points: &[Vec3], radius: f32) -> (Vec<Vertex>, Vec<u32>) {
             // The ends are round and yet no further out than the curve itself.
             let inset = tangent * radius * if k == 0 { 1.0 } else { -1.0 };
             let centre = if k == 0 || k == last { centres[k] + inset } else { centres[k] };
-            rings.push((centre, tangent, side, along, out));
+            rings.push((k, centre, tangent, side, along, out));
         }
     }
     let mut vertices = Vec::with_capacity(rings.len() * SIDES as usize);
-    for &(centre, tangent, side, along, out) in &rings {
+    let mut where_along = Vec::with_capacity(vertices.capacity());
+    for &(k, centre, tangent, side, along, out) in &rings {
         let other = tangent.cross(side);
-        for k in 0..SIDES {
-            let (sin, cos) = (TAU * k as f32 / SIDES as f32).sin_cos();
+        for side_of in 0..SIDES {
+            let (sin, cos) = (TAU * side_of as f32 / SIDES as f32).sin_cos();
             let normal = (side * cos + other * sin) * out + tangent * along;
             vertices.push(Vertex { position: centre + normal * radius, normal });
+            where_along.push(places[k]);
         }
     }
-    (vertices, indices(rings.len() as u32))
+    Tube { vertices, indices: indices(rings.len() as u32), along: where_along }
 }
 
 /// The curve without what lies within `radius` of its ends, but for the ends themselves.
-fn without_ends(curve: Vec<Vec3>, radius: f32) -> Vec<Vec3> {
+fn without_ends(curve: Vec<Place>, radius: f32) -> Vec<Place> {
     let (Some(&first), Some(&last)) = (curve.first(), curve.last()) else { return curve };
-    let inner = curve.into_iter().filter(|point| point.distance(first) > radius && point.distance(last) > radius);
-    std::iter::once(first).chain(inner).chain((first != last).then_some(last)).collect()
+    let far = |point: Vec3| point.distance(first.0) > radius && point.distance(last.0) > radius;
+    let inner = curve.into_iter().filter(|(point, _)| far(*point));
+    std::iter::once(first).chain(inner).chain((first.0 != last.0).then_some(last)).collect()
 }
 
 fn indices(rings: u32) -> Vec<u32> {
@@ -79,25 +96,26 @@ fn indices(rings: u32) -> Vec<u32> {
 }
 
 /// A Catmull-Rom curve through the points that differ from the one before.
-fn smooth(points: &[Vec3]) -> Vec<Vec3> {
-    let mut points: Vec<Vec3> = points.iter().copied().filter(|point| point.is_finite()).collect();
-    points.dedup_by(|a, b| a.distance_squared(*b) == 0.0);
+fn smooth(points: &[Vec3]) -> Vec<Place> {
+    let numbered = points.iter().enumerate().map(|(k, &point)| (point, k as f32));
+    let mut points: Vec<Place> = numbered.filter(|(point, _)| point.is_finite()).collect();
+    points.dedup_by(|a, b| a.0.distance_squared(b.0) == 0.0);
     if points.len() < 2 {
         return points;
     }
     let last = points.len() - 1;
     let mut curve = vec![points[0]];
     for k in 0..last {
-        let [p, q] = [points[k], points[k + 1]];
-        let before = if k > 0 { points[k - 1] } else { 2.0 * p - q };
-        let after = if k + 2 <= last { points[k + 2] } else { 2.0 * q - p };
+        let [(p, from), (q, to)] = [points[k], points[k + 1]];
+        let before = if k > 0 { points[k - 1].0 } else { 2.0 * p - q };
+        let after = if k + 2 <= last { points[k + 2].0 } else { 2.0 * q - p };
         let (m, n) = (0.5 * (q - before), 0.5 * (after - p));
         for piece in 1..=PIECES {
             let t = piece as f32 / PIECES as f32;
             let (t2, t3) = (t * t, t * t * t);
-            curve.push(
-                p * (2.0 * t3 - 3.0 * t2 + 1.0) + m * (t3 - 2.0 * t2 + t) + q * (3.0 * t2 - 2.0 * t3) + n * (t3 - t2),
-            );
+            let at =
+                p * (2.0 * t3 - 3.0 * t2 + 1.0) + m * (t3 - 2.0 * t2 + t) + q * (3.0 * t2 - 2.0 * t3) + n * (t3 - t2);
+            curve.push((at, from + t * (to - from)));
         }
     }
     curve
@@ -110,7 +128,7 @@ mod tests {
     #[test]
     fn a_tube_is_closed_turned_outwards_and_has_the_volume_of_a_capsule() {
         let points = [0.0, 0.3, 0.7, 1.0].map(|y| Vec3::new(0.0, y, 0.0));
-        let (vertices, indices) = tube(&points, 0.05);
+        let Tube { vertices, indices, along } = tube(&points, 0.05);
         let volume: f32 = indices
             .chunks(3)
             .map(|t| {
@@ -121,14 +139,20 @@ mod tests {
         let capsule = std::f32::consts::PI * 0.05_f32.powi(2) * (1.0 - 2.0 * 0.05 + 4.0 / 3.0 * 0.05);
         assert!((volume / capsule - 1.0).abs() < 0.06, "{volume} {capsule}");
         assert!(vertices.iter().all(|v| (v.normal.length() - 1.0).abs() < 1e-4));
+        // Where a vertex is along the points goes with its height, but for the rounded ends.
+        for (vertex, along) in vertices.iter().zip(&along) {
+            let edge = (*along as usize).min(2);
+            let height = points[edge].y + (along - edge as f32) * (points[edge + 1].y - points[edge].y);
+            assert!((vertex.position.y - height).abs() < 0.051, "{} {along}", vertex.position);
+        }
     }
 
     #[test]
     fn a_bent_tube_keeps_its_thickness_and_a_point_has_none() {
         let points: Vec<Vec3> =
             (0..12).map(|k| Vec3::new((k as f32 * 0.5).sin(), k as f32 * 0.2, (k as f32 * 0.5).cos())).collect();
-        let centres = smooth(&points);
-        let (vertices, _) = tube(&points, 0.03);
+        let centres: Vec<Vec3> = smooth(&points).into_iter().map(|(point, _)| point).collect();
+        let Tube { vertices, .. } = tube(&points, 0.03);
         for vertex in &vertices {
             let from = |ends: &[Vec3]| {
                 let step = ends[1] - ends[0];
@@ -139,6 +163,6 @@ mod tests {
             // The rounded ends leave the curve a little, along its tangent.
             assert!(distance < 0.034, "{distance}");
         }
-        assert!(tube(&[Vec3::ONE; 5], 0.1).1.is_empty());
+        assert!(tube(&[Vec3::ONE; 5], 0.1).indices.is_empty());
     }
 }

@@ -84,7 +84,7 @@ mod tests {
             ..BodySnapshot::default()
         };
         let bare = BodySnapshot { triangles: [].into(), fibres: Vec::new(), ..body.clone() };
-        let snapshot = Snapshot { time: 0.5, bodies: vec![body, bare], panels: Vec::new(), field: None };
+        let snapshot = Snapshot { time: 0.5, bodies: vec![body, bare], ..Snapshot::default() };
         let mut text = Vec::new();
         write_obj(&mut text, &snapshot).unwrap();
         let text = String::from_utf8(text).unwrap();

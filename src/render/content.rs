@@ -7,10 +7,10 @@ use crate::draw::{Colour, DrawList, Faces, Ground, Line, Points, Size, Surface, 
 use glam::{DVec3, Vec3};
 use std::ops::Range;
 
-/// 32-bit words of a mesh vertex (position, normal), of what is told of a whole mesh (colour, pick), of a point
+/// 32-bit words of a mesh vertex (position, normal), of what is told of a whole mesh (colour, pick, cut), of a point
 /// (centre, radius, colour, share through, pick) and of a segment (four points, colour, style, flags, pick).
 pub(super) const VERTEX_WORDS: usize = 6;
-pub(super) const ITEM_WORDS: usize = 5;
+pub(super) const ITEM_WORDS: usize = 6;
 /// Red, green and blue of a vertex, 8 bits each, and in the highest 8 whether it has a colour of its own.
 pub(super) const TINT_WORDS: usize = 1;
 pub(super) const POINT_WORDS: usize = 10;
@@ -50,6 +50,8 @@ pub(super) struct MeshDraw {
     pub(super) surface: Surface,
     pub(super) casts_shadow: bool,
     pub(super) picked: bool,
+    /// Whether it is cut open.
+    pub(super) cut: bool,
 }
 
 impl Content {
@@ -97,7 +99,8 @@ impl Content {
                 None => push_mesh(&mut vertices, &mut indices, &mesh.faces),
             };
             push(&mut items, mesh.colour.linear());
-            items.push(mesh.pick);
+            let cut = list.slice.is_some() && matches!(mesh.faces, Faces::Hung(_));
+            items.extend([mesh.pick, u32::from(cut)]);
             self.meshes.push(MeshDraw {
                 hide,
                 tints: 0,
@@ -105,6 +108,7 @@ impl Content {
                 surface: mesh.surface,
                 casts_shadow: mesh.casts_shadow,
                 picked: mesh.pick != 0,
+                cut,
             });
         }
         self.colour_vertices(renderer, &list, vertices.len() / VERTEX_WORDS);
@@ -213,7 +217,8 @@ fn push_points(words: &mut Vec<u32>, set: &Points) {
         }
         push(words, centre.to_array());
         push(words, [radius]);
-        push(words, set.colour.linear());
+        let own = set.tints.get(number as usize).map(|&[red, green, blue]| Colour::from_rgb([red, green, blue]));
+        push(words, own.unwrap_or(set.colour).linear());
         push(words, [set.through]);
         words.push(if set.pick == 0 { 0 } else { set.pick + number });
     }

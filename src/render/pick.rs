@@ -114,10 +114,13 @@ impl Renderer {
         // What can be seen through lies in the far half of the depths: behind all that cannot.
         let picked = |surface: Surface| move |mesh: &MeshDraw| mesh.picked && mesh.surface == surface;
         pass.set_viewport(0.0, 0.0, side, side, 0.0, 0.5);
+        let inside = |surface: Surface| move |mesh: &MeshDraw| mesh.cut && mesh.surface == surface;
         draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, picked(Surface::XRay));
+        draw_meshes(&mut pass, &self.pipelines.pick_inside, content, inside(Surface::XRay));
         draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, picked(Surface::Faint));
         pass.set_viewport(0.0, 0.0, side, side, 0.5, 1.0);
         draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, |mesh| mesh.surface == Surface::Solid);
+        draw_meshes(&mut pass, &self.pipelines.pick_inside, content, inside(Surface::Solid));
         instances(&mut pass, &self.pipelines.pick_points, &content.points);
         instances(&mut pass, &self.pipelines.pick_lines, &content.segments);
     }

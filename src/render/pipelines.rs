@@ -36,6 +36,7 @@ pub(super) struct Pipelines {
     pub(super) floor: wgpu::RenderPipeline,
     pub(super) grid: wgpu::RenderPipeline,
     pub(super) solid: wgpu::RenderPipeline,
+    pub(super) inside: wgpu::RenderPipeline,
     pub(super) x_ray_back: wgpu::RenderPipeline,
     pub(super) x_ray_front: wgpu::RenderPipeline,
     pub(super) faint: wgpu::RenderPipeline,
@@ -44,6 +45,7 @@ pub(super) struct Pipelines {
     pub(super) lines: wgpu::RenderPipeline,
     pub(super) lines_through: wgpu::RenderPipeline,
     pub(super) pick_mesh: wgpu::RenderPipeline,
+    pub(super) pick_inside: wgpu::RenderPipeline,
     pub(super) pick_points: wgpu::RenderPipeline,
     pub(super) pick_lines: wgpu::RenderPipeline,
     pub(super) cast_mesh: wgpu::RenderPipeline,
@@ -127,6 +129,7 @@ impl Pipelines {
             samples: 1,
             ..picture
         };
+        let inside = Meets { cull: Some(Face::Front), ..OPAQUE };
         let solid_pick = Meets { blend: false, ..OPAQUE };
         let lowest = Meets { depth: CompareFunction::Less, writes: true, blend: false, covers: false, cull: None };
         Self {
@@ -135,6 +138,7 @@ impl Pipelines {
             floor: picture.make(&ground, ["vs_ground", "fs_ground"], Rows::None, Meets { writes: true, ..CLEAR }),
             grid: picture.make(&ground, ["vs_ground", "fs_ground"], Rows::None, CLEAR),
             solid: picture.make(&mesh, ["vs_mesh", "fs_solid"], Rows::Mesh, OPAQUE),
+            inside: picture.make(&mesh, ["vs_mesh", "fs_inside"], Rows::Mesh, inside),
             x_ray_back: picture.make(
                 &mesh,
                 ["vs_mesh", "fs_x_ray"],
@@ -158,6 +162,7 @@ impl Pipelines {
             lines: picture.make(&line, ["vs_line", "fs_line"], Rows::Segments, CLEAR),
             lines_through: picture.make(&line, ["vs_line", "fs_line_through"], Rows::Segments, BEHIND),
             pick_mesh: pick.make(&mesh, ["vs_mesh", "fs_mesh_pick"], Rows::Mesh, solid_pick),
+            pick_inside: pick.make(&mesh, ["vs_mesh", "fs_mesh_pick"], Rows::Mesh, inside),
             pick_points: pick.make(
                 &point,
                 ["vs_point", "fs_point_pick"],
@@ -189,7 +194,7 @@ enum Rows {
 }
 
 const VERTEX: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
-const ITEM: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![2 => Float32x4, 3 => Uint32];
+const ITEM: [wgpu::VertexAttribute; 3] = wgpu::vertex_attr_array![2 => Float32x4, 3 => Uint32, 5 => Uint32];
 const TINT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![4 => Unorm8x4];
 const POINT: [wgpu::VertexAttribute; 5] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32, 2 => Float32x4, 3 => Float32, 4 => Uint32];

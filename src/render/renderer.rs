@@ -137,6 +137,7 @@ impl Renderer {
             pass.draw(0..4, 0..1);
         }
         meshes(&mut pass, &pipelines.solid, content, Surface::Solid);
+        draw_meshes(&mut pass, &pipelines.inside, content, |mesh| mesh.cut && mesh.surface == Surface::Solid);
         instances(&mut pass, &pipelines.points, &content.points);
         meshes(&mut pass, &pipelines.x_ray_back, content, Surface::XRay);
         meshes(&mut pass, &pipelines.x_ray_front, content, Surface::XRay);

@@ -43,6 +43,7 @@ pub(super) struct Frame {
     steps: Vec4,
     ground: Vec4,
     shadow: Vec4,
+    slice: Vec4,
 }
 
 /// The plane that carries the grid.
@@ -124,6 +125,10 @@ impl Frame {
             ),
             ground: Vec4::new(is(list.ground.solid), theme.shadow, (FOOT * radius) as f32, is(caster.is_some())),
             shadow: caster.map_or(Vec4::ZERO, Caster::place),
+            // Without a plane nothing is above it.
+            slice: list
+                .slice
+                .map_or(Vec4::W, |slice| slice.normal().as_vec3().extend(-slice.height(list.origin) as f32)),
         }
     }
 

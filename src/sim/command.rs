@@ -49,6 +49,8 @@ pub enum SimCommand {
     },
     /// Put a field over the bodies into every picture from now on; none for no field.
     Field(Option<FieldKind>),
+    /// Put what the fibres carry into every picture from now on, or no longer.
+    Tension(bool),
     /// Run another scene of the same models in step, from where the world is now; what is pulled or struck in one is in
     /// both. None ends it.
     Ghost(Option<Arc<Scene>>),

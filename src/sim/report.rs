@@ -187,19 +187,29 @@ impl EnergyReport {
         }
     }
 
-    /// Every energy [J] with the name it has in reports, in their order.
-    pub fn named(&self) -> [(&'static str, f64); 9] {
+    /// The names that energies have in reports.
+    pub const NAMES: [&str; 9] =
+        ["kinetic", "matrix", "zero_energy", "stretching", "bending", "springs", "pressure", "contact", "gravity"];
+
+    /// Every energy [J] in the order of [`Self::NAMES`].
+    pub fn values(&self) -> [f64; 9] {
         [
-            ("kinetic", self.kinetic),
-            ("matrix", self.matrix),
-            ("zero_energy", self.zero_energy),
-            ("stretching", self.stretching),
-            ("bending", self.bending),
-            ("springs", self.springs),
-            ("pressure", self.pressure),
-            ("contact", self.contact),
-            ("gravity", self.gravity),
+            self.kinetic,
+            self.matrix,
+            self.zero_energy,
+            self.stretching,
+            self.bending,
+            self.springs,
+            self.pressure,
+            self.contact,
+            self.gravity,
         ]
+    }
+
+    /// Every energy [J] with its name, in their order.
+    pub fn named(&self) -> [(&'static str, f64); 9] {
+        let values = self.values();
+        std::array::from_fn(|k| (Self::NAMES[k], values[k]))
     }
 }
 

@@ -109,6 +109,6 @@ impl SideBySide {
             let offset = self.pitch * (place as f64 - middle);
             run.shown.bodies.iter().map(move |body| body.moved(offset))
         });
-        Snapshot { time: self.time, bodies: bodies.collect(), panels: Vec::new(), field: None }
+        Snapshot { time: self.time, bodies: bodies.collect(), ..Snapshot::default() }
     }
 }

@@ -4,13 +4,13 @@
 //! frames by the clock and takes no other step than the command line does.
 
 use super::side_by_side::SideBySide;
-use super::status::{Published, Status, Stepping};
+use super::status::{Published, Status};
 use super::{Runner, SimCommand};
 use crate::scene::{Assets, IntegratorKind, Scene};
-use crate::solver::body::Body;
 use crate::solver::snapshot::Snapshot;
 use baking::describe;
 use glam::DVec3;
+pub use records::Records;
 use replay::Replay;
 use sights::Sights;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -29,11 +29,13 @@ const RATE_WINDOW: Duration = Duration::from_millis(500);
 const GREATEST_DEBT: Duration = Duration::from_millis(100);
 
 type Slot = Arc<Mutex<Option<Arc<Published>>>>;
+type Shared = Arc<Mutex<Records>>;
 
 /// The running simulation, seen from the window.
 pub struct Worker {
     sender: Option<SyncSender<SimCommand>>,
     slot: Slot,
+    records: Shared,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -42,12 +44,13 @@ impl Worker {
     pub fn start(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, notify: impl Fn() + Send + 'static) -> Self {
         let (sender, receiver) = sync_channel(WAITING);
         let slot: Slot = Arc::default();
-        let out = Out { slot: Arc::clone(&slot), notify: Box::new(notify) };
+        let records = Shared::default();
+        let out = Out { slot: Arc::clone(&slot), records: Arc::clone(&records), notify: Box::new(notify) };
         let thread = std::thread::Builder::new()
             .name("solver".into())
             .spawn(move || Loop::new(scene, assets, playing, out).run(&receiver))
             .ok();
-        Self { sender: Some(sender), slot, thread }
+        Self { sender: Some(sender), slot, records, thread }
     }
 
     /// Asks for something; false if too much is waiting already or the thread is gone.
@@ -61,6 +64,11 @@ impl Worker {
     /// The newest picture since the last call.
     pub fn take(&self) -> Option<Arc<Published>> {
         self.slot.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    /// Looks at what was recorded of every frame. The solver waits meanwhile: to be read, not to be worked with.
+    pub fn records<T>(&self, read: impl FnOnce(&Records) -> T) -> T {
+        read(&self.records.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
 
@@ -77,6 +85,7 @@ impl Drop for Worker {
 
 struct Out {
     slot: Slot,
+    records: Shared,
     notify: Box<dyn Fn() + Send>,
 }
 
@@ -146,6 +155,7 @@ impl Loop {
 
     fn run(mut self, receiver: &Receiver<SimCommand>) {
         self.put_together(false);
+        self.take_readings();
         self.publish();
         let mut due = Instant::now();
         loop {
@@ -168,6 +178,9 @@ impl Loop {
                 self.put_together(true);
             }
             self.put_ghost_together();
+            if asked {
+                self.take_readings();
+            }
             let advances = self.runs() && Instant::now() >= due;
             if advances {
                 self.advance();
@@ -242,8 +255,10 @@ impl Loop {
                 } else {
                     self.put_together(false);
                 }
+                self.take_readings();
             }
             SimCommand::Field(kind) => self.sights.choose(kind),
+            SimCommand::Tension(on) => self.sights.choose_tension(on),
             SimCommand::Ghost(scene) => {
                 self.sights.want(scene);
                 // An edit that waits is put together first: the ghost starts from where that is.
@@ -266,6 +281,7 @@ impl Loop {
                 self.sights.drop_ghost();
                 self.wanted.0.clear();
                 self.put_together(false);
+                self.take_readings();
             }
             SimCommand::Strike { body, impulse } => {
                 self.go_on();
@@ -330,55 +346,15 @@ impl Loop {
         if self.side_by_side.is_none() {
             self.advance_ghost();
             self.record();
+            self.take_readings();
         }
-    }
-
-    fn publish(&mut self) {
-        let mut snapshot = Snapshot::default();
-        let (field, mut ghost) = (self.field(), self.ghost());
-        self.status.timeline = self.timeline();
-        if let Some(runner) = self.shown() {
-            let world = runner.world();
-            snapshot = runner.particles();
-            snapshot.field = field;
-            let plan = world.plan();
-            let stepping = |(body, count): (&Body, &u32)| Stepping {
-                name: body.parts().name.clone(),
-                dt: body.parts().dt,
-                stable_dt: body.parts().stable_dt,
-                limited_by: body.parts().limited_by.clone(),
-                substeps: count * plan.outer_steps,
-            };
-            self.status = Status {
-                time: world.time(),
-                bodies: world.bodies().iter().zip(&plan.substeps).map(stepping).collect(),
-                particles: world.bodies().iter().map(|body| body.state().len()).sum(),
-                divergence: world.divergence().map(ToString::to_string),
-                measures: world.measures(),
-                ..std::mem::take(&mut self.status)
-            };
-        }
-        let mut compared = Vec::new();
-        if let Some(side_by_side) = &self.side_by_side {
-            snapshot = side_by_side.snapshot();
-            ghost = None;
-            self.status.time = snapshot.time;
-            compared = side_by_side.compared();
-        }
-        let at_rest = Arc::clone(&self.at_rest);
-        self.out.publish(Published {
-            snapshot,
-            ghost,
-            at_rest,
-            placed: self.placed,
-            status: self.status.clone(),
-            compared,
-        });
     }
 }
 
 mod baking;
+mod publishing;
 mod pulls;
+mod records;
 mod replay;
 mod sights;
 #[cfg(test)]

@@ -1,4 +1,5 @@
-//! What can be read at every particle of a body, for pictures: how it is strained, stressed, filled with fibre, moving.
+//! What can be read at every particle of a body, for pictures: how it is strained, stressed, filled with fibre, moving;
+//! and at every edge of its fibres, how hard they pull.
 
 use super::body::Body;
 use super::forces::MatrixForce;
@@ -46,5 +47,16 @@ impl Body {
             FieldKind::VolumeFraction => read(|matrix, _| matrix.fibre_fractions()),
             FieldKind::Speed => state.velocities.iter().map(|velocity| velocity.length()).collect(),
         }
+    }
+
+    /// Force [N] that every edge of every centre line carries along itself, negative where it is pressed; zero where it is
+    /// broken or nothing stretches.
+    pub fn tensions(&self) -> Vec<Vec<f64>> {
+        let edges = self.parts().fibres.iter().map(|line| line.vertices.len().saturating_sub(1));
+        let mut lines: Vec<Vec<f64>> = edges.map(|count| vec![0.0; count]).collect();
+        for fibres in self.parts().forces.iter().filter_map(|force| force.fibres()) {
+            fibres.tensions(&self.state().positions, &mut lines);
+        }
+        lines
     }
 }

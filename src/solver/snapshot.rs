@@ -24,6 +24,30 @@ pub struct Snapshot {
     pub panels: Vec<f64>,
     /// A field over the bodies, where one was asked for.
     pub field: Option<FieldSnapshot>,
+    /// What the fibres carry, where that was asked for.
+    pub tension: Option<TensionSnapshot>,
+}
+
+/// What the fibres of a world carry along themselves at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TensionSnapshot {
+    /// Force [N] that one end of a colour map stands for, pulled; the other end stands for as much, pressed.
+    pub range: f64,
+    /// Forces [N] of the edges of every fibre of every body, negative where they are pressed.
+    pub bodies: Vec<Vec<Vec<f64>>>,
+}
+
+impl TensionSnapshot {
+    /// Less than this [N] is rounding.
+    const LEAST: f64 = 1e-6;
+
+    /// That of a world as it stands, over its own range.
+    pub fn of(world: &World) -> Self {
+        let bodies: Vec<Vec<Vec<f64>>> = world.bodies().iter().map(Body::tensions).collect();
+        let forces = bodies.iter().flatten().flatten().map(|force| force.abs());
+        let range = forces.filter(|force| force.is_finite()).fold(Self::LEAST, f64::max);
+        Self { range, bodies }
+    }
 }
 
 /// A field over the bodies at one time.
@@ -199,6 +223,6 @@ impl Snapshot {
             })
             .collect();
         let panels = world.panels().iter().map(|panel| panel.height).collect();
-        Self { time: world.time(), bodies, panels, field: None }
+        Self { time: world.time(), bodies, panels, field: None, tension: None }
     }
 }

@@ -66,6 +66,8 @@ actions! {
     Open in File [ctrl(Key::O)] "Open…": "Opens a scene or a model; dropping one on the window does the same";
     Save in File [ctrl(Key::S)] "Save": "Writes the scene to its file";
     SaveAs in File [ctrl_shift(Key::S)] "Save as…": "Writes the scene to another file";
+    Export in File [] "Export readings…":
+        "Writes energies, momenta and measures of every frame since the start as a table, CSV";
     Quit in File [ctrl(Key::Q)] "Quit": "Closes the window";
     Undo in Edit [ctrl(Key::Z)] "Undo": "Takes the last change of the scene back";
     Redo in Edit [ctrl_shift(Key::Z), ctrl(Key::Y)] "Redo": "Makes the change that was taken back again";
@@ -123,9 +125,14 @@ actions! {
     Grid in View [alt(Key::G)] "Show grid": "Shows the grid of the result view";
     ColourMap in View [alt(Key::C)] "Next colour map":
         "Colours solids by strain, stress, volume fraction, speed, or not at all";
+    Tension in View [alt(Key::F)] "Colour fibres by tension":
+        "Colours fibres by the force that they carry: warm where they pull, cool where they are pressed";
+    Slice in View [alt(Key::X)] "Next cut":
+        "Cuts the solid open across X, Y or Z in the result view, or not at all";
     Ghost in View [alt(Key::O)] "Next ghost":
         "Runs the scene without its fibres, as it was before the last edit, or nothing beside it";
     Timeline in View [alt(Key::L)] "Show timeline": "Shows what is kept of the motion, below the views";
+    Plots in View [alt(Key::E)] "Show plots": "Plots energies, momenta and the scene's measures below the views";
     Theme in View [alt(Key::T)] "Light or dark": "Switches between the light and the dark theme";
     Palette in Help [ctrl(Key::P)] "Command palette…": "Finds any of these by its name";
     Help in Help [plain(Key::F1)] "Keys and gestures": "Lists every key and gesture";

@@ -6,6 +6,7 @@ use super::document::Document;
 use super::editing::Editing;
 use super::pane::Pane;
 use super::picture::Painter;
+use super::readings::Readings;
 use super::seeing::Seeing;
 use super::sketch_tool::SketchTool;
 use super::theme::Tone;
@@ -83,6 +84,7 @@ pub struct App {
     pub(super) comparison: Comparison,
     pub(super) seeing: Seeing,
     pub(super) timeline: Timeline,
+    pub(super) readings: Readings,
     pub(super) assets: Arc<Assets>,
     /// Impulse that the strike button gives [N s].
     pub(super) impulse: [f64; 3],
@@ -139,6 +141,7 @@ impl App {
             comparison: Comparison::default(),
             seeing: Seeing::default(),
             timeline: Timeline::default(),
+            readings: Readings::default(),
             assets,
             impulse: [0.1, 0.0, 0.0],
             pull: None,
@@ -258,6 +261,7 @@ impl App {
             let notes = (published.status.notes != self.published.status.notes).then(|| published.status.notes.clone());
             let fresh = !Arc::ptr_eq(&published.at_rest, &self.published.at_rest);
             let other_runs = published.compared.len() != self.published.compared.len();
+            self.watch_breaks(&published);
             self.published = published;
             if other_runs {
                 self.reframe(false);

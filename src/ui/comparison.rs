@@ -2,6 +2,7 @@
 
 use super::app::{App, Gravity};
 use super::field::Field;
+use super::plots::{LINE, Trace, over_time, still};
 use super::properties::{INTEGRATORS, integrator_name};
 use super::theme::{self, GRID};
 use crate::scene::{Assets, IntegratorKind, Scene};
@@ -180,36 +181,33 @@ impl App {
     }
 
     /// Plots of what is compared, below the views.
-    pub(super) fn plots(&mut self, ui: &mut Ui) {
-        if self.published.compared.is_empty() {
-            return;
-        }
+    pub(super) fn compared_plots(&mut self, ui: &mut Ui) {
         egui::Panel::bottom("plots").exact_size(PLOTS_HEIGHT).frame(theme::panel(ui)).show(ui, |ui| {
             ui.columns(4, |columns| {
                 let [energy, momentum, volume, pressure] = columns else { return };
-                self.plot(energy, "Energy [J]", |reading| Some(reading.energy));
-                self.plot(momentum, "Momentum [kg m/s]", |reading| Some(reading.momentum));
-                self.plot(volume, "Volume [m³], area [m²]", |reading| reading.volume);
-                self.plot(pressure, "Pressure [Pa]", |reading| reading.pressure);
+                self.plot(energy, ["Energy [J]", "J"], |reading| Some(reading.energy));
+                self.plot(momentum, ["Momentum [kg m/s]", "kg m/s"], |reading| Some(reading.momentum));
+                self.plot(volume, ["Volume [m³], area [m²]", ""], |reading| reading.volume);
+                self.plot(pressure, ["Pressure [Pa]", "Pa"], |reading| reading.pressure);
             });
         });
     }
 
-    fn plot(&self, ui: &mut Ui, title: &str, value: impl Fn(&Reading) -> Option<f64>) {
+    fn plot(&self, ui: &mut Ui, [title, unit]: [&str; 2], value: impl Fn(&Reading) -> Option<f64>) {
         ui.label(RichText::new(title).small());
         let histories = self.published.compared.iter().zip(&self.comparison.histories);
         if !self.comparison.histories.iter().flatten().any(|reading| value(reading).is_some()) {
             ui.label(RichText::new("The scene has no two-layer body that encloses gas").weak().small());
             return;
         }
-        still(Plot::new(title)).height(PLOTS_HEIGHT - 7.0 * GRID).show(ui, |plot| {
-            for (run, history) in histories {
-                let points: Vec<[f64; 2]> =
-                    history.iter().filter_map(|reading| Some([reading.time, value(reading)?])).collect();
-                let line = Line::new(integrator_name(run.integrator), PlotPoints::from(points));
-                plot.line(line.color(self.run_colour(place(run.integrator))).width(1.5));
-            }
-        });
+        let trace = |(run, history): (&Compared, &VecDeque<Reading>)| Trace {
+            name: integrator_name(run.integrator).to_owned(),
+            colour: self.run_colour(place(run.integrator)),
+            width: LINE,
+            dashed: false,
+            points: history.iter().filter_map(|reading| Some([reading.time, value(reading)?])).collect(),
+        };
+        over_time(ui, title, PLOTS_HEIGHT - 7.0 * GRID, unit, histories.map(trace).collect());
     }
 
     /// The colour of an integrator's run.
@@ -223,11 +221,6 @@ impl App {
         let runs = self.published.compared.iter();
         runs.flat_map(|run| std::iter::repeat_n(theme.fibre(place(run.integrator)), run.bodies)).collect()
     }
-}
-
-/// A plot that follows its data and leaves wheel and drag to the panel.
-fn still(plot: Plot<'_>) -> Plot<'_> {
-    plot.allow_zoom(false).allow_scroll(false).allow_drag(false).allow_boxed_zoom(false)
 }
 
 fn place(kind: IntegratorKind) -> usize {

@@ -14,6 +14,8 @@ pub enum PathPurpose {
     Open,
     /// To save the scene.
     Save,
+    /// To write readings as a table.
+    Export,
 }
 
 /// What is open over the window.
@@ -79,6 +81,7 @@ impl App {
             Answer::Do(action) => self.perform(ctx, action),
             Answer::Path(PathPurpose::Open, path) => self.open(&path),
             Answer::Path(PathPurpose::Save, path) => self.save(&path),
+            Answer::Path(PathPurpose::Export, path) => self.export(&path),
         }
     }
 }
@@ -155,16 +158,14 @@ fn ask_path(
     browsing: &mut Option<Receiver<Option<PathBuf>>>,
 ) -> Answer {
     ui.set_width(460.0);
-    let (title, verb) = match purpose {
-        PathPurpose::Open => ("Open a scene or a model", "Open"),
-        PathPurpose::Save => ("Save the scene", "Save"),
+    let scene_hint = "Path of a .json scene, or of an .obj, .stl, .ply, .gltf or .glb model";
+    let (title, verb, hint) = match purpose {
+        PathPurpose::Open => ("Open a scene or a model", "Open", scene_hint),
+        PathPurpose::Save => ("Save the scene", "Save", scene_hint),
+        PathPurpose::Export => ("Export readings of every frame", "Export", "Path of a .csv table"),
     };
     ui.heading(title);
-    let typed = ui.add(
-        TextEdit::singleline(text)
-            .hint_text("Path of a .json scene, or of an .obj, .stl, .ply, .gltf or .glb model")
-            .desired_width(f32::INFINITY),
-    );
+    let typed = ui.add(TextEdit::singleline(text).hint_text(hint).desired_width(f32::INFINITY));
     // Before the focus is given back to the line: that would hide that Enter took it away.
     let entered = typed.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if browsing.is_none() && ui.memory(|memory| memory.focused().is_none()) {
@@ -200,6 +201,9 @@ fn browse(purpose: PathPurpose, ctx: Context) -> Receiver<Option<PathBuf>> {
         let picked = match purpose {
             PathPurpose::Open => scenes().add_filter("model", &["obj", "stl", "ply", "gltf", "glb"]).pick_file(),
             PathPurpose::Save => scenes().set_file_name("scene.json").save_file(),
+            PathPurpose::Export => {
+                rfd::FileDialog::new().add_filter("table", &["csv"]).set_file_name("readings.csv").save_file()
+            }
         };
         // The window may be gone by now.
         let _ = sender.send(picked);

@@ -2,7 +2,7 @@
 
 use super::pane::View3d;
 use super::theme::{self, GRID};
-use crate::draw::colour_map;
+use crate::draw::{Colour, colour_map};
 use crate::solver::snapshot::FieldKind;
 use egui::{Align2, FontId, Mesh, Pos2, Rect, Sense, Ui, Vec2};
 
@@ -26,7 +26,7 @@ fn title(kind: FieldKind) -> (&'static str, &'static str) {
 }
 
 /// A number with three digits that count.
-fn digits(value: f64) -> String {
+pub(super) fn digits(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {
         "0".to_owned()
@@ -38,19 +38,46 @@ fn digits(value: f64) -> String {
     }
 }
 
+/// A bar of colours and what it stands for.
+struct Scale {
+    name: &'static str,
+    meaning: &'static str,
+    /// What the ends of the bar stand for.
+    range: [f64; 2],
+    /// The colour at a share of its length.
+    colour: fn(f32) -> Colour,
+}
+
 impl View3d<'_> {
-    /// Name, unit, colours and range of the field that is shown; nothing where there is none.
+    /// Name, unit, colours and range of what colours stand for in the view; nothing where there is none.
     pub(super) fn legend(&self, ui: &mut Ui) {
-        let Some(field) = &self.app.published.snapshot.field else { return };
-        let (name, meaning) = title(field.kind);
-        let [low, high] = field.range.map(digits);
-        ui.add_space(GRID);
+        let snapshot = &self.app.published.snapshot;
+        if let Some(field) = &snapshot.field {
+            let (name, meaning) = title(field.kind);
+            self.scale(ui, &Scale { name, meaning, range: field.range, colour: colour_map::colour });
+        }
+        if let Some(tension) = &snapshot.tension {
+            let meaning =
+                "Force that a fibre carries along itself, l_f EA (l - l0) / l0: pulled warm, slack pale, pressed cool";
+            let range = [-tension.range, tension.range];
+            let colour = |share: f32| colour_map::signed_colour(2.0 * share - 1.0);
+            self.scale(ui, &Scale { name: "Tension of fibres [N]", meaning, range, colour });
+        }
+    }
+
+    fn scale(&self, ui: &mut Ui, Scale { name, meaning, range, colour }: &Scale) {
+        let [low, high] = range.map(digits);
+        ui.add_space(1.5 * GRID);
         let (place, response) = ui.allocate_exact_size(BAR + Vec2::new(0.0, 2.0 * LINE), Sense::hover());
         let spoken = format!("{name} from {low} to {high}");
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &spoken));
-        response.on_hover_text(meaning);
+        response.on_hover_text(*meaning);
         let painter = ui.painter();
-        let ink = theme::color(self.app.tone.pictures().text);
+        let pictures = self.app.tone.pictures();
+        let ink = theme::color(pictures.text);
+        // What it lies over may be of any colour.
+        let paper = theme::color(pictures.background_top).gamma_multiply(0.8);
+        painter.rect_filled(place.expand(GRID), GRID, paper);
         let words = |at: Pos2, align: Align2, text: &str| {
             painter.text(at, align, text, FontId::proportional(11.0), ink);
         };
@@ -59,7 +86,7 @@ impl View3d<'_> {
         let mut mesh = Mesh::default();
         for part in 0..=PARTS {
             let share = f32::from(part) / f32::from(PARTS);
-            let colour = theme::color(colour_map::colour(share));
+            let colour = theme::color(colour(share));
             let x = bar.left() + share * bar.width();
             mesh.colored_vertex(Pos2::new(x, bar.top()), colour);
             mesh.colored_vertex(Pos2::new(x, bar.bottom()), colour);
@@ -72,6 +99,9 @@ impl View3d<'_> {
         painter.add(mesh);
         words(place.left_bottom(), Align2::LEFT_BOTTOM, &low);
         words(place.right_bottom(), Align2::RIGHT_BOTTOM, &high);
+        if range[0] < 0.0 {
+            words(place.center_bottom(), Align2::CENTER_BOTTOM, "0");
+        }
     }
 }
 

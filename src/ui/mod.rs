@@ -6,6 +6,7 @@
 mod action;
 mod app;
 mod bars;
+mod breaks;
 mod camera;
 mod comparison;
 mod corner;
@@ -23,8 +24,10 @@ mod overlay;
 mod pane;
 mod perform;
 mod picture;
+mod plots;
 mod properties;
 mod pulling;
+mod readings;
 mod seeing;
 mod sketch_tool;
 pub mod theme;

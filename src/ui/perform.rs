@@ -28,6 +28,8 @@ impl App {
             Action::Strokes => Some(self.display.strokes),
             Action::Grid => Some(self.display.grid),
             Action::Timeline => Some(self.timeline_shown()),
+            Action::Tension => Some(self.seeing.tension),
+            Action::Plots => Some(self.readings.open),
             Action::Vertices => Some(self.editing.selection.vertices().is_some()),
             Action::Redraw => Some(self.editing.redraws),
             Action::Paint => Some(self.editing.paints()),
@@ -73,6 +75,7 @@ impl App {
                 None => self.dialog = Some(Dialog::path(PathPurpose::Save, None)),
             },
             Action::SaveAs => self.dialog = Some(Dialog::path(PathPurpose::Save, self.path.as_deref())),
+            Action::Export => self.dialog = Some(Dialog::path(PathPurpose::Export, Some(&self.export_path()))),
             Action::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
             Action::Undo => {
                 if self.editor.undo() {
@@ -111,7 +114,10 @@ impl App {
             Action::Grid => self.display.grid = !self.display.grid,
             Action::Timeline => self.fold_timeline(),
             Action::ColourMap => self.next_field(),
+            Action::Tension => self.toggle_tension(),
+            Action::Slice => self.next_slice(),
             Action::Ghost => self.next_ghost(),
+            Action::Plots => self.readings.open = !self.readings.open,
             Action::Theme => {
                 self.tone = self.tone.other();
                 self.tone.apply(ctx);

@@ -3,10 +3,13 @@
 use super::app::Pull;
 use super::overlay::handle;
 use super::pane::{Frame, View3d};
+use crate::draw::Slice;
 use crate::geometry::mesh::nearest_hit;
+use crate::render::Ray;
 use crate::sim::SimCommand;
 use crate::solver::snapshot::BodySnapshot;
 use egui::{Key, PointerButton, Pos2, Response, Ui};
+use glam::DVec3;
 
 /// A particle is taken hold of from so far away [points].
 const NEAR: f64 = 16.0;
@@ -57,18 +60,17 @@ impl View3d<'_> {
 
     /// The vertex of a skin that lies nearest to what is seen at a pixel, or the particle there of a body without one.
     fn hit(&self, frame: Frame, at: Pos2) -> Option<Pull> {
-        let ray = frame.camera.ray(frame.pixel(at), frame.size());
+        let slice = self.app.display.slice;
         let bodies = self.app.published.snapshot.bodies.iter().enumerate();
         let hits = bodies.filter_map(|(body, shown)| {
             if shown.triangles.is_empty() {
-                let (vertex, depth) = nearest_particle(shown, frame, at)?;
+                let (vertex, depth) = nearest_particle(shown, slice, frame, at)?;
                 return Some((body, vertex, depth));
             }
             let skin = shown.surface();
-            let hit = nearest_hit(&skin, &shown.triangles, ray.origin, ray.direction)?;
-            let point = ray.origin + hit.distance * ray.direction;
+            let (triangle, point) = self.seen_on(&skin, &shown.triangles, frame, at)?;
             let near = |&vertex: &u32| skin[vertex as usize].distance_squared(point);
-            let vertex = *shown.triangles[hit.triangle].iter().min_by(|a, b| near(a).total_cmp(&near(b)))? as usize;
+            let vertex = *shown.triangles[triangle].iter().min_by(|a, b| near(a).total_cmp(&near(b)))? as usize;
             Some((body, vertex, frame.camera.project(point, frame.size())?.depth))
         });
         let (body, vertex, _) = hits.min_by(|a, b| a.2.total_cmp(&b.2))?;
@@ -76,12 +78,30 @@ impl View3d<'_> {
         let depth = frame.camera.project(held, frame.size())?.depth;
         Some(Pull { body, vertex, depth, target: held })
     }
+
+    /// What is seen of a skin at a pixel of the result view: a face, and where on it [m].
+    pub(super) fn seen_on(
+        &self,
+        skin: &[DVec3],
+        triangles: &[[u32; 3]],
+        frame: Frame,
+        at: Pos2,
+    ) -> Option<(usize, DVec3)> {
+        let Ray { origin, direction } = frame.camera.ray(frame.pixel(at), frame.size());
+        let slice = self.app.display.slice;
+        let [from, to] = slice.map_or(Some([0.0, f64::INFINITY]), |slice| slice.kept(origin, direction))?;
+        let start = origin + from * direction;
+        let hit = nearest_hit(skin, triangles, start, direction)?;
+        (from + hit.distance <= to).then(|| (hit.triangle, start + hit.distance * direction))
+    }
 }
 
 /// The outer particle that is seen nearest to a pixel, and its depth [m]; none that is near enough.
-fn nearest_particle(body: &BodySnapshot, frame: Frame, at: Pos2) -> Option<(usize, f64)> {
+fn nearest_particle(body: &BodySnapshot, slice: Option<Slice>, frame: Frame, at: Pos2) -> Option<(usize, f64)> {
     let outer = body.layers.as_ref().map_or(body.particles.len(), |layers| layers.outer);
-    let seen = body.particles.iter().take(outer).enumerate().filter_map(|(index, &particle)| {
+    let hidden = |point: DVec3| slice.is_some_and(|slice| slice.hides(point));
+    let seen = body.particles.iter().take(outer).enumerate().filter(|(_, at)| !hidden(**at));
+    let seen = seen.filter_map(|(index, &particle)| {
         let seen = frame.camera.project(particle, frame.size())?;
         let distance = seen.pixel.distance(frame.pixel(at));
         (distance <= NEAR).then_some((index, seen.depth, distance))

@@ -19,6 +19,7 @@ struct Remembered {
     coach: bool,
     #[serde(default)]
     timeline: super::timeline::Kept,
+    plots: bool,
 }
 
 /// Front and side stacked beside the result.
@@ -68,6 +69,7 @@ impl App {
         }
         self.coach = last.coach;
         self.recall_timeline(last.timeline);
+        self.readings.open = last.plots;
         if last.light != (self.tone == super::theme::Tone::Light) {
             self.tone = self.tone.other();
             self.tone.apply(ctx);
@@ -76,8 +78,8 @@ impl App {
 
     pub(super) fn remember(&mut self, storage: &mut dyn eframe::Storage) {
         let views = std::mem::replace(&mut self.panes, Tree::empty(egui::Id::unique("no panes")));
-        let light = self.tone == super::theme::Tone::Light;
-        let now = Remembered { views, light, coach: self.coach, timeline: self.timeline_kept() };
+        let (light, plots) = (self.tone == super::theme::Tone::Light, self.readings.open);
+        let now = Remembered { views, light, coach: self.coach, timeline: self.timeline_kept(), plots };
         eframe::set_value(storage, KEY, &now);
         self.panes = now.views;
     }

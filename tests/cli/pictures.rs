@@ -42,6 +42,8 @@ fn a_picture_is_as_large_as_it_was_asked_to_be_and_shows_when_it_was_taken() {
         ("inside.png", "--at 0 --x-ray"),
         ("particles.png", "--at 0 --particles"),
         ("dark.png", "--at 0 --theme dark"),
+        ("cut.png", "--at 0 --slice x=0.001"),
+        ("other_side.png", "--at 0 --slice -x=0.001"),
     ] {
         drawn(&desk, &format!("render scene.json {options} --size 320x200 --out {name}"));
         assert_eq!(picture("a.png") == picture(name), name == "again.png", "{name}");
@@ -86,7 +88,9 @@ fn pictures_that_cannot_be_made_are_refused_before_anything_is_run() {
     assert!(error.contains("no/such/a.png"), "{error}");
     let error = desk.refused("render scene.json --at 100000 --out ./scene.json");
     assert!(error.contains("the same file"), "{error}");
-    for bad in ["--size 0x5", "--size big", "--view back", "--theme pink", "--at -1", "--x-ray --particles"] {
+    for bad in
+        ["--size 0x5", "--size big", "--view back", "--theme pink", "--at -1", "--x-ray --particles", "--slice w=0"]
+    {
         let said = desk.run(&format!("render scene.json {bad} --out a.png"));
         assert_eq!((said.code, desk.files()), (Some(2), vec!["scene.json".to_owned()]), "{bad}: {said:?}");
     }

@@ -1,10 +1,10 @@
 //! Fields at the particles against what is known of them.
 
-use super::common::{in_space, runner, short_bar};
+use super::common::{D, fibre, in_space, rigidity, runner, short_bar};
 use glam::{DMat3, DQuat, DVec3};
-use sinew::scene::Scene;
+use sinew::scene::{BreakPast, Extra, RestShape, Scene};
 use sinew::solver::field::FieldKind;
-use sinew::solver::snapshot::FieldSnapshot;
+use sinew::solver::snapshot::{FieldSnapshot, TensionSnapshot};
 
 const YOUNG: f64 = 1e5;
 const POISSON: f64 = 0.33;
@@ -71,4 +71,48 @@ fn the_volume_fraction_is_that_of_the_bake() {
     assert_eq!(read.len(), baked.fractions[0].len());
     assert!(read.iter().zip(&baked.fractions[0]).all(|(a, b)| (a - b).abs() < 1e-15));
     assert!(read.iter().any(|value| *value > 0.1));
+}
+
+const EA: f64 = 3000.0;
+const FRACTION: f64 = 0.5;
+
+/// A bar stretched uniformly along its height, with a straight fibre along it.
+fn stretched(by: f64, breaks_past: Option<f64>) -> Scene {
+    let mut bar = short_bar(YOUNG);
+    let vertices = (0..12).map(|k| [0.0, 0.003 + D * f64::from(k), 0.0]).collect();
+    let mut along = fibre("f", vertices, rigidity(EA, 0.01), FRACTION, RestShape::AsDrawn);
+    along.break_past =
+        breaks_past.map(|tension| BreakPast { angle: None, tension: Some(tension), extra: Extra::new() });
+    bar.fibres = vec![along];
+    bar.initial.deformation[1][1] = by;
+    in_space(bar)
+}
+
+#[test]
+fn every_edge_of_a_fibre_carries_its_rigidity_times_the_strain_with_its_sign() {
+    for strain in [0.04, -0.03, 0.0] {
+        let run = runner(&stretched(1.0 + strain, None));
+        let tensions = run.world().bodies()[0].tensions();
+        let line = &run.world().bodies()[0].parts().fibres[0];
+        assert_eq!((tensions.len(), tensions[0].len()), (1, line.vertices.len() - 1));
+        let expected = FRACTION * EA * strain;
+        for force in &tensions[0] {
+            assert!((force - expected).abs() < 1e-6 * EA, "{force} N, not {expected} N");
+        }
+        let seen = TensionSnapshot::of(run.world());
+        assert!((seen.range - expected.abs()).abs() < 1e-6 * EA && seen.range > 0.0, "{}", seen.range);
+    }
+}
+
+#[test]
+fn a_broken_edge_carries_nothing() {
+    let mut run = runner(&stretched(1.1, Some(20.0)));
+    run.advance_frame();
+    let body = &run.world().bodies()[0];
+    let tensions = body.tensions();
+    assert!(body.breaks().count() > 0);
+    for at in body.breaks() {
+        let sinew::solver::snapshot::BreakPlace::Edge(edge) = at.place else { panic!("{at:?}") };
+        assert_eq!(tensions[0][edge as usize], 0.0);
+    }
 }

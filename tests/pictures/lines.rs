@@ -81,7 +81,14 @@ fn a_dot_is_round_and_keeps_its_size_and_a_ball_does_not() {
         let camera = Camera { height, ..Camera::facing(Facing::Front) };
         let bare = offscreen.draw(blank(), &camera).unwrap();
         let mut list = blank();
-        list.points.push(Points { centres: vec![Vec3::ZERO], size, colour: BLACK, through: 0.0, pick: 0 });
+        list.points.push(Points {
+            centres: vec![Vec3::ZERO],
+            size,
+            colour: BLACK,
+            tints: Vec::new(),
+            through: 0.0,
+            pick: 0,
+        });
         covered(&offscreen.draw(list, &camera).unwrap(), &bare, None)
     };
     let disc = std::f64::consts::PI * 100.0;

@@ -2,8 +2,9 @@
 
 use super::{SIZE, bar, blank, framed, list, offscreen, pixel_of};
 use glam::{DVec3, Vec3};
-use sinew::draw::{Colour, Display, DrawList, PickId, PickKind, Points, Size};
+use sinew::draw::{Colour, Display, DrawList, PickId, PickKind, Points, Size, SkinStyle, Slice};
 use sinew::render::{Camera, Facing, Offscreen, Pick};
+use sinew::scene::Axis;
 use std::task::Poll;
 
 fn pick(offscreen: &Offscreen, camera: &Camera, pixel: [u32; 2], reach: u32) -> Option<Pick> {
@@ -13,7 +14,7 @@ fn pick(offscreen: &Offscreen, camera: &Camera, pixel: [u32; 2], reach: u32) -> 
 fn ball(list: &mut DrawList, at: Vec3, radius: f32, index: u32) {
     let pick = list.register(PickId { body: 0, kind: PickKind::Particle, index }, 1);
     let (colour, size) = (Colour::hex(0x80_8080), Size::Metres(radius));
-    list.points.push(Points { centres: vec![at], size, colour, through: 0.0, pick });
+    list.points.push(Points { centres: vec![at], size, colour, tints: Vec::new(), through: 0.0, pick });
 }
 
 #[test]
@@ -99,5 +100,29 @@ fn an_answer_comes_without_waiting_and_the_last_pixel_has_one_too() {
             std::thread::yield_now();
         };
         assert_eq!(pick.expect("the bar is everywhere").id.kind, PickKind::Skin);
+    }
+}
+
+#[test]
+fn what_is_cut_away_is_not_picked_and_the_inside_is() {
+    let Some(mut offscreen) = offscreen("picks through a cut") else { return };
+    let (scene, snapshot) = bar();
+    let camera = framed(Camera::facing(Facing::Front), &list(&scene, &snapshot, &Display::default()));
+    let slice = |at, flipped| Some(Slice { axis: Axis::Z, at, flipped });
+    // Between the fibres, where nothing but the skin is.
+    let pixel = pixel_of(&camera, DVec3::new(0.0, 0.066, 0.0));
+    for (style, name) in [(SkinStyle::Shaded, "shaded"), (SkinStyle::XRay, "see-through")] {
+        let mut at = |slice| {
+            let display = Display { skin: style, fibres: false, slice, ..Display::default() };
+            offscreen.draw(list(&scene, &snapshot, &display), &camera).unwrap();
+            pick(&offscreen, &camera, pixel, 0).map(|pick| (pick.id.kind, pick.point.z))
+        };
+        let (kind, whole) = at(None).expect("the front");
+        assert!(kind == PickKind::Skin && (whole - 0.021).abs() < 1e-3, "{name}: {whole}");
+        let (kind, inner) = at(slice(0.0, false)).expect("the back from within");
+        assert!(kind == PickKind::Skin && (inner + 0.021).abs() < 1e-3, "{name}: {inner}");
+        let (_, left) = at(slice(0.0, true)).expect("the front is left");
+        assert!((left - 0.021).abs() < 1e-3, "{name}: {left}");
+        assert_eq!(at(slice(-0.1, false)), None, "{name}: nothing is left");
     }
 }

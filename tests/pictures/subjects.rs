@@ -2,9 +2,10 @@
 
 use super::{bar, difference, framed, list, offscreen, pixel_of};
 use glam::DVec3;
-use sinew::draw::{Display, Theme};
+use sinew::draw::{Display, Slice, Theme};
 use sinew::render::{Camera, Facing, Offscreen, Options};
-use sinew::solver::snapshot::{FieldKind, FieldSnapshot};
+use sinew::scene::Axis;
+use sinew::solver::snapshot::{BreakPlace, FibreBreak, FieldKind, FieldSnapshot, TensionSnapshot};
 
 /// The middle of the bar at its start [m].
 const MIDDLE: DVec3 = DVec3::new(0.0, 0.066, 0.0);
@@ -147,4 +148,76 @@ fn a_field_colours_the_skin_by_value_and_nothing_shines_through() {
     snapshot.field = None;
     let again = offscreen.draw(list(&scene, &snapshot, &Display::default()), &camera).unwrap();
     assert!(again == plain);
+}
+
+#[test]
+fn a_cut_takes_one_side_away_and_shows_the_inside() {
+    let Some(mut offscreen) = offscreen("cuts") else { return };
+    let (scene, mut snapshot) = bar();
+    let slice = |axis, at, flipped| Some(Slice { axis, at, flipped });
+    let camera = framed(Camera::facing(Facing::Front), &list(&scene, &snapshot, &Display::default()));
+    let mut shown =
+        |snapshot: &_, display: &Display| offscreen.draw(list(&scene, snapshot, display), &camera).expect("a picture");
+    let whole = shown(&snapshot, &Display::default());
+    let bare = shown(&snapshot, &Display { skin: sinew::draw::SkinStyle::Hidden, fibres: false, ..Display::default() });
+    // Across what is seen: one half is as it was, the other is gone.
+    let half = shown(&snapshot, &Display { fibres: false, slice: slice(Axis::X, 0.0, false), ..Display::default() });
+    let [left, right] = [-0.01, 0.01].map(|x| pixel_of(&camera, DVec3::new(x, 0.066, 0.0)));
+    assert_eq!((difference(&half, &whole, left), difference(&half, &bare, right)), (0, 0));
+    assert!(difference(&half, &whole, right) > 20);
+    let other = shown(&snapshot, &Display { fibres: false, slice: slice(Axis::X, 0.0, true), ..Display::default() });
+    assert_eq!((difference(&other, &bare, left), difference(&other, &whole, right)), (0, 0));
+    // Along the line of sight: the inside is darker than the skin, and fibres stand in it.
+    let open = |fibres| Display { fibres, slice: slice(Axis::Z, 0.0, false), ..Display::default() };
+    let (inside, with) = (shown(&snapshot, &open(false)), shown(&snapshot, &open(true)));
+    let middle = pixel_of(&camera, MIDDLE);
+    let [dark, bright] = [&inside, &whole].map(|picture| picture.pixel(middle).unwrap()[1]);
+    assert!(dark + 40 < bright, "{dark} {bright}");
+    let fibre = pixel_of(&camera, snapshot.bodies[0].fibres[0].vertices[5]);
+    assert!(difference(&with, &inside, fibre) > 40);
+    // With a field, what lies at the cut has its colours: violet below, pale yellow above.
+    let values = snapshot.bodies[0].particles.iter().map(|point| point.y).collect();
+    snapshot.field = Some(FieldSnapshot { kind: FieldKind::Strain, range: [0.05, 0.122], bodies: vec![values] });
+    let cut = shown(&snapshot, &Display { slice: slice(Axis::Z, 1e-3, false), ..open(false) });
+    let particle = |wanted: f64| {
+        let far = |point: &&DVec3| point.distance(DVec3::Y * wanted);
+        let particles = snapshot.bodies[0].particles.iter().filter(|point| point.z < 1e-3);
+        *particles.min_by(|a, b| far(a).total_cmp(&far(b))).expect("a particle")
+    };
+    let [low, high] = [0.055, 0.117].map(|y| cut.pixel(pixel_of(&camera, particle(y))).unwrap().map(i32::from));
+    assert!(low[2] > low[1] + 20, "{low:?}");
+    assert!(high[0] > high[2] + 30 && high[1] > high[2] + 30, "{high:?}");
+}
+
+#[test]
+fn fibres_show_what_they_carry_and_where_they_are_broken() {
+    let Some(mut offscreen) = offscreen("tension and breaks") else { return };
+    let (scene, mut snapshot) = bar();
+    let camera = framed(Camera::facing(Facing::Front), &list(&scene, &snapshot, &Display::x_ray()));
+    let fibres = &snapshot.bodies[0].fibres;
+    // The fibre in front, so that nothing stands before it.
+    let depth = |fibre: usize| fibres[fibre].vertices[5].z;
+    let front = (0..fibres.len()).max_by(|a, b| depth(*a).total_cmp(&depth(*b))).expect("a fibre");
+    let [middle, further] = [5, 8].map(|k| pixel_of(&camera, fibres[front].vertices[k]));
+    let forces = |force: f64| fibres.iter().map(|fibre| vec![force; fibre.vertices.len() - 1]).collect();
+    let tensions = [2.0, -2.0, 0.0].map(|force| Some(TensionSnapshot { range: 2.0, bodies: vec![forces(force)] }));
+    let [warm, cool, slack] = tensions.map(|tension| {
+        snapshot.tension = tension;
+        let picture = offscreen.draw(list(&scene, &snapshot, &Display::x_ray()), &camera).expect("a picture");
+        picture.pixel(middle).unwrap().map(i32::from)
+    });
+    assert!(warm[0] > warm[2] + 40, "{warm:?}");
+    assert!(cool[2] > cool[0] + 40, "{cool:?}");
+    assert!((slack[0] - slack[2]).abs() < 45 && slack[1] > warm[1] && slack[1] > cool[1], "{slack:?}");
+    snapshot.tension = None;
+    let whole = offscreen.draw(list(&scene, &snapshot, &Display::x_ray()), &camera).expect("a picture");
+    snapshot.bodies[0].breaks.push(FibreBreak { fibre: front as u32, place: BreakPlace::Vertex(5), time: 0.1 });
+    for theme in [Theme::light(), Theme::dark()] {
+        let mut list = list(&scene, &snapshot, &Display::x_ray());
+        list.theme = Theme { broken: theme.broken, ..list.theme };
+        let broken = offscreen.draw(list, &camera).expect("a picture");
+        let red = broken.pixel(middle).unwrap().map(i32::from);
+        assert!(red[0] > red[1] + 60 && red[0] > red[2] + 60, "{red:?}");
+        assert_eq!(difference(&whole, &broken, further), 0);
+    }
 }

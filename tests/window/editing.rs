@@ -21,7 +21,7 @@ pub(super) fn set(window: &mut Window, label: &str, value: &str) {
     window.step();
 }
 
-fn type_path(window: &mut Window, path: &Path) {
+pub(super) fn type_path(window: &mut Window, path: &Path) {
     window.step();
     window.step();
     press_key(window, Modifiers::COMMAND, Key::A);

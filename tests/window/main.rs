@@ -6,6 +6,7 @@ mod comparing;
 mod editing;
 mod fibres;
 mod picture;
+mod plots;
 mod pulling;
 mod refusals;
 mod running;

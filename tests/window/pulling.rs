@@ -19,14 +19,14 @@ fn center(app: &App) -> DVec3 {
     particles.iter().sum::<DVec3>() / particles.len() as f64
 }
 
-fn press(window: &mut Window, at: Pos2) {
+pub(super) fn press(window: &mut Window, at: Pos2) {
     window.event(Event::PointerMoved(at));
     window.step();
     button(window, at, PointerButton::Primary, true);
     window.step();
 }
 
-fn move_to(window: &mut Window, from: Pos2, to: Pos2) {
+pub(super) fn move_to(window: &mut Window, from: Pos2, to: Pos2) {
     for k in 1..=10 {
         window.event(Event::PointerMoved(from.lerp(to, k as f32 / 10.0)));
         window.step();

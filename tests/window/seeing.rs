@@ -73,3 +73,68 @@ fn what_moves_faster_widens_the_range() {
     let speed = 9.81 * window.state().published().status.time;
     assert!((field.range[1] / speed - 1.0).abs() < 0.01, "{:?} {speed}", field.range);
 }
+
+#[test]
+fn fibres_are_coloured_by_tension_with_a_legend_in_newtons() {
+    let mut window = still();
+    press_key(&mut window, Modifiers::ALT, Key::Z);
+    assert!(!legend(&window, "Tension of fibres"));
+    press_key(&mut window, Modifiers::ALT, Key::F);
+    until(&mut window, |app| app.published().snapshot.tension.is_some());
+    window.step();
+    let range = window.state().published().snapshot.tension.as_ref().map(|tension| tension.range);
+    assert!(range.is_some_and(|range| range > 0.0));
+    assert!(legend(&window, "Tension of fibres [N] from -"));
+    // Under a field's legend, where there is one.
+    press_key(&mut window, Modifiers::ALT, Key::C);
+    until(&mut window, |app| app.published().snapshot.field.is_some());
+    window.step();
+    let top = |text: &str| window.get_by_label_contains(text).rect().top();
+    assert!(top("Tension of fibres [N] from") > top("Strain from"));
+    press_key(&mut window, Modifiers::ALT, Key::F);
+    until(&mut window, |app| app.published().snapshot.tension.is_none());
+}
+
+#[test]
+fn the_solid_is_cut_open_and_what_is_gone_is_not_pulled() {
+    let mut window = still();
+    let bodies = &window.state().published().snapshot.bodies;
+    let middle = bodies[0].particles.iter().sum::<glam::DVec3>() / bodies[0].particles.len() as f64;
+    let pulled = |window: &mut Window| {
+        let at = window.state().shown_at(middle).expect("before the eye");
+        super::pulling::press(window, at);
+        super::pulling::move_to(window, at, at + egui::vec2(12.0, 0.0));
+        let pulled = window.state().pulled();
+        super::button(window, at, egui::PointerButton::Primary, false);
+        window.step();
+        window.step();
+        pulled.map(|(_, vertex, _)| window.state().published().snapshot.bodies[0].surface()[vertex])
+    };
+    let before = pulled(&mut window).expect("the skin before the eye");
+    assert!(before.z > middle.z + 0.01, "{before} {middle}");
+    click(&mut window, "Whole");
+    click(&mut window, "Cut across Z");
+    let behind = pulled(&mut window).expect("the far side from within");
+    assert!(behind.z < middle.z - 0.01, "{behind} {middle}");
+    click(&mut window, "Flip");
+    assert!(pulled(&mut window).is_some_and(|point| point.z > middle.z + 0.01), "the front is what is left");
+    press_key(&mut window, Modifiers::ALT, Key::X);
+    assert!(pulled(&mut window).is_some_and(|point| point.z > middle.z + 0.01));
+}
+
+#[test]
+fn a_break_is_said_with_its_time_and_a_reset_takes_it_back() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/figure_10_soft.json");
+    let mut window = super::open(sinew::ui::Document::load(Some(path)).expect("the scene"));
+    let breaks = |app: &sinew::ui::App| -> Vec<f64> {
+        app.published().snapshot.bodies.iter().flat_map(|body| body.breaks.iter().map(|at| at.time)).collect()
+    };
+    until(&mut window, |app| !breaks(app).is_empty());
+    let said = window.state().message().unwrap_or_default().to_owned();
+    let last = breaks(window.state()).into_iter().fold(0.0, f64::max);
+    assert!(said.starts_with("Fibre ") && said.contains(&format!(" broke at {last:.3} s")), "{said}");
+    press_key(&mut window, Modifiers::NONE, Key::Space);
+    press_key(&mut window, Modifiers::COMMAND, Key::R);
+    until(&mut window, |app| breaks(app).is_empty());
+    assert!(window.state().message().is_none_or(|text| !text.contains("broke")), "{:?}", window.state().message());
+}

@@ -40,6 +40,8 @@ struct Frame {
     ground: vec4f,
     // Middle of the shadow in X and Z, and half its extent.
     shadow: vec4f,
+    // Out of what is left of bodies that are cut open, and the height along it of the cut.
+    slice: vec4f,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

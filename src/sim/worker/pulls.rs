@@ -14,6 +14,7 @@ impl Loop {
         self.grabbed = None;
     }
 
+    /// Takes hold of a point of a body, and of the same point of its like.
     pub(super) fn grab(&mut self, body: usize, vertex: usize, target: DVec3) {
         let mut found = false;
         for held in self.bodies_mut(body) {

@@ -6,7 +6,8 @@ use crate::scene::Scene;
 use crate::sim::Runner;
 use crate::sim::recording::Kept;
 use crate::solver::body::Body;
-use crate::solver::snapshot::{FieldKind, FieldSnapshot, Snapshot};
+use crate::solver::snapshot::{FieldKind, FieldSnapshot, Snapshot, TensionSnapshot};
+use crate::solver::world::World;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
@@ -19,6 +20,9 @@ pub(super) struct Sights {
     field: Option<FieldKind>,
     /// Upper end of the field's range.
     top: f64,
+    /// Whether tensions are to be seen, and the end of their range [N].
+    tension: bool,
+    greatest: f64,
     /// The scene that is to run beside the document.
     wanted: Option<Arc<Scene>>,
     /// Whether that has changed since the ghost was put together.
@@ -59,6 +63,11 @@ impl Sights {
         self.top = 0.0;
     }
 
+    pub(super) fn choose_tension(&mut self, on: bool) {
+        self.tension = on;
+        self.greatest = 0.0;
+    }
+
     pub(super) fn want(&mut self, scene: Option<Arc<Scene>>) {
         self.wanted = scene;
         self.stale = true;
@@ -73,6 +82,7 @@ impl Sights {
     /// Back to the start, as the world goes there.
     pub(super) fn reset(&mut self) {
         self.top = 0.0;
+        self.greatest = 0.0;
         if let Some(ghost) = &mut self.ghost {
             ghost.runner = (*ghost.start).clone();
         }
@@ -94,6 +104,11 @@ impl Sights {
     }
 
     /// The world that runs beside the document's.
+    pub(super) fn world(&self) -> Option<&World> {
+        self.ghost.as_ref().map(|ghost| ghost.runner.world())
+    }
+
+    /// What runs it.
     pub(super) fn runner_mut(&mut self) -> Option<&mut Runner> {
         self.ghost.as_mut().map(|ghost| &mut ghost.runner)
     }
@@ -114,6 +129,7 @@ impl Loop {
             return;
         }
         self.sights.ghost = None;
+        self.forget_ghost();
         let problem = match catch_unwind(AssertUnwindSafe(|| self.bake(&scene))) {
             Ok(Ok(baked)) => {
                 let start = Arc::new(Runner::new(baked));
@@ -166,9 +182,20 @@ impl Loop {
     pub(super) fn field(&mut self) -> Option<FieldSnapshot> {
         let kind = self.sights.field?;
         let mut field = FieldSnapshot::of(self.shown()?.world(), kind);
-        let top = &mut self.sights.top;
-        *top = field.range[1].max(*top + NARROWING * (field.range[1] - *top));
-        field.range[1] = *top;
+        field.range[1] = followed(&mut self.sights.top, field.range[1]);
         Some(field)
     }
+
+    /// The tensions, where they were asked for, over a range that widens and narrows likewise.
+    pub(super) fn tension(&mut self) -> Option<TensionSnapshot> {
+        let mut tension = TensionSnapshot::of(self.shown().filter(|_| self.sights.tension)?.world());
+        tension.range = followed(&mut self.sights.greatest, tension.range);
+        Some(tension)
+    }
+}
+
+/// The end of a range that follows what it has to hold now.
+fn followed(top: &mut f64, now: f64) -> f64 {
+    *top = now.max(*top + NARROWING * (now - *top));
+    *top
 }

@@ -26,7 +26,7 @@ impl Force for Faulty {
 #[test]
 fn a_panic_in_the_solver_is_reported_and_a_reset_goes_on() {
     let slot: Slot = Arc::default();
-    let out = Out { slot: Arc::clone(&slot), notify: Box::new(|| {}) };
+    let out = Out { slot: Arc::clone(&slot), records: Arc::default(), notify: Box::new(|| {}) };
     let scene: Scene =
         serde_json::from_str(r#"{"version": 1, "two_layer": [{"id": "ring", "shape": {"ring": {}}}]}"#).unwrap();
     let mut worker = Loop::new(Arc::new(scene), Arc::default(), true, out);

@@ -81,6 +81,11 @@ pub trait Force: Send + Sync {
         None
     }
 
+    /// The fibres, where it is those: their tensions can be looked at.
+    fn fibres(&self) -> Option<&FibreForce> {
+        None
+    }
+
     /// Memory that a copy takes beside what copies share [bytes], so that a recording of many can be bounded. By default
     /// that of the value itself; one with lists of its own adds them.
     fn bytes(&self) -> usize {

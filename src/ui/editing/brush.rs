@@ -1,7 +1,6 @@
 //! Painting the volume fraction with a brush on the result.
 
 use crate::edit::Command;
-use crate::geometry::mesh::nearest_hit;
 use crate::scene::{Dab, Extra, MAX_DABS, add_dab};
 use crate::ui::app::{App, Gravity};
 use crate::ui::field::Field;
@@ -161,10 +160,8 @@ impl View3d<'_> {
     fn touched(&self, frame: Frame, at: Pos2) -> Option<(DVec3, DVec3)> {
         let (now, rest) = (self.app.published.snapshot.bodies.get(self.app.active)?, self.app.model.bodies.first()?);
         let (skin, still) = (now.surface(), rest.surface());
-        let ray = frame.camera.ray(frame.pixel(at), frame.size());
-        let hit = nearest_hit(&skin, &now.triangles, ray.origin, ray.direction)?;
-        let point = ray.origin + hit.distance * ray.direction;
-        let corners = now.triangles.get(hit.triangle)?.map(|k| k as usize);
+        let (triangle, point) = self.seen_on(&skin, &now.triangles, frame, at)?;
+        let corners = now.triangles.get(triangle)?.map(|k| k as usize);
         let [a, b, c] = corners.map(|k| skin[k]);
         let normal = (b - a).cross(c - a);
         let share = |p: DVec3, q: DVec3| (p - point).cross(q - point).dot(normal) / normal.length_squared();

@@ -14,6 +14,7 @@ mod corner;
 mod lines;
 mod rest;
 mod strip;
+mod tension;
 
 pub use corner::curvature_binormal;
 pub use rest::{Bend, CurvedRest, FibreRest};
@@ -247,6 +248,10 @@ impl Force for FibreForce {
 
     fn bytes(&self) -> usize {
         size_of_val(self) + size_of_val(&*self.turns) + self.broken.bytes()
+    }
+
+    fn fibres(&self) -> Option<&FibreForce> {
+        Some(self)
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

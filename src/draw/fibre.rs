@@ -1,0 +1,185 @@
+//! Fibres as tubes, in their own colours or by what they carry, with the places where they are broken.
+
+use super::build::{Pen, THROUGH};
+use super::list::{DrawList, Faces, Line, Mesh, PickId, PickKind, Points, Size, Surface};
+use super::tube::{Tube, tube};
+use super::{Colour, colour_map};
+use crate::solver::snapshot::BreakPlace;
+use glam::{DVec3, Vec3};
+use std::ops::Range;
+
+/// Radii in particle spacings D: fibres thin enough to stay apart when drawn a spacing from each other, structure
+/// particles as beads on them, marks of breaks larger than either.
+const FIBRE_RADIUS: f64 = 0.22;
+const SELECTED_RADIUS: f64 = 0.32;
+const STRUCTURE_RADIUS: f64 = 0.30;
+const BREAK_RADIUS: f64 = 0.40;
+/// Where a vertex has come apart both ends are drawn back so far, in particle spacings, and at most by this share of an edge.
+const BREAK_GAP: f64 = 0.55;
+const MOST_GAP: f32 = 0.7;
+/// Share of a mark that shows through what is in front.
+const BREAK_THROUGH: f32 = 0.7;
+
+/// What there is to draw of a fibre.
+pub(super) struct Shape<'a> {
+    /// Structure particles [m].
+    pub(super) vertices: &'a [DVec3],
+    /// Where it is broken.
+    pub(super) breaks: Vec<BreakPlace>,
+    /// What its edges carry [N], with the end of the range; none where that is not asked for.
+    pub(super) tensions: Option<(f64, &'a [f64])>,
+    /// Its own colour.
+    pub(super) colour: Colour,
+}
+
+impl Shape<'_> {
+    /// The vertices of its unbroken parts. Parts that a vertex has come apart at share it, those that an edge has do not.
+    fn parts(&self) -> Vec<Range<usize>> {
+        let mut cuts: Vec<(usize, usize)> = self
+            .breaks
+            .iter()
+            .map(|place| match *place {
+                BreakPlace::Vertex(vertex) => (vertex as usize + 1, vertex as usize),
+                BreakPlace::Edge(vertex) => (vertex as usize + 1, vertex as usize + 1),
+            })
+            .collect();
+        cuts.sort_unstable();
+        let ends = cuts.iter().map(|&(end, _)| end).chain([self.vertices.len()]);
+        let starts = [0].into_iter().chain(cuts.iter().map(|&(_, start)| start));
+        let whole = starts.zip(ends).map(|(start, end)| start..end.min(self.vertices.len()));
+        whole.filter(|part| !part.is_empty()).collect()
+    }
+
+    /// Draws the ends of a part that are broken vertices back by `gap` [m].
+    fn draw_back(&self, part: &Range<usize>, points: &mut [Vec3], gap: f32) {
+        let broken = |vertex: usize| self.breaks.contains(&BreakPlace::Vertex(vertex as u32));
+        let back = |end: Vec3, next: Vec3| {
+            let edge = next - end;
+            end + edge.clamp_length_max(gap.min(MOST_GAP * edge.length()))
+        };
+        if let [first, second, ..] = points
+            && broken(part.start)
+        {
+            *first = back(*first, *second);
+        }
+        if let [.., second, last] = points
+            && broken(part.end - 1)
+        {
+            *last = back(*last, *second);
+        }
+    }
+
+    /// Where the breaks are [m].
+    fn broken_at(&self) -> Vec<DVec3> {
+        let vertex = |k: u32| self.vertices.get(k as usize).copied();
+        let at = |place: &BreakPlace| match *place {
+            BreakPlace::Vertex(k) => vertex(k),
+            BreakPlace::Edge(k) => Some(vertex(k)?.midpoint(vertex(k + 1)?)),
+        };
+        self.breaks.iter().filter_map(at).collect()
+    }
+
+    /// Colours of points along its vertices, as [`Tube::along`] counts from vertex `first`: what an edge carries stands in
+    /// its middle, and from middle to middle it changes evenly.
+    fn tints(&self, along: &[f32], first: usize) -> Vec<[u8; 3]> {
+        let Some((range, tensions)) = self.tensions.filter(|(_, tensions)| !tensions.is_empty()) else {
+            return Vec::new();
+        };
+        let of = |place: f32| {
+            let at = (f64::from(place) + first as f64 - 0.5).clamp(0.0, (tensions.len() - 1) as f64);
+            let (before, share) = (at as usize, at.fract());
+            let after = (before + 1).min(tensions.len() - 1);
+            let force = tensions[before] + share * (tensions[after] - tensions[before]);
+            colour_map::bytes(colour_map::signed_colour((force / range) as f32))
+        };
+        along.iter().map(|&place| of(place)).collect()
+    }
+}
+
+impl Pen<'_> {
+    pub(super) fn fibre(&self, index: u32, shape: &Shape<'_>, [has_skin, clear]: [bool; 2], list: &mut DrawList) {
+        let selected = self.display.selected.contains(&[self.index, index]);
+        // Inside an opaque skin that nothing cuts open there is nothing to see of them but ends that stick out.
+        let tubes = self.display.fibres && (!has_skin || clear || self.display.slice.is_some());
+        let radius = self.spacing * if selected { SELECTED_RADIUS } else { FIBRE_RADIUS };
+        let mut pick = None;
+        for part in shape.parts() {
+            let mut points: Vec<Vec3> = shape.vertices[part.clone()].iter().map(|&at| list.local(at)).collect();
+            shape.draw_back(&part, &mut points, (BREAK_GAP * self.spacing) as f32);
+            let Tube { vertices, indices, along } = tube(&points, radius as f32);
+            if tubes && !indices.is_empty() {
+                let id = PickId { body: self.index, kind: PickKind::Fibre, index };
+                list.meshes.push(Mesh {
+                    faces: Faces::Free(vertices, indices),
+                    colour: shape.colour,
+                    tints: shape.tints(&along, part.start),
+                    surface: Surface::Solid,
+                    casts_shadow: !has_skin,
+                    pick: *pick.get_or_insert_with(|| list.picks.register(id, 1)),
+                });
+            }
+            if selected {
+                let points = points.into_iter().filter(|point| point.is_finite()).collect();
+                list.lines.push(Line { points, width: 1.5, colour: self.theme.accent, through: THROUGH, pick: 0 });
+            }
+        }
+        if self.display.fibres {
+            self.breaks(shape, list);
+        }
+        if self.display.structure {
+            let pick = self.number(PickKind::StructureVertex { fibre: index }, shape.vertices.len(), list);
+            self.balls(shape.vertices, STRUCTURE_RADIUS, self.theme.structure, pick, list);
+        }
+    }
+
+    /// Marks the places where a fibre is broken, faintly where something is in front.
+    fn breaks(&self, shape: &Shape<'_>, list: &mut DrawList) {
+        let centres: Vec<Vec3> = shape.broken_at().into_iter().map(|point| list.local(point)).collect();
+        if !centres.is_empty() {
+            let size = Size::Metres((BREAK_RADIUS * self.spacing) as f32);
+            let colour = self.theme.broken;
+            list.points.push(Points { centres, size, colour, tints: Vec::new(), through: BREAK_THROUGH, pick: 0 });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shape<'a>(vertices: &'a [DVec3], breaks: &[BreakPlace], tensions: Option<(f64, &'a [f64])>) -> Shape<'a> {
+        Shape { vertices, breaks: breaks.to_vec(), tensions, colour: Colour::hex(0x80_8080) }
+    }
+
+    #[test]
+    fn parts_share_a_broken_vertex_and_leave_out_a_broken_edge() {
+        let line: Vec<DVec3> = (0..8).map(|k| DVec3::X * f64::from(k)).collect();
+        assert_eq!(shape(&line, &[], None).parts().first(), Some(&(0..8)));
+        let broken = shape(&line, &[BreakPlace::Edge(5), BreakPlace::Vertex(2)], None);
+        assert_eq!(broken.parts(), [0..3, 2..6, 6..8]);
+        assert_eq!(broken.broken_at(), [5.5 * DVec3::X, 2.0 * DVec3::X]);
+        // A place that the fibre does not have does no harm.
+        assert_eq!(shape(&line, &[BreakPlace::Edge(40)], None).broken_at(), []);
+    }
+
+    #[test]
+    fn the_ends_at_a_broken_vertex_leave_a_gap() {
+        let line: Vec<DVec3> = (0..5).map(|k| DVec3::X * f64::from(k)).collect();
+        let shape = shape(&line, &[BreakPlace::Vertex(2)], None);
+        let ends = shape.parts().into_iter().map(|part| {
+            let mut points: Vec<Vec3> = shape.vertices[part.clone()].iter().map(|at| at.as_vec3()).collect();
+            shape.draw_back(&part, &mut points, 0.25);
+            [points[0].x, points[points.len() - 1].x]
+        });
+        assert_eq!(ends.collect::<Vec<_>>(), [[0.0, 1.75], [2.25, 4.0]]);
+    }
+
+    #[test]
+    fn colours_go_from_middle_to_middle_of_the_edges() {
+        let line: Vec<DVec3> = (0..3).map(|k| DVec3::X * f64::from(k)).collect();
+        let byte = |place: f32| colour_map::bytes(colour_map::signed_colour(place));
+        let shape = shape(&line, &[], Some((2.0, &[-2.0, 1.0])));
+        assert_eq!(shape.tints(&[0.0, 0.5, 1.0, 1.5, 2.0], 0), [-1.0, -1.0, -0.25, 0.5, 0.5].map(byte));
+        assert_eq!(shape.tints(&[0.0, 1.0], 1), [-0.25, 0.5].map(byte));
+    }
+}

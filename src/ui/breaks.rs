@@ -1,0 +1,42 @@
+//! Fibres that break are said when they do.
+
+use super::app::{App, Gravity};
+use crate::sim::Published;
+use crate::solver::snapshot::FibreBreak;
+
+impl App {
+    /// Says what has broken since the last picture, and takes that back once nothing is broken any more.
+    pub(super) fn watch_breaks(&mut self, next: &Published) {
+        if !next.compared.is_empty() || !self.published.compared.is_empty() {
+            return;
+        }
+        let before = |body: usize, at: &FibreBreak| {
+            self.published.snapshot.bodies.get(body).is_some_and(|body| body.breaks.contains(at))
+        };
+        let bodies = next.snapshot.bodies.iter().enumerate();
+        let all: Vec<(usize, &FibreBreak)> =
+            bodies.flat_map(|(index, body)| body.breaks.iter().map(move |at| (index, at))).collect();
+        let fresh = all.iter().filter(|(body, at)| !before(*body, at));
+        let newest = fresh.max_by(|a, b| a.1.time.total_cmp(&b.1.time));
+        if let Some(&(body, at)) = newest {
+            let in_all = if all.len() > 1 { format!(", {} breaks in all", all.len()) } else { String::new() };
+            let text = format!("Fibre {} broke at {:.3} s{in_all}", self.fibre_name(next, body, at.fibre), at.time);
+            self.seeing.broke = Some(text.clone());
+            self.say(Gravity::Note, text);
+        } else if all.is_empty()
+            && let Some(said) = self.seeing.broke.take()
+            && self.message() == Some(&said)
+        {
+            self.message = None;
+        }
+    }
+
+    /// What a person calls a fibre of a picture.
+    fn fibre_name(&self, shown: &Published, body: usize, fibre: u32) -> String {
+        let id = shown.snapshot.bodies.get(body).and_then(|body| body.fibres.get(fibre as usize));
+        let id = id.map_or_else(|| fibre.to_string(), |fibre| fibre.id.clone());
+        let fibres = self.scene().bodies.get(body).map_or(&[][..], |body| &body.fibres);
+        let named = fibres.iter().find(|fibre| fibre.id == id && !fibre.name.is_empty());
+        named.map_or(id, |fibre| fibre.name.clone())
+    }
+}

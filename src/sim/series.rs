@@ -111,6 +111,12 @@ impl Series {
         self.rows.back().map(|row| &**row)
     }
 
+    /// The newest row up to a time [s].
+    pub fn at(&self, time: f64) -> Option<&[f64]> {
+        let after = self.rows.partition_point(|row| row[0] <= time);
+        self.rows.get(after.checked_sub(1)?).map(|row| &**row)
+    }
+
     /// Whether a column has ever held anything but zero.
     pub fn is_used(&self, column: usize) -> bool {
         self.used.get(column).copied().unwrap_or_default()

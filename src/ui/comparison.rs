@@ -207,7 +207,7 @@ impl App {
             dashed: false,
             points: history.iter().filter_map(|reading| Some([reading.time, value(reading)?])).collect(),
         };
-        over_time(ui, title, PLOTS_HEIGHT - 7.0 * GRID, unit, histories.map(trace).collect());
+        over_time(ui, title, PLOTS_HEIGHT - 7.0 * GRID, unit, histories.map(trace).collect(), None);
     }
 
     /// The colour of an integrator's run.

@@ -2,7 +2,7 @@
 
 use super::legend::digits;
 use egui::{Color32, Ui};
-use egui_plot::{GridInput, GridMark, HoverPosition, Line, LineStyle, Plot, PlotPoints};
+use egui_plot::{GridInput, GridMark, HoverPosition, Line, LineStyle, Plot, PlotPoints, VLine};
 use std::ops::RangeInclusive;
 
 /// Width of a line, of one that stands out, and of one that stands back [points].
@@ -28,8 +28,8 @@ pub(super) struct Trace {
     pub points: Vec<[f64; 2]>,
 }
 
-/// Traces over time, with their values in `unit` where the pointer is.
-pub(super) fn over_time(ui: &mut Ui, id: &str, height: f32, unit: &str, traces: Vec<Trace>) {
+/// Traces over time, with their values in `unit` where the pointer is, and a mark at some time [s].
+pub(super) fn over_time(ui: &mut Ui, id: &str, height: f32, unit: &str, traces: Vec<Trace>, mark: Option<f64>) {
     let said = format!(" {unit}");
     let hover = move |at: &HoverPosition<'_>| match at {
         HoverPosition::NearDataPoint { plot_name, position, .. } => {
@@ -52,6 +52,9 @@ pub(super) fn over_time(ui: &mut Ui, id: &str, height: f32, unit: &str, traces: 
                 let style = if trace.dashed { LineStyle::dashed_dense() } else { LineStyle::Solid };
                 let line = Line::new(trace.name, PlotPoints::from(trace.points));
                 plot.line(line.color(trace.colour).width(trace.width).style(style));
+            }
+            if let Some(time) = mark {
+                plot.vline(VLine::new("Shown", time).color(ink).width(THIN));
             }
         });
 }

@@ -153,10 +153,17 @@ impl App {
             ui.label(RichText::new("Lines appear as the simulation runs: press Play").weak());
             return;
         }
-        let (entries, shown) = self.records(|records| {
+        let status = &self.published.status;
+        let seen = status.timeline.looks_back.then_some(status.time);
+        let (entries, shown, mark) = self.records(|records| {
             let charts = self.charts(&records.world);
             let traces = |chart: &Chart| (chart.title, chart.unit, self.traces(chart, records));
-            (entries(&charts, &records.world), charts.iter().map(traces).collect::<Vec<_>>())
+            let series = &records.world;
+            let row = seen.map_or_else(|| series.last(), |time| series.at(time));
+            // What lies before all that is plotted has no place there.
+            let begin = series.last().map_or(0.0, |last| last[0] - SPAN);
+            let mark = seen.filter(|time| *time >= begin);
+            (entries(&charts, row), charts.iter().map(traces).collect::<Vec<_>>(), mark)
         });
         let ghost = shown.iter().any(|(_, _, traces)| traces.iter().any(|trace| trace.dashed));
         ui.horizontal_top(|ui| {
@@ -165,7 +172,7 @@ impl App {
                 ui.vertical(|ui| {
                     ui.set_width(width.max(20.0 * GRID));
                     ui.label(RichText::new(format!("{title} [{unit}]")).small());
-                    over_time(ui, title, PLOT - 4.0 * GRID, unit, traces);
+                    over_time(ui, title, PLOT - 4.0 * GRID, unit, traces, mark);
                 });
             }
             ui.vertical(|ui| self.readings_legend(ui, &entries, ghost));
@@ -298,10 +305,10 @@ impl App {
     }
 }
 
-/// What the legend says: names, colours and, where each name stands once, present values.
-fn entries(charts: &[Chart], series: &Series) -> Vec<(String, Color32, String)> {
+/// What the legend says: names, colours and, where each name stands once, the values of a row.
+fn entries(charts: &[Chart], row: Option<&[f64]>) -> Vec<(String, Color32, String)> {
     let Some(chart) = charts.first() else { return Vec::new() };
-    let row = series.last().filter(|_| charts.len() == 1);
+    let row = row.filter(|_| charts.len() == 1);
     let value =
         |curve: &Curve| row.map_or_else(String::new, |row| format!("{} {}", digits(curve.read(row)), chart.unit));
     chart.curves.iter().map(|curve| (curve.name.clone(), curve.colour, value(curve))).collect()

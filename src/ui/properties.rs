@@ -113,7 +113,8 @@ impl App {
         }
         if let Some(baking) = &self.published.status.baking {
             ui.add_space(GRID);
-            ui.horizontal(|ui| {
+            // On as many lines as it needs: a wider panel would make the views jump.
+            ui.horizontal_wrapped(|ui| {
                 ui.spinner();
                 ui.label(format!("Putting together {baking}…"));
             });

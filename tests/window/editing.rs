@@ -21,7 +21,7 @@ pub(super) fn set(window: &mut Window, label: &str, value: &str) {
     window.step();
 }
 
-fn type_path(window: &mut Window, path: &Path) {
+pub(super) fn type_path(window: &mut Window, path: &Path) {
     window.step();
     window.step();
     press_key(window, Modifiers::COMMAND, Key::A);
@@ -180,7 +180,7 @@ impl egui::DroppedFile for Dropped {
     }
 }
 
-fn drop_file(window: &mut Window, path: PathBuf) {
+pub(super) fn drop_file(window: &mut Window, path: PathBuf) {
     window.input_mut().dropped_files.push(Arc::new(Dropped(path)));
     window.step();
 }

@@ -31,7 +31,8 @@ const DEPTH: usize = 500;
 #[derive(Clone, Debug)]
 pub struct Editor {
     scene: Arc<Scene>,
-    saved: Arc<Scene>,
+    /// What its file holds; none where that is something else, or there is no file.
+    saved: Option<Arc<Scene>>,
     undo: Vec<Step>,
     redo: Vec<Step>,
     /// What could be done again before the gesture that made the last change, in case that is given up.
@@ -42,7 +43,7 @@ impl Editor {
     /// Opens a document.
     pub fn new(scene: Scene) -> Self {
         let scene = Arc::new(scene);
-        Self { saved: Arc::clone(&scene), scene, undo: Vec::new(), redo: Vec::new(), lost: Vec::new() }
+        Self { saved: Some(Arc::clone(&scene)), scene, undo: Vec::new(), redo: Vec::new(), lost: Vec::new() }
     }
 
     /// The document.
@@ -125,11 +126,18 @@ impl Editor {
 
     /// Whether there are changes since the document was opened or saved.
     pub fn is_changed(&self) -> bool {
-        !Arc::ptr_eq(&self.scene, &self.saved) && self.scene != self.saved
+        let is_saved = |saved: &Arc<Scene>| Arc::ptr_eq(&self.scene, saved) || self.scene == *saved;
+        !self.saved.as_ref().is_some_and(is_saved)
     }
 
     /// Remembers the present document as the saved one. The history stays.
     pub fn mark_saved(&mut self) {
-        self.saved = Arc::clone(&self.scene);
+        self.saved = Some(Arc::clone(&self.scene));
+    }
+
+    /// Remembers that no file holds the document, whatever becomes of it until it is saved: it was recovered, or its file
+    /// was changed or removed by another program.
+    pub fn mark_unsaved(&mut self) {
+        self.saved = None;
     }
 }

@@ -156,6 +156,13 @@ impl Recoverable {
         whole().map_err(|error: IoError| error.within(&self.document))
     }
 
+    /// Whether the file where it belongs was written after it was kept, by another program or from another window.
+    pub fn is_older_than_its_file(&self) -> bool {
+        let changed =
+            self.origin.file.as_deref().and_then(|file| fs::metadata(file).and_then(|data| data.modified()).ok());
+        changed.is_some_and(|changed| changed > self.written)
+    }
+
     /// Forgets it: it was recovered and is kept under another place, or is not wanted.
     ///
     /// # Errors

@@ -46,6 +46,11 @@ impl FileStamp {
         Ok(Self { path: path.to_owned(), hash, look: look.filter(is_old) })
     }
 
+    /// Where the file is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// What became of the file since. A file that was written again with the same content is the same; its content is
     /// looked at only where its length or time of change leave a doubt.
     pub fn state(&self) -> FileState {

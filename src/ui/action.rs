@@ -64,10 +64,12 @@ macro_rules! actions {
 actions! {
     New in File [ctrl(Key::N)] "New from the soft bar": "Starts over with the built-in scene";
     Open in File [ctrl(Key::O)] "Open…": "Opens a scene or a model; dropping one on the window does the same";
+    Reload in File [] "Reload": "Takes the scene as its file holds it";
     Save in File [ctrl(Key::S)] "Save": "Writes the scene to its file";
     SaveAs in File [ctrl_shift(Key::S)] "Save as…": "Writes the scene to another file";
     Export in File [] "Export readings…":
         "Writes energies, momenta and measures of every frame since the start as a table, CSV";
+    Recover in File [] "Recover unsaved…": "Lists changes that were not saved when the program ended";
     Quit in File [ctrl(Key::Q)] "Quit": "Closes the window";
     Undo in Edit [ctrl(Key::Z)] "Undo": "Takes the last change of the scene back";
     Redo in Edit [ctrl_shift(Key::Z), ctrl(Key::Y)] "Redo": "Makes the change that was taken back again";

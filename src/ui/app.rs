@@ -11,6 +11,7 @@ use super::seeing::Seeing;
 use super::sketch_tool::SketchTool;
 use super::theme::Tone;
 use super::timeline::Timeline;
+use super::trust::{Next, Trust};
 use crate::draw::Display;
 use crate::edit::{Command, Editor};
 use crate::render::Camera;
@@ -85,6 +86,7 @@ pub struct App {
     pub(super) seeing: Seeing,
     pub(super) timeline: Timeline,
     pub(super) readings: Readings,
+    pub(super) trust: Trust,
     pub(super) assets: Arc<Assets>,
     /// Impulse that the strike button gives [N s].
     pub(super) impulse: [f64; 3],
@@ -118,6 +120,7 @@ impl App {
         let tone = Tone::Dark;
         tone.apply(ctx);
         let editor = Editor::new(scene);
+        let trust = Trust::start(ctx, path.as_deref(), editor.scene());
         let repaint = ctx.clone();
         let worker =
             Worker::start(Arc::clone(editor.scene()), Arc::clone(&assets), true, move || repaint.request_repaint());
@@ -142,6 +145,7 @@ impl App {
             seeing: Seeing::default(),
             timeline: Timeline::default(),
             readings: Readings::default(),
+            trust,
             assets,
             impulse: [0.1, 0.0, 0.0],
             pull: None,
@@ -280,9 +284,9 @@ impl App {
         }
         let dropped = ctx.input(|input| input.raw.dropped_files.iter().map(|file| file.path().to_owned()).next());
         if let Some(path) = dropped {
-            self.open(&path);
+            self.leave(ctx, Next::Open(path));
         }
-        if self.editing_keys(ctx) {
+        if self.is_asking() || self.editing_keys(ctx) {
             return;
         }
         if ctx.input(|input| input.key_pressed(egui::Key::Escape)) && self.dialog.take().is_none() {
@@ -321,7 +325,7 @@ impl App {
     }
 
     fn show_title(&mut self, ctx: &egui::Context) {
-        let name = if self.scene().name.is_empty() { "Untitled" } else { &self.scene().name };
+        let name = self.document_name();
         let mark = if self.editor.is_changed() { " •" } else { "" };
         let title = format!("{name}{mark} — sinew");
         if title != self.title {
@@ -332,6 +336,10 @@ impl App {
 }
 
 impl eframe::App for App {
+    fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
+        self.look_after(ctx);
+    }
+
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
     }

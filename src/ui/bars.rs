@@ -48,6 +48,9 @@ impl App {
                     ui.menu_button(menu.title(), |ui| {
                         for action in Action::ALL.into_iter().filter(|action| action.menu() == menu) {
                             self.entry(ui, action);
+                            if action == Action::Open {
+                                self.recent_menu(ui);
+                            }
                         }
                     });
                 }

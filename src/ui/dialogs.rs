@@ -3,6 +3,7 @@
 use super::action::{Action, GESTURES, Menu};
 use super::app::App;
 use super::theme::GRID;
+use super::trust::{About, Next, Question, Reply, ask, choose_recent};
 use egui::{Context, Id, Key, Modal, RichText, ScrollArea, TextEdit, Ui};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
@@ -37,7 +38,11 @@ pub enum Dialog {
         text: String,
         /// The desktop's own dialog, when it is open.
         browsing: Option<Receiver<Option<PathBuf>>>,
+        /// What is gone on to after saving.
+        next: Option<Next>,
     },
+    /// Asks what is to become of the document or its file.
+    Question(Question),
 }
 
 impl Dialog {
@@ -47,7 +52,15 @@ impl Dialog {
 
     pub(super) fn path(purpose: PathPurpose, present: Option<&Path>) -> Self {
         let text = present.map_or_else(|| "scene.json".to_owned(), |path| path.display().to_string());
-        Self::Path { purpose, text, browsing: None }
+        Self::Path { purpose, text, browsing: None, next: None }
+    }
+
+    /// A request for a path after which is gone on to something else.
+    pub(super) fn then(self, next: Option<Next>) -> Self {
+        match self {
+            Self::Path { purpose, text, browsing, .. } => Self::Path { purpose, text, browsing, next },
+            other => other,
+        }
     }
 }
 
@@ -60,29 +73,48 @@ enum Answer {
     /// An action was chosen.
     Do(Action),
     /// A path was given.
-    Path(PathPurpose, PathBuf),
+    Path(PathBuf),
+    /// A path was chosen in the desktop's dialog, which asks before a file is replaced.
+    Picked(PathBuf),
+    /// A file was chosen among those that were used.
+    Recent(PathBuf),
+    /// A question was answered.
+    Reply(Reply),
 }
 
 impl App {
     pub(super) fn dialogs(&mut self, ctx: &Context) {
         let Some(mut dialog) = self.dialog.take() else { return };
-        let modal = Modal::new(Id::unique("dialog")).show(ctx, |ui| match &mut dialog {
+        let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(4.0 * GRID);
+        let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| match &mut dialog {
             Dialog::Palette { text, chosen } => palette(ui, text, chosen, |action| self.can(action)),
             Dialog::Help => help(ui),
-            Dialog::Path { purpose, text, browsing } => ask_path(ui, *purpose, text, browsing),
+            Dialog::Path { purpose, text, browsing, .. } => ask_path(ui, *purpose, text, browsing, self.trust.recent()),
+            Dialog::Question(question) => ask(ui, question, &self.about()).map_or(Answer::None, Answer::Reply),
         });
         let answer = match modal.inner {
             Answer::None if modal.should_close() => Answer::Closed,
             answer => answer,
         };
-        match answer {
-            Answer::None => self.dialog = Some(dialog),
-            Answer::Closed => {}
-            Answer::Do(action) => self.perform(ctx, action),
-            Answer::Path(PathPurpose::Open, path) => self.open(&path),
-            Answer::Path(PathPurpose::Save, path) => self.save(&path),
-            Answer::Path(PathPurpose::Export, path) => self.export(&path),
+        match (answer, dialog) {
+            (Answer::None, dialog) => self.dialog = Some(dialog),
+            (Answer::Do(action), _) => self.perform(ctx, action),
+            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Open, .. }) => {
+                self.leave(ctx, Next::Open(path));
+            }
+            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => {
+                self.export(&path);
+            }
+            (Answer::Recent(path), _) => self.open_recent(ctx, path),
+            (Answer::Path(path), Dialog::Path { next, .. }) => self.save_to(ctx, path, next),
+            (Answer::Picked(path), Dialog::Path { next, .. }) => self.write_then(ctx, &path, next),
+            (Answer::Reply(reply), Dialog::Question(question)) => self.replied(ctx, question, reply),
+            _ => {}
         }
+    }
+
+    fn about(&self) -> About<'_> {
+        About { name: self.document_name(), path: self.path.as_deref(), left: self.trust.left(), tone: self.tone }
     }
 }
 
@@ -156,6 +188,7 @@ fn ask_path(
     purpose: PathPurpose,
     text: &mut String,
     browsing: &mut Option<Receiver<Option<PathBuf>>>,
+    recent: &[PathBuf],
 ) -> Answer {
     ui.set_width(460.0);
     let scene_hint = "Path of a .json scene, or of an .obj, .stl, .ply, .gltf or .glb model";
@@ -175,13 +208,13 @@ fn ask_path(
     if let Some(Ok(picked)) = browsing.as_ref().map(Receiver::try_recv) {
         *browsing = None;
         if let Some(path) = picked {
-            return Answer::Path(purpose, path);
+            return Answer::Picked(path);
         }
     }
     let mut answer = Answer::None;
     ui.horizontal(|ui| {
         if (ui.button(verb).clicked() || entered) && !text.trim().is_empty() {
-            answer = Answer::Path(purpose, PathBuf::from(text.trim()));
+            answer = Answer::Path(PathBuf::from(text.trim()));
         }
         if ui.add_enabled(browsing.is_none(), egui::Button::new("Browse…")).clicked() {
             *browsing = Some(browse(purpose, ui.ctx().clone()));
@@ -190,6 +223,13 @@ fn ask_path(
             answer = Answer::Closed;
         }
     });
+    if purpose == PathPurpose::Open {
+        ui.separator();
+        ui.label(RichText::new("Recent").weak());
+        if let Some(path) = choose_recent(ui, recent) {
+            answer = Answer::Recent(path);
+        }
+    }
     answer
 }
 

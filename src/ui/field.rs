@@ -61,6 +61,8 @@ impl Field {
         ui.add(
             DragValue::new(value)
                 .range(self.range.clone())
+                // What is only shown stays as it is.
+                .clamp_existing_to_range(false)
                 .speed(speed)
                 .suffix(suffix)
                 .custom_formatter(|value, _| short(value)),

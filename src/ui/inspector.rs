@@ -8,7 +8,7 @@ use super::outliner::title;
 use super::theme::GRID;
 use crate::edit::Command;
 use crate::scene::{Extra, Fibre, FibreSource, Material, PaperStiffness, RestShape, Rigidity, Stiffness};
-use egui::{Slider, Ui};
+use egui::{Slider, SliderClamping, Ui};
 
 const EA: Field =
     Field::new("EA", "N", 0.0..=1e9, None, "Axial rigidity: resistance to stretching, l_f EA / 2 l0 per edge");
@@ -82,7 +82,9 @@ fn stiffness(ui: &mut Ui, fibre: &mut Fibre, material: &Material) {
     let mut times = ea / displaced(material);
     ui.label("Softer – stiffer than the material");
     ui.spacing_mut().slider_width = 120.0;
+    // To show a fibre rounds nothing of it.
     let slider = Slider::new(&mut times, TIMES).logarithmic(true).suffix(" ×").max_decimals(1);
+    let slider = slider.clamping(SliderClamping::Edits);
     let tooltip = "Axial rigidity EA over that of the material that the fibre displaces, E 0.2 pi h²; EI goes with it";
     if ui.add(slider).on_hover_text(tooltip).changed() {
         let Rigidity { ea, ei, .. } = rigidity_of(material, times);

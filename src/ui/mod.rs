@@ -33,6 +33,7 @@ mod sketch_tool;
 pub mod theme;
 mod timeline;
 mod timescale;
+mod trust;
 mod views;
 mod world_panel;
 
@@ -55,6 +56,9 @@ pub struct NoWindow {
     problem: String,
 }
 
+/// What the window's own files are kept under.
+const NAME: &str = "sinew";
+
 /// Opens the window on a document and returns when it is closed.
 ///
 /// # Errors
@@ -75,13 +79,16 @@ pub fn run(document: Document) -> Result<(), NoWindow> {
     std::panic::set_hook(Box::new(|_| {}));
     let outcome = catch_unwind(AssertUnwindSafe(move || {
         eframe::run_native(
-            "sinew",
+            NAME,
             options,
             Box::new(move |creation| {
                 std::panic::set_hook(hook);
                 let mut app = App::new(&creation.egui_ctx, creation.wgpu_render_state.clone(), document);
                 if let Some(storage) = creation.storage {
                     app.recall(&creation.egui_ctx, storage);
+                }
+                if let Some(folder) = eframe::storage_dir(NAME) {
+                    app = app.with_recovery(folder.join("recovery"));
                 }
                 Ok(Box::new(app))
             }),

@@ -3,6 +3,7 @@
 use super::action::Action;
 use super::app::App;
 use super::dialogs::{Dialog, PathPurpose};
+use super::trust::{Next, Question};
 use crate::sim::SimCommand;
 use egui::{KeyboardShortcut, Modifiers};
 
@@ -14,6 +15,8 @@ impl App {
             Action::Redo => self.editor.redo_name().is_some(),
             Action::StepBack | Action::FirstFrame | Action::Replay => self.has_frames(),
             Action::GoOn | Action::Live => self.looks_back(),
+            Action::Reload => self.path.is_some(),
+            Action::Recover => !self.trust.left().is_empty(),
             action if action.edits_fibres() => self.can_edit(action),
             _ => true,
         }
@@ -68,15 +71,14 @@ impl App {
     /// Does what was asked for.
     pub fn perform(&mut self, ctx: &egui::Context, action: Action) {
         match action {
-            Action::New => self.open_document(None),
+            Action::New => self.leave(ctx, Next::New),
             Action::Open => self.dialog = Some(Dialog::path(PathPurpose::Open, self.path.as_deref())),
-            Action::Save => match self.path.clone() {
-                Some(path) => self.save(&path),
-                None => self.dialog = Some(Dialog::path(PathPurpose::Save, None)),
-            },
-            Action::SaveAs => self.dialog = Some(Dialog::path(PathPurpose::Save, self.path.as_deref())),
+            Action::Reload => self.reload(),
+            Action::Save => self.save_then(ctx, None),
+            Action::SaveAs => self.ask_where(None),
             Action::Export => self.dialog = Some(Dialog::path(PathPurpose::Export, Some(&self.export_path()))),
-            Action::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+            Action::Recover => self.dialog = Some(Dialog::Question(Question::Recover)),
+            Action::Quit => self.leave(ctx, Next::Quit),
             Action::Undo => {
                 if self.editor.undo() {
                     self.hand_over();

@@ -61,8 +61,9 @@ fn drawing_views(views: &Tree<Pane>) -> Vec<(View, Rect)> {
 }
 
 impl App {
-    /// Goes on with the views and colours of the last time.
-    pub(super) fn recall(&mut self, ctx: &egui::Context, storage: &dyn eframe::Storage) {
+    /// Goes on with the views, colours and files of the last time.
+    pub fn recall(&mut self, ctx: &egui::Context, storage: &dyn eframe::Storage) {
+        self.recall_recent(storage);
         let Some(last) = eframe::get_value::<Remembered>(storage, KEY) else { return };
         if is_whole(&last.views) {
             self.panes = last.views;
@@ -82,6 +83,7 @@ impl App {
         let now = Remembered { views, light, coach: self.coach, timeline: self.timeline_kept(), plots };
         eframe::set_value(storage, KEY, &now);
         self.panes = now.views;
+        self.remember_recent(storage);
     }
 
     pub(super) fn views(&mut self, ui: &mut Ui) {

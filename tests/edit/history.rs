@@ -29,3 +29,13 @@ fn redo_ends_where_another_change_begins() {
     editor.mark_saved();
     assert!(!editor.is_changed() && editor.undo() && editor.is_changed());
 }
+
+#[test]
+fn a_document_that_no_file_holds_is_changed_until_it_is_saved() {
+    let mut editor = Editor::new(scene());
+    editor.apply(&Command::SetGravity([0.0, -1.0, 0.0])).expect("a change");
+    editor.mark_unsaved();
+    assert!(editor.is_changed() && editor.undo() && editor.is_changed(), "undo leads to nothing that is saved");
+    editor.mark_saved();
+    assert!(!editor.is_changed() && editor.redo() && editor.is_changed());
+}

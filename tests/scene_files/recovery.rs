@@ -72,6 +72,24 @@ fn what_was_left_behind_is_offered_with_time_and_place() {
 }
 
 #[test]
+fn a_file_that_was_written_later_is_known() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("bar.json");
+    let kept = Origin { file: Some(file.clone()), folder: folder.path().to_owned() };
+    let recovery = Recovery::open(folder.path()).expect("a place");
+    recovery.write(&kept, &named("Bar")).expect("kept");
+    drop(recovery);
+    let found = recoverable(folder.path());
+    assert!(!found[0].is_older_than_its_file(), "there is no file");
+    let (written, offset) = (found[0].written, Duration::from_secs(10));
+    for (time, is_older) in [(written - offset, false), (written + offset, true)] {
+        fs::write(&file, "{}").expect("written");
+        fs::File::options().write(true).open(&file).and_then(|file| file.set_modified(time)).expect("a time of change");
+        assert_eq!(found[0].is_older_than_its_file(), is_older);
+    }
+}
+
+#[test]
 fn other_files_and_damaged_ones_are_left_alone() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();

@@ -13,6 +13,7 @@ mod running;
 mod seeing;
 mod sketching;
 mod timeline;
+mod trust;
 
 use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Vec2};
 use egui_kittest::Harness;
@@ -29,10 +30,15 @@ type Window = Harness<'static, App>;
 const PATIENCE: Duration = Duration::from_mins(2);
 
 fn open(document: Document) -> Window {
+    open_with(document, |app| app)
+}
+
+/// The window on a document, with what `build` adds.
+fn open_with(document: Document, build: impl FnOnce(App) -> App + 'static) -> Window {
     let mut window = Harness::builder()
         .with_size(Vec2::new(1280.0, 800.0))
         .with_step_dt(1.0 / 60.0)
-        .build_eframe(move |creation| App::new(&creation.egui_ctx, None, document));
+        .build_eframe(move |creation| build(App::new(&creation.egui_ctx, None, document)));
     until(&mut window, |app| !app.published().at_rest.bodies.is_empty());
     // One more frame for the views to be fitted to what has come.
     window.step();

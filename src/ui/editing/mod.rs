@@ -65,6 +65,11 @@ impl Editing {
         }
     }
 
+    /// Whether a move or turn is under way.
+    pub(super) fn is_moving(&self) -> bool {
+        self.moving.is_some()
+    }
+
     /// Whether the pointer belongs to a gesture of editing, so that it neither draws nor pulls.
     pub(super) fn has_pointer(&self, view: PaneKind) -> bool {
         let paints = self.brush.is_some() && view == PaneKind::Result;

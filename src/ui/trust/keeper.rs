@@ -1,0 +1,297 @@
+//! The thread that keeps the changed document where it can be recovered, and looks after its file: the window waits for
+//! no disk.
+
+use crate::io::{FileStamp, FileState, IoError, Origin, Recoverable, Recovery, load_scene, recoverable};
+use crate::scene::Scene;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// A document is kept this long after its last change,
+const QUIET: Duration = Duration::from_secs(5);
+/// and this long after its first one at the latest: who never pauses is kept too.
+const LATEST: Duration = Duration::from_secs(30);
+/// The file of the document is looked at this often.
+const EVERY: Duration = Duration::from_secs(2);
+
+/// A document that a program left behind.
+#[derive(Clone, Debug)]
+pub struct Left {
+    /// The document.
+    pub what: Recoverable,
+    /// Whether its file was written after it.
+    pub is_older: bool,
+}
+
+impl Left {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        if self.what.name.is_empty() { "Untitled" } else { &self.what.name }
+    }
+}
+
+/// A document on the desk.
+struct Kept {
+    number: u64,
+    origin: Origin,
+    scene: Arc<Scene>,
+}
+
+/// What is asked of the thread.
+pub(super) enum Errand {
+    /// Keeps documents in this folder from now on, and tells which were left there.
+    Folder(PathBuf),
+    /// Keeps the newest document on the desk before long.
+    Keep,
+    /// Keeps at once what waits.
+    Hurry,
+    /// Forgets documents up to this number: they are saved, or their changes are not wanted.
+    Forget(u64),
+    /// What was recovered goes as soon as it is kept here, or forgotten.
+    Recovered(Recoverable),
+    /// Looks after this file from now on; its reports bear this number.
+    Watch(u64, Option<FileStamp>),
+    /// Looks whether the watched file holds this.
+    Compare(Arc<Scene>),
+    /// Looks after the file now.
+    Look,
+}
+
+/// What the thread tells.
+pub(super) enum Report {
+    /// What was left behind.
+    Left(Vec<Left>),
+    /// The document cannot be kept.
+    NotKept(IoError),
+    /// The file that is watched under a number became this.
+    File(u64, FileState),
+}
+
+/// The newest document that is to be kept: earlier ones are of no use.
+type Desk = Arc<Mutex<Option<Kept>>>;
+
+/// The thread, seen from the window.
+pub(super) struct Keeper {
+    errands: Option<Sender<Errand>>,
+    reports: Receiver<Report>,
+    desk: Desk,
+    /// Of the document that was put on the desk last.
+    number: u64,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Keeper {
+    /// Starts the thread; `wake` is called whenever there is something to tell.
+    pub fn start(wake: impl Fn() + Send + 'static) -> Self {
+        let (errands, asked) = channel();
+        let (told, reports) = channel();
+        let desk = Desk::default();
+        let rounds = Rounds {
+            desk: Arc::clone(&desk),
+            folder: None,
+            place: None,
+            recovered: Vec::new(),
+            due: None,
+            watched: None,
+            has_failed: false,
+            reports: told,
+            wake: Box::new(wake),
+        };
+        let thread = std::thread::Builder::new().name("keeper".into()).spawn(move || rounds.run(&asked)).ok();
+        Self { errands: Some(errands), reports, desk, number: 0, thread }
+    }
+
+    pub fn send(&self, errand: Errand) {
+        if let Some(errands) = &self.errands {
+            // The thread outlives every errand; without it nothing is kept.
+            let _ = errands.send(errand);
+        }
+    }
+
+    pub fn keep(&mut self, origin: Origin, scene: Arc<Scene>) {
+        self.number += 1;
+        *on(&self.desk) = Some(Kept { number: self.number, origin, scene });
+        self.send(Errand::Keep);
+    }
+
+    pub fn forget(&self) {
+        self.send(Errand::Forget(self.number));
+    }
+
+    pub fn report(&self) -> Option<Report> {
+        self.reports.try_recv().ok()
+    }
+}
+
+impl Drop for Keeper {
+    fn drop(&mut self) {
+        // Without a sender the thread does what it was asked for, keeps what still waits and ends.
+        self.errands = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+fn on(desk: &Desk) -> MutexGuard<'_, Option<Kept>> {
+    desk.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+struct Watched {
+    number: u64,
+    stamp: FileStamp,
+    /// What was told of it last.
+    told: FileState,
+    next: Instant,
+}
+
+/// When the document is to be kept.
+struct Due {
+    first: Instant,
+    last: Instant,
+}
+
+impl Due {
+    fn at(&self) -> Instant {
+        (self.last + QUIET).min(self.first + LATEST)
+    }
+}
+
+/// The thread's own state.
+struct Rounds {
+    desk: Desk,
+    folder: Option<PathBuf>,
+    /// Where this document is kept, from the first time on.
+    place: Option<Recovery>,
+    recovered: Vec<Recoverable>,
+    due: Option<Due>,
+    watched: Option<Watched>,
+    /// Whether it was told that nothing can be kept: once is enough.
+    has_failed: bool,
+    reports: Sender<Report>,
+    wake: Box<dyn Fn() + Send>,
+}
+
+impl Rounds {
+    fn run(mut self, errands: &Receiver<Errand>) {
+        loop {
+            match self.wait(errands) {
+                Ok(errand) => self.go(errand),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+            let now = Instant::now();
+            if self.due.as_ref().is_some_and(|due| due.at() <= now) {
+                self.keep();
+            }
+            if self.watched.as_ref().is_some_and(|watched| watched.next <= now) {
+                self.look();
+            }
+        }
+        self.keep();
+    }
+
+    fn wait(&self, errands: &Receiver<Errand>) -> Result<Errand, RecvTimeoutError> {
+        let due = self.due.as_ref().map(Due::at);
+        let next = due.into_iter().chain(self.watched.as_ref().map(|watched| watched.next)).min();
+        match next {
+            Some(next) => errands.recv_timeout(next.saturating_duration_since(Instant::now())),
+            None => errands.recv().map_err(|_| RecvTimeoutError::Disconnected),
+        }
+    }
+
+    fn go(&mut self, errand: Errand) {
+        let now = Instant::now();
+        match errand {
+            Errand::Folder(folder) => {
+                let left = |what: Recoverable| Left { is_older: what.is_older_than_its_file(), what };
+                let found: Vec<Left> = recoverable(&folder).into_iter().map(left).collect();
+                self.folder = Some(folder);
+                self.tell(Report::Left(found));
+            }
+            Errand::Keep => self.due.get_or_insert(Due { first: now, last: now }).last = now,
+            Errand::Hurry => self.keep(),
+            Errand::Forget(number) => self.forget(number),
+            Errand::Recovered(what) => self.recovered.push(what),
+            Errand::Watch(number, stamp) => {
+                self.watched = stamp.map(|stamp| Watched { number, stamp, told: FileState::Same, next: now + EVERY });
+            }
+            Errand::Compare(scene) => self.compare(&scene),
+            Errand::Look => self.look(),
+        }
+    }
+
+    fn keep(&mut self) {
+        self.due = None;
+        let Some(folder) = &self.folder else { return };
+        let Some(kept) = on(&self.desk).take() else { return };
+        let outcome = match self.place.take() {
+            Some(place) => Ok(place),
+            None => Recovery::open(folder),
+        };
+        let outcome = outcome.and_then(|place| self.place.insert(place).write(&kept.origin, &kept.scene));
+        let Err(error) = outcome else {
+            self.has_failed = false;
+            self.drop_recovered();
+            return;
+        };
+        // It is tried again: a full disk may have room later.
+        let now = Instant::now();
+        on(&self.desk).get_or_insert(kept);
+        self.due = Some(Due { first: now, last: now });
+        if !std::mem::replace(&mut self.has_failed, true) {
+            self.tell(Report::NotKept(error));
+        }
+    }
+
+    fn forget(&mut self, number: u64) {
+        // What was put on the desk since then waits.
+        on(&self.desk).take_if(|kept| kept.number <= number);
+        if let Some(place) = &self.place {
+            // What cannot be removed is offered at the next start: too much, but nothing is lost.
+            place.clear().ok();
+        }
+        self.drop_recovered();
+    }
+
+    /// What is kept here, or wanted no more, need not be offered again.
+    fn drop_recovered(&mut self) {
+        for what in std::mem::take(&mut self.recovered) {
+            // One that cannot be removed is offered once more: nothing is lost.
+            what.discard().ok();
+        }
+    }
+
+    fn compare(&mut self, scene: &Scene) {
+        let Some(watched) = &self.watched else { return };
+        if load_scene(watched.stamp.path()).is_ok_and(|found| found != *scene) {
+            self.tell(Report::File(watched.number, FileState::Changed));
+        }
+    }
+
+    fn look(&mut self) {
+        let Some(watched) = &mut self.watched else { return };
+        watched.next = Instant::now() + EVERY;
+        let state = watched.stamp.state();
+        let is_news = state != watched.told && state != FileState::Same;
+        watched.told = state;
+        if state == FileState::Changed
+            && let Ok(stamp) = FileStamp::of(watched.stamp.path())
+        {
+            // From here on it is looked for the next change.
+            (watched.stamp, watched.told) = (stamp, FileState::Same);
+        }
+        if is_news {
+            let number = watched.number;
+            self.tell(Report::File(number, state));
+        }
+    }
+
+    fn tell(&self, report: Report) {
+        // The window may be gone.
+        let _ = self.reports.send(report);
+        (self.wake)();
+    }
+}

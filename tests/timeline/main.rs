@@ -1,10 +1,12 @@
 //! What the simulation thread keeps of a motion: frames are shown again, replayed and gone on from, bit for bit.
 
+mod changes;
+
 use glam::DVec3;
 use sinew::io::scene_from_json;
-use sinew::scene::{Extra, Manual, Scene, TimeStep};
+use sinew::scene::Scene;
 use sinew::sim::{Published, SimCommand, USUAL_MEMORY, Worker};
-use sinew::solver::snapshot::{FieldKind, Snapshot};
+use sinew::solver::snapshot::Snapshot;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -297,141 +299,4 @@ fn the_newest_of_many_wishes_is_shown_and_looking_changes_nothing() {
     ask(&worker, SimCommand::Strike { body: 0, impulse: DVec3::new(1e-2, 0.0, 0.0) });
     let expected = advance(&worker, 1);
     same(struck.values().next().expect("a frame"), expected.values().next().expect("a frame"));
-}
-
-#[test]
-fn a_strike_on_an_earlier_frame_goes_on_from_there() {
-    let worker = start(BREAKING);
-    let first = advance(&worker, 10);
-    let times: Vec<f64> = first.values().map(|p| p.status.time).collect();
-    show(&worker, times[3]);
-    ask(&worker, SimCommand::Strike { body: 0, impulse: DVec3::new(0.0, 0.0, 5e-2) });
-    let struck = until(&worker, |p| !p.status.timeline.looks_back);
-    assert_eq!(struck.status.time, times[3]);
-    let timeline = &struck.status.timeline;
-    assert_eq!(timeline.span, Some([0.0, times[3]]));
-    assert_eq!(timeline.went_on.0, 1);
-    assert!(timeline.went_on.1.contains("6 later frames were dropped"), "{:?}", timeline.went_on);
-    let next = advance(&worker, 1);
-    let next = next.values().next().expect("a frame");
-    assert_eq!(next.status.time, times[4]);
-    assert_ne!(bits(&next.snapshot), bits(&first[&key(next)].snapshot), "it was struck");
-}
-
-#[test]
-fn an_edit_keeps_earlier_frames_and_drops_later_ones() {
-    let worker = start(BREAKING);
-    let first = advance(&worker, 10);
-    let times: Vec<f64> = first.values().map(|p| p.status.time).collect();
-    let mut soft = (*scene(BREAKING)).clone();
-    soft.bodies[0].material.young_modulus = 5e4;
-    show(&worker, times[5]);
-    ask(&worker, SimCommand::Edit(Arc::new(soft)));
-    let edited = until(&worker, |p| p.status.edits == 1 && !p.status.timeline.looks_back);
-    assert_eq!(edited.status.timeline.span, Some([0.0, times[5]]));
-    assert_eq!(bits(&edited.snapshot), bits(&first[&times[5].to_bits()].snapshot), "it begins where that frame is");
-    let second = advance(&worker, 4);
-    let marked = second.values().next_back().expect("frames");
-    assert_eq!(marked.status.timeline.edits, [times[5]]);
-    // Frames of before can be looked at, with their fields, and are what they were.
-    ask(&worker, SimCommand::Field(Some(FieldKind::Stress)));
-    let old = show(&worker, times[2]);
-    assert_eq!(bits(&old.snapshot), bits(&first[&times[2].to_bits()].snapshot));
-    assert!(old.status.timeline.of_another_scene);
-    assert!(old.snapshot.field.as_ref().is_some_and(|field| !field.bodies[0].is_empty()));
-    ask(&worker, SimCommand::Field(None));
-    let new = show(&worker, marked.status.time);
-    assert!(!new.status.timeline.of_another_scene);
-    same(&new, marked);
-    // What goes on from one of before is the present scene in that motion.
-    show(&worker, times[2]);
-    ask(&worker, SimCommand::GoOn);
-    ask(&worker, SimCommand::Pause);
-    let on = until(&worker, |p| !p.status.timeline.looks_back && !p.status.playing);
-    assert!(on.status.timeline.went_on.1.contains("with the present scene"), "{:?}", on.status.timeline.went_on);
-    let softer = advance(&worker, 2);
-    let moved = softer.values().find(|p| first.contains_key(&key(p)));
-    let moved = moved.expect("times go on in whole frames");
-    assert_ne!(bits(&moved.snapshot), bits(&first[&key(moved)].snapshot), "the material is another one");
-}
-
-#[test]
-fn a_reset_and_another_document_empty_the_recording() {
-    let worker = start(BREAKING);
-    advance(&worker, 6);
-    show(&worker, 0.05);
-    ask(&worker, SimCommand::Reset);
-    let reset = until(&worker, |p| p.status.timeline.frames == 1);
-    assert!(reset.status.time == 0.0 && !reset.status.timeline.looks_back);
-    advance(&worker, 6);
-    show(&worker, 0.05);
-    ask(&worker, SimCommand::Open(scene(TWO_LAYER), Arc::default()));
-    let opened = until(&worker, |p| p.snapshot.bodies.len() == 2);
-    assert!(opened.status.timeline.frames == 1 && !opened.status.timeline.looks_back);
-}
-
-#[test]
-fn the_ghost_is_kept_in_step() {
-    let worker = start(BREAKING);
-    advance(&worker, 4);
-    let mut bare = (*scene(BREAKING)).clone();
-    bare.bodies[0].fibres.clear();
-    ask(&worker, SimCommand::Ghost(Some(Arc::new(bare))));
-    until(&worker, |p| p.ghost.is_some());
-    let first = advance(&worker, 10);
-    assert!(first.values().all(|p| p.ghost.as_ref().is_some_and(|ghost| (ghost.time - p.status.time).abs() < 1e-9)));
-    // Before it came there is none to be seen.
-    assert!(show(&worker, 1.0 / 60.0).ghost.is_none());
-    all_are_shown_again(&worker, &first);
-    going_on_gives_the_same(&worker, &first);
-    // Where there was none yet, it joins.
-    show(&worker, 1.0 / 60.0);
-    ask(&worker, SimCommand::GoOn);
-    until(&worker, |p| {
-        let ghost = p.ghost.as_ref().map_or(0.0, |ghost| ghost.time);
-        !p.status.timeline.looks_back && p.status.time > 0.1 && (ghost - p.status.time).abs() < 1e-9
-    });
-}
-
-#[test]
-fn comparing_records_nothing() {
-    let worker = start(TWO_LAYER);
-    let first = advance(&worker, 4);
-    let frame = first.values().next().expect("a frame");
-    show(&worker, frame.status.time);
-    let integrators = vec![sinew::scene::IntegratorKind::LeapFrog, sinew::scene::IntegratorKind::Rk4];
-    ask(&worker, SimCommand::Compare { integrators, dt: 1e-3 });
-    ask(&worker, SimCommand::Play);
-    let compared = until(&worker, |p| p.compared.len() == 2 && p.status.time > 0.1);
-    assert!(compared.status.timeline.frames == 5 && !compared.status.timeline.looks_back);
-    for command in [SimCommand::Show(0.0), SimCommand::StepBack, SimCommand::Replay] {
-        ask(&worker, command);
-    }
-    ask(&worker, SimCommand::Compare { integrators: Vec::new(), dt: 1e-3 });
-    ask(&worker, SimCommand::Pause);
-    let ended = until(&worker, |p| p.compared.is_empty());
-    assert!(!ended.status.timeline.looks_back);
-    same(&show(&worker, frame.status.time), frame);
-}
-
-#[test]
-fn a_body_that_diverged_is_taken_up_before_that() {
-    let worker = start(BREAKING);
-    let first = advance(&worker, 6);
-    let mut rough = (*scene(BREAKING)).clone();
-    rough.time.step = TimeStep::Manual(Manual { dt: 1e-2, substeps_per_frame: 2, extra: Extra::new() });
-    ask(&worker, SimCommand::Edit(Arc::new(rough)));
-    ask(&worker, SimCommand::Play);
-    let stopped = until(&worker, |p| p.status.divergence.is_some());
-    ask(&worker, SimCommand::Pause);
-    let good = first.values().next_back().expect("frames");
-    assert!(stopped.status.time > good.status.time);
-    let before = show(&worker, good.status.time);
-    assert!(before.status.divergence.is_none());
-    same(&before, good);
-    // What was wrong is mended, and the motion goes on from where it was sound.
-    ask(&worker, SimCommand::Edit(scene(BREAKING)));
-    until(&worker, |p| p.status.edits == 2 && p.status.time == good.status.time);
-    let on = advance(&worker, 3);
-    assert!(on.values().all(|p| p.status.divergence.is_none() && p.status.time > good.status.time));
 }

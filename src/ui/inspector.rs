@@ -2,11 +2,11 @@
 
 use super::action::Action;
 use super::app::App;
-use super::fibres::{displaced, rigidity_of};
 use super::field::Field;
 use super::outliner::title;
 use super::theme::GRID;
 use crate::edit::Command;
+use crate::edit::fibre_ops::{displaced, rigidity_of};
 use crate::scene::{Extra, Fibre, FibreSource, Material, PaperStiffness, RestShape, Rigidity, Stiffness};
 use egui::{Slider, Ui};
 
@@ -82,7 +82,9 @@ fn stiffness(ui: &mut Ui, fibre: &mut Fibre, material: &Material) {
     let mut times = ea / displaced(material);
     ui.label("Softer – stiffer than the material");
     ui.spacing_mut().slider_width = 120.0;
-    let slider = Slider::new(&mut times, TIMES).logarithmic(true).suffix(" ×").max_decimals(1);
+    // Rounded and held in its range when it is moved, not when it is looked at.
+    let clamping = egui::SliderClamping::Edits;
+    let slider = Slider::new(&mut times, TIMES).logarithmic(true).suffix(" ×").max_decimals(1).clamping(clamping);
     let tooltip = "Axial rigidity EA over that of the material that the fibre displaces, E 0.2 pi h²; EI goes with it";
     if ui.add(slider).on_hover_text(tooltip).changed() {
         let Rigidity { ea, ei, .. } = rigidity_of(material, times);

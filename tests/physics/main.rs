@@ -12,6 +12,7 @@ mod figures;
 mod forces;
 mod meeting;
 mod paint;
+mod patterns;
 mod press;
 mod rods;
 mod shipped;

@@ -2,6 +2,8 @@
 
 use super::action::{Action, GESTURES, Menu};
 use super::app::App;
+use super::gallery::{Choice, Example};
+use super::patterns::{self, Question};
 use super::theme::GRID;
 use egui::{Context, Id, Key, Modal, RichText, ScrollArea, TextEdit, Ui};
 use std::path::{Path, PathBuf};
@@ -36,6 +38,10 @@ pub enum Dialog {
         /// The desktop's own dialog, when it is open.
         browsing: Option<Receiver<Option<PathBuf>>>,
     },
+    /// Shows the scenes that ship.
+    Examples,
+    /// Asks about a person's own patterns.
+    Pattern(Question),
 }
 
 impl Dialog {
@@ -59,16 +65,31 @@ enum Answer {
     Do(Action),
     /// A path was given.
     Path(PathPurpose, PathBuf),
+    /// An example was chosen.
+    Example(&'static Example),
+    /// What was asked about a pattern is to be done.
+    Pattern,
 }
 
 impl App {
     pub(super) fn dialogs(&mut self, ctx: &Context) {
         let Some(mut dialog) = self.dialog.take() else { return };
+        let mut gallery = std::mem::take(&mut self.gallery);
         let modal = Modal::new(Id::unique("dialog")).show(ctx, |ui| match &mut dialog {
             Dialog::Palette { text, chosen } => palette(ui, text, chosen, |action| self.can(action)),
             Dialog::Help => help(ui),
             Dialog::Path { purpose, text, browsing } => ask_path(ui, *purpose, text, browsing),
+            Dialog::Examples => gallery.show(ui).map_or(Answer::None, |choice| match choice {
+                Choice::Draw => Answer::Closed,
+                Choice::Open(example) => Answer::Example(example),
+            }),
+            Dialog::Pattern(question) => match patterns::ask(ui, question) {
+                None => Answer::None,
+                Some(true) => Answer::Pattern,
+                Some(false) => Answer::Closed,
+            },
         });
+        self.gallery = gallery;
         let answer = match modal.inner {
             Answer::None if modal.should_close() => Answer::Closed,
             answer => answer,
@@ -79,6 +100,12 @@ impl App {
             Answer::Do(action) => self.perform(ctx, action),
             Answer::Path(PathPurpose::Open, path) => self.open(&path),
             Answer::Path(PathPurpose::Save, path) => self.save(&path),
+            Answer::Example(example) => self.open_example(example),
+            Answer::Pattern => {
+                if let Dialog::Pattern(question) = dialog {
+                    self.pattern_answered(&question);
+                }
+            }
         }
     }
 }

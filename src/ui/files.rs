@@ -5,7 +5,7 @@ use super::document::{Document, moved};
 use super::editing::Editing;
 use super::sketch_tool::SketchTool;
 use crate::edit::Editor;
-use crate::io::save_scene;
+use crate::io::{IoError, save_scene};
 use crate::sim::SimCommand;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,12 +13,19 @@ use std::sync::Arc;
 impl App {
     /// Opens a file, or the built-in scene.
     pub(super) fn open_document(&mut self, path: Option<PathBuf>) {
-        match Document::load(path) {
+        self.take_document(Document::load(path));
+    }
+
+    /// Shows a document that was read, or says why it could not be.
+    pub(super) fn take_document(&mut self, read: Result<Document, IoError>) {
+        match read {
             Ok(Document { scene, assets, path, folder, note }) => {
                 self.editor = Editor::new(scene);
                 self.path = path;
                 self.folder = folder;
                 self.assets = assets;
+                self.gallery.shipped = false;
+                self.patterns.forget_region();
                 self.editing = Editing::default();
                 self.tool = SketchTool::default();
                 self.pull = None;
@@ -45,8 +52,13 @@ impl App {
     /// Saves to a file.
     pub fn save(&mut self, path: &Path) {
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let scene = moved(self.editor.scene(), &self.folder, &folder);
-        match save_scene(path, &scene) {
+        // Models that came with the program are put beside the scene, others stay where they are.
+        let scene = if self.gallery.shipped {
+            self.with_models_in(&folder)
+        } else {
+            Ok(moved(self.editor.scene(), &self.folder, &folder))
+        };
+        match scene.and_then(|scene| save_scene(path, &scene)) {
             Ok(()) => {
                 self.editor.mark_saved();
                 self.path = Some(path.to_owned());

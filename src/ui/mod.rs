@@ -15,12 +15,14 @@ mod editing;
 mod fibres;
 mod field;
 mod files;
+mod gallery;
 mod inspector;
 mod legend;
 mod menu;
 mod outliner;
 mod overlay;
 mod pane;
+mod patterns;
 mod perform;
 mod picture;
 mod properties;
@@ -28,16 +30,21 @@ mod pulling;
 mod seeing;
 mod sketch_tool;
 pub mod theme;
+mod thumbs;
 mod views;
 mod world_panel;
 
 pub use action::Action;
 pub use app::App;
 pub use document::Document;
+pub use gallery::{EXAMPLES, Example, Group};
 pub use menu::Menu;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use thiserror::Error;
+
+/// Under this name the system keeps what is remembered.
+const NAME: &str = "sinew";
 
 /// Why there is no window.
 #[derive(Debug, Error)]
@@ -70,13 +77,20 @@ pub fn run(document: Document) -> Result<(), NoWindow> {
     std::panic::set_hook(Box::new(|_| {}));
     let outcome = catch_unwind(AssertUnwindSafe(move || {
         eframe::run_native(
-            "sinew",
+            NAME,
             options,
             Box::new(move |creation| {
                 std::panic::set_hook(hook);
+                let given = !document.is_built_in();
                 let mut app = App::new(&creation.egui_ctx, creation.wgpu_render_state.clone(), document);
+                if let Some(folder) = eframe::storage_dir(NAME) {
+                    app = app.with_pattern_folder(folder.join("patterns"));
+                }
                 if let Some(storage) = creation.storage {
                     app.recall(&creation.egui_ctx, storage);
+                }
+                if !given {
+                    app.welcome();
                 }
                 Ok(Box::new(app))
             }),

@@ -12,6 +12,8 @@ impl App {
         match action {
             Action::Undo => self.editor.undo_name().is_some(),
             Action::Redo => self.editor.redo_name().is_some(),
+            Action::Patterns => true,
+            Action::KeepPattern => self.can_keep_pattern(),
             action if action.edits_fibres() => self.can_edit(action),
             _ => true,
         }
@@ -65,6 +67,8 @@ impl App {
         match action {
             Action::New => self.open_document(None),
             Action::Open => self.dialog = Some(Dialog::path(PathPurpose::Open, self.path.as_deref())),
+            Action::Examples => self.dialog = Some(Dialog::Examples),
+            Action::Patterns | Action::KeepPattern => self.pattern_action(action),
             Action::Save => match self.path.clone() {
                 Some(path) => self.save(&path),
                 None => self.dialog = Some(Dialog::path(PathPurpose::Save, None)),

@@ -60,6 +60,7 @@ fn drawing_views(views: &Tree<Pane>) -> Vec<(View, Rect)> {
 impl App {
     /// Goes on with the views and colours of the last time.
     pub(super) fn recall(&mut self, ctx: &egui::Context, storage: &dyn eframe::Storage) {
+        self.recall_welcome(storage);
         let Some(last) = eframe::get_value::<Remembered>(storage, KEY) else { return };
         if is_whole(&last.views) {
             self.panes = last.views;
@@ -72,6 +73,7 @@ impl App {
     }
 
     pub(super) fn remember(&mut self, storage: &mut dyn eframe::Storage) {
+        self.remember_welcome(storage);
         let views = std::mem::replace(&mut self.panes, Tree::empty(egui::Id::unique("no panes")));
         let now = Remembered { views, light: self.tone == super::theme::Tone::Light, coach: self.coach };
         eframe::set_value(storage, KEY, &now);

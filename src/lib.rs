@@ -27,7 +27,8 @@
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
 //!   paces it for a window and keeps the last minutes of motion in bounded memory, to be shown again and gone on from
 //!   bit for bit; readings frame by frame; the comparison of integrators, by numbers and side by side.
-//! - [`io`]: the only file access. Scene JSON and its schema, models, OBJ sequences, atomic writes, recovery.
+//! - [`io`]: the only file access. Scene JSON and its schema, models, OBJ sequences, atomic writes, recovery, folders of
+//!   what the program keeps for a person.
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.
 //! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,

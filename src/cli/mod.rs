@@ -11,6 +11,7 @@ mod console;
 mod drive;
 mod error;
 mod make_models;
+mod make_pictures;
 mod order_plot;
 mod output;
 mod parallel;
@@ -27,6 +28,7 @@ mod vary;
 
 pub use console::Console;
 pub use error::CliError;
+pub use make_pictures::{Demo, demo};
 
 use clap::{Parser, Subcommand};
 #[cfg(feature = "gui")]
@@ -65,6 +67,9 @@ pub enum Command {
     /// Make the models in assets/ anew
     #[command(hide = true)]
     MakeModels(make_models::MakeModels),
+    /// Make the pictures of the window's galleries anew
+    #[command(hide = true)]
+    MakePictures(make_pictures::MakePictures),
 }
 
 /// How a command ended.
@@ -92,6 +97,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Command::Table1(args) => table1::run(args, console),
         Command::Schema => schema::run(console),
         Command::MakeModels(args) => make_models::run(args, console),
+        Command::MakePictures(args) => make_pictures::run(args, console),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

@@ -1,6 +1,7 @@
 //! Loading what a scene refers to.
 
 use super::{IoError, load_model};
+use crate::geometry::model::Model;
 use crate::geometry::solid::Solid;
 use crate::scene::{Assets, Scene};
 use std::path::Path;
@@ -17,6 +18,16 @@ pub fn load_assets(scene: &Scene, folder: &Path, progress: &mut dyn FnMut(&str))
     Ok(assets)
 }
 
+/// [`load_assets`] for models that lie elsewhere than in files: `read` gives what a scene names.
+///
+/// # Errors
+/// As [`load_assets`].
+pub fn load_assets_by(scene: &Scene, read: &dyn Fn(&Path) -> Result<Model, IoError>) -> Result<Assets, IoError> {
+    let mut assets = Assets::default();
+    complete(&mut assets, scene, Path::new(""), read, &mut |_| {})?;
+    Ok(assets)
+}
+
 /// [`load_assets`] for those that are not there yet.
 ///
 /// # Errors
@@ -27,6 +38,16 @@ pub fn complete_assets(
     folder: &Path,
     progress: &mut dyn FnMut(&str),
 ) -> Result<(), IoError> {
+    complete(assets, scene, folder, &load_model, progress)
+}
+
+fn complete(
+    assets: &mut Assets,
+    scene: &Scene,
+    folder: &Path,
+    read: &dyn Fn(&Path) -> Result<Model, IoError>,
+    progress: &mut dyn FnMut(&str),
+) -> Result<(), IoError> {
     for (pointer, shape) in scene.meshes() {
         if assets.solid(shape).is_some() {
             continue;
@@ -34,7 +55,7 @@ pub fn complete_assets(
         let path = folder.join(shape.path);
         let asset = |error: IoError| IoError::Asset { pointer: format!("{pointer}/path"), error: Box::new(error) };
         progress(&format!("{}: reading", shape.path));
-        let mut model = load_model(&path).map_err(asset)?;
+        let mut model = read(&path).map_err(asset)?;
         model.stand_up(shape.up_axis(), shape.scale);
         progress(&format!("{}: looking for an inside", shape.path));
         let solid = Solid::new(&model).map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;

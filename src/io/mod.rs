@@ -3,6 +3,7 @@
 
 mod assets;
 mod atomic;
+mod beside;
 mod error;
 mod frames;
 mod glb;
@@ -15,18 +16,21 @@ mod recent;
 mod recovery;
 mod scene;
 mod schema;
+mod shelf;
 mod stamp;
 
-pub use assets::{complete_assets, load_assets};
+pub use assets::{complete_assets, load_assets, load_assets_by};
 pub use atomic::{check_writable, make_folder, write_atomically};
+pub use beside::put_beside;
 pub use error::IoError;
 pub use frames::FrameFolder;
 pub use glb::write_glb;
-pub use model::{MAX_MODEL_BYTES, is_model, load_model};
+pub use model::{MAX_MODEL_BYTES, is_model, load_model, read_model};
 pub use obj::write_obj;
 pub use pointer::{apply_sets, set_pointer};
 pub use recent::RecentFiles;
 pub use recovery::{Origin, Recoverable, Recovery, recoverable};
 pub use scene::{MAX_SCENE_BYTES, load_scene, save_scene, scene_from_json, scene_to_json};
 pub use schema::{scene_schema, unknown_fields};
+pub use shelf::{Kept, Shelf};
 pub use stamp::{FileStamp, FileState};

@@ -64,6 +64,8 @@ macro_rules! actions {
 actions! {
     New in File [ctrl(Key::N)] "New from the soft bar": "Starts over with the built-in scene";
     Open in File [ctrl(Key::O)] "Open…": "Opens a scene or a model; dropping one on the window does the same";
+    Examples in File [ctrl(Key::E)] "Examples…":
+        "Shows every scene that ships, with a picture and what to look at";
     Reload in File [] "Reload": "Takes the scene as its file holds it";
     Save in File [ctrl(Key::S)] "Save": "Writes the scene to its file";
     SaveAs in File [ctrl_shift(Key::S)] "Save as…": "Writes the scene to another file";
@@ -100,6 +102,9 @@ actions! {
         "Takes the next stroke in place of the one that the selected fibre has in that view";
     Paint in Fibre [plain(Key::V)] "Paint volume fraction":
         "Takes up a brush that paints how much of the body is fibre, on the body in the result view";
+    Patterns in Fibre [] "Patterns": "Shows layouts of fibres that can be fitted to the body and added to it";
+    KeepPattern in Fibre [] "Save selection as pattern…":
+        "Keeps the selected fibres, or all of them, as a pattern of your own";
     Hide in Edit [plain(Key::H)] "Hide": "Hides the selected fibres; they act all the same";
     ShowAll in Edit [alt(Key::H)] "Show all": "Shows every hidden fibre of the body";
     PlayPause in Simulation [plain(Key::Space)] "Play or pause": "Runs or holds the simulation";

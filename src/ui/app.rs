@@ -4,7 +4,9 @@ use super::comparison::Comparison;
 use super::dialogs::Dialog;
 use super::document::Document;
 use super::editing::Editing;
+use super::gallery::Gallery;
 use super::pane::Pane;
+use super::patterns::Patterns;
 use super::picture::Painter;
 use super::readings::Readings;
 use super::seeing::Seeing;
@@ -35,7 +37,7 @@ pub enum Gravity {
 }
 
 /// Tabs of the right panel.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PropertyTab {
     /// What the active body is made of.
     #[default]
@@ -44,6 +46,8 @@ pub enum PropertyTab {
     World,
     /// The scene under several integrators.
     Comparison,
+    /// Layouts of fibres.
+    Patterns,
 }
 
 /// A point of a body that is being pulled.
@@ -87,6 +91,8 @@ pub struct App {
     pub(super) timeline: Timeline,
     pub(super) readings: Readings,
     pub(super) trust: Trust,
+    pub(super) patterns: Patterns,
+    pub(super) gallery: Gallery,
     pub(super) assets: Arc<Assets>,
     /// Impulse that the strike button gives [N s].
     pub(super) impulse: [f64; 3],
@@ -146,6 +152,8 @@ impl App {
             timeline: Timeline::default(),
             readings: Readings::default(),
             trust,
+            patterns: Patterns::default(),
+            gallery: Gallery::default(),
             assets,
             impulse: [0.1, 0.0, 0.0],
             pull: None,
@@ -216,6 +224,7 @@ impl App {
             self.take_model();
             self.editing = Editing::default();
             self.tool = SketchTool::default();
+            self.patterns.forget_region();
             self.reframe(false);
         }
     }
@@ -291,6 +300,7 @@ impl App {
         }
         if ctx.input(|input| input.key_pressed(egui::Key::Escape)) && self.dialog.take().is_none() {
             self.tool.cancel();
+            self.leave_region();
             self.editing.redraws = false;
         }
         self.perform_keys(ctx);

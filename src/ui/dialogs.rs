@@ -2,6 +2,8 @@
 
 use super::action::{Action, GESTURES, Menu};
 use super::app::App;
+use super::gallery::{Choice, Example};
+use super::patterns;
 use super::theme::GRID;
 use super::trust::{About, Next, Question, Reply, ask, choose_recent};
 use egui::{Context, Id, Key, Modal, RichText, ScrollArea, TextEdit, Ui};
@@ -43,6 +45,10 @@ pub enum Dialog {
     },
     /// Asks what is to become of the document or its file.
     Question(Question),
+    /// Shows the scenes that ship.
+    Examples,
+    /// Asks about a person's own patterns.
+    Pattern(patterns::Question),
 }
 
 impl Dialog {
@@ -80,18 +86,33 @@ enum Answer {
     Recent(PathBuf),
     /// A question was answered.
     Reply(Reply),
+    /// An example was chosen.
+    Example(&'static Example),
+    /// What was asked about a pattern is to be done.
+    Pattern,
 }
 
 impl App {
     pub(super) fn dialogs(&mut self, ctx: &Context) {
         let Some(mut dialog) = self.dialog.take() else { return };
         let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(4.0 * GRID);
+        let mut gallery = std::mem::take(&mut self.gallery);
         let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| match &mut dialog {
             Dialog::Palette { text, chosen } => palette(ui, text, chosen, |action| self.can(action)),
             Dialog::Help => help(ui),
             Dialog::Path { purpose, text, browsing, .. } => ask_path(ui, *purpose, text, browsing, self.trust.recent()),
             Dialog::Question(question) => ask(ui, question, &self.about()).map_or(Answer::None, Answer::Reply),
+            Dialog::Examples => gallery.show(ui).map_or(Answer::None, |choice| match choice {
+                Choice::Draw => Answer::Closed,
+                Choice::Open(example) => Answer::Example(example),
+            }),
+            Dialog::Pattern(question) => match patterns::ask(ui, question) {
+                None => Answer::None,
+                Some(true) => Answer::Pattern,
+                Some(false) => Answer::Closed,
+            },
         });
+        self.gallery = gallery;
         let answer = match modal.inner {
             Answer::None if modal.should_close() => Answer::Closed,
             answer => answer,
@@ -105,6 +126,8 @@ impl App {
             (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => {
                 self.export(&path);
             }
+            (Answer::Example(example), _) => self.leave(ctx, Next::Example(example)),
+            (Answer::Pattern, Dialog::Pattern(question)) => self.pattern_answered(&question),
             (Answer::Recent(path), _) => self.open_recent(ctx, path),
             (Answer::Path(path), Dialog::Path { next, .. }) => self.save_to(ctx, path, next),
             (Answer::Picked(path), Dialog::Path { next, .. }) => self.write_then(ctx, &path, next),

@@ -50,6 +50,11 @@ impl Document {
         Ok(Self { scene, assets, path, folder, note: None })
     }
 
+    /// Whether it is what the window starts with unless it is given something else.
+    pub(super) fn is_built_in(&self) -> bool {
+        self.path.is_none() && self.note.is_none()
+    }
+
     /// A soft solid in the shape of a model, just above a floor.
     fn of_model(path: &Path) -> Result<Self, IoError> {
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();

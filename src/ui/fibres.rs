@@ -3,15 +3,9 @@
 use super::app::{App, Gravity};
 use super::sketch_tool::{Outcome, SHORTEST_STROKE, SketchTool};
 use crate::edit::{Command, fibre_ops};
-use crate::scene::{Body, Extra, Fibre, FibreSource, Material, Mismatch, RestShape, Rigidity, Stiffness, StrokePair};
+use crate::scene::{Body, Extra, Fibre, FibreSource, Mismatch, RestShape, Stiffness, StrokePair};
 use crate::sketch::{Lifted, View};
 use egui::Ui;
-use std::f64::consts::PI;
-
-/// A new fibre is this many times as stiff as the material that it displaces, so that its effect is plain.
-const STIFFER: f64 = 10.0;
-/// Its bending stiffness over its axial rigidity, in particle spacings squared.
-const BENDING: f64 = 0.02;
 
 impl App {
     /// What a released stroke leads to.
@@ -58,8 +52,8 @@ impl App {
             hidden: false,
             color: None,
             source: FibreSource::Strokes(strokes),
-            stiffness: Stiffness::Rigidity(usual_rigidity(body)),
-            volume_fraction: 0.5,
+            stiffness: Stiffness::Rigidity(fibre_ops::rigidity_of(&body.material, fibre_ops::STIFFER)),
+            volume_fraction: fibre_ops::NEW_VOLUME_FRACTION,
             rest_shape: RestShape::AsDrawn,
             break_past: None,
             extra: Extra::new(),
@@ -120,25 +114,4 @@ impl App {
         self.gesture += 1;
         self.apply(&Command::SetFibre { body, fibre });
     }
-}
-
-fn usual_rigidity(body: &Body) -> Rigidity {
-    rigidity_of(&body.material, STIFFER)
-}
-
-/// Axial rigidity [N] of the material that a fibre displaces.
-pub(super) fn displaced(material: &Material) -> f64 {
-    material.young_modulus * 0.2 * PI * material.support_radius.powi(2)
-}
-
-/// A fibre so many times as stiff as the material that it displaces.
-pub(super) fn rigidity_of(material: &Material, times: f64) -> Rigidity {
-    let ea = round_to_two_figures(times * displaced(material));
-    let ei = round_to_two_figures(BENDING * ea * material.spacing().powi(2));
-    Rigidity { ea, ei, extra: Extra::new() }
-}
-
-fn round_to_two_figures(value: f64) -> f64 {
-    let scale = 10_f64.powf(value.log10().floor() - 1.0);
-    (value / scale).round() * scale
 }

@@ -4,6 +4,7 @@ use super::app::{App, Gravity};
 use super::dialogs::{Dialog, PathPurpose};
 use super::document::{Document, moved};
 use super::editing::Editing;
+use super::gallery::{Example, shipped_assets};
 use super::sketch_tool::SketchTool;
 use super::trust::{Left, Next, Question};
 use crate::edit::Editor;
@@ -31,20 +32,38 @@ impl App {
         }
     }
 
+    /// Opens an example as a document without a file.
+    pub(super) fn open_example(&mut self, example: &Example) {
+        match Document::of_example(example) {
+            Ok(document) => {
+                let said = document.note.clone().unwrap_or_default();
+                self.take_up(document, None);
+                self.gallery.shipped = true;
+                self.say(Gravity::Note, said);
+            }
+            Err(error) => self.say(Gravity::Error, error.to_string()),
+        }
+    }
+
     /// Opens a document that was left behind, as changed.
     pub(super) fn recover(&mut self, left: &Left) {
         let load = || {
             let scene = left.what.load()?;
-            let assets = Arc::new(load_assets(&scene, &left.what.origin.folder, &mut |_| {})?);
-            Ok((scene, assets))
+            // The models of an example may lie in no folder.
+            let (assets, shipped) = match load_assets(&scene, &left.what.origin.folder, &mut |_| {}) {
+                Ok(assets) => (assets, false),
+                Err(error) => (shipped_assets(&scene).map_err(|_| error)?, true),
+            };
+            Ok((scene, Arc::new(assets), shipped))
         };
         match load() {
-            Ok((scene, assets)) => {
+            Ok((scene, assets, shipped)) => {
                 let origin = left.what.origin.clone();
                 let said = format!("Recovered {}; save it to keep it", left.name());
                 // What the file became since then is not known to be what the document grew from.
                 let stamp = origin.file.as_deref().filter(|_| !left.is_older).and_then(|file| FileStamp::of(file).ok());
                 self.take_up(Document { scene, assets, path: origin.file, folder: origin.folder, note: None }, stamp);
+                self.gallery.shipped = shipped;
                 self.editor.mark_unsaved();
                 self.recovered(left);
                 self.say(Gravity::Note, said);
@@ -63,6 +82,8 @@ impl App {
         self.path = path;
         self.folder = folder;
         self.assets = assets;
+        self.gallery.shipped = false;
+        self.patterns.forget_region();
         self.trust.watch(stamp);
         self.editing = Editing::default();
         self.tool = SketchTool::default();
@@ -100,8 +121,13 @@ impl App {
     /// Saves to a file, whatever it holds, and goes on unless that fails.
     pub(super) fn write_then(&mut self, ctx: &egui::Context, path: &Path, next: Option<Next>) {
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let scene = moved(self.editor.scene(), &self.folder, &folder);
-        match save_scene(path, &scene) {
+        // Models that came with the program are put beside the scene, others stay where they are.
+        let scene = if self.gallery.shipped {
+            self.with_models_in(&folder)
+        } else {
+            Ok(moved(self.editor.scene(), &self.folder, &folder))
+        };
+        match scene.and_then(|scene| save_scene(path, &scene)) {
             Ok(()) => {
                 self.editor.mark_saved();
                 self.path = Some(path.to_owned());

@@ -2,11 +2,11 @@
 
 use super::action::Action;
 use super::app::App;
-use super::fibres::{displaced, rigidity_of};
 use super::field::Field;
 use super::outliner::title;
 use super::theme::GRID;
 use crate::edit::Command;
+use crate::edit::fibre_ops::{displaced, rigidity_of};
 use crate::scene::{Extra, Fibre, FibreSource, Material, PaperStiffness, RestShape, Rigidity, Stiffness};
 use egui::{Slider, SliderClamping, Ui};
 

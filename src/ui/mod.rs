@@ -16,12 +16,14 @@ mod editing;
 mod fibres;
 mod field;
 mod files;
+mod gallery;
 mod inspector;
 mod legend;
 mod menu;
 mod outliner;
 mod overlay;
 mod pane;
+mod patterns;
 mod perform;
 mod picture;
 mod plots;
@@ -31,6 +33,7 @@ mod readings;
 mod seeing;
 mod sketch_tool;
 pub mod theme;
+mod thumbs;
 mod timeline;
 mod timescale;
 mod trust;
@@ -40,10 +43,14 @@ mod world_panel;
 pub use action::Action;
 pub use app::App;
 pub use document::Document;
+pub use gallery::{EXAMPLES, Example, Group};
 pub use menu::Menu;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use thiserror::Error;
+
+/// Under this name the system keeps what is remembered.
+const NAME: &str = "sinew";
 
 /// Why there is no window.
 #[derive(Debug, Error)]
@@ -55,9 +62,6 @@ use thiserror::Error;
 pub struct NoWindow {
     problem: String,
 }
-
-/// What the window's own files are kept under.
-const NAME: &str = "sinew";
 
 /// Opens the window on a document and returns when it is closed.
 ///
@@ -83,12 +87,16 @@ pub fn run(document: Document) -> Result<(), NoWindow> {
             options,
             Box::new(move |creation| {
                 std::panic::set_hook(hook);
+                let given = !document.is_built_in();
                 let mut app = App::new(&creation.egui_ctx, creation.wgpu_render_state.clone(), document);
+                if let Some(folder) = eframe::storage_dir(NAME) {
+                    app = app.with_pattern_folder(folder.join("patterns")).with_recovery(folder.join("recovery"));
+                }
                 if let Some(storage) = creation.storage {
                     app.recall(&creation.egui_ctx, storage);
                 }
-                if let Some(folder) = eframe::storage_dir(NAME) {
-                    app = app.with_recovery(folder.join("recovery"));
+                if !given {
+                    app.welcome();
                 }
                 Ok(Box::new(app))
             }),

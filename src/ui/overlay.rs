@@ -137,7 +137,8 @@ impl View3d<'_> {
     /// What the first fibre takes, step by step, in the view where the next step is.
     fn coach(&self) -> Option<&'static str> {
         let PaneKind::Drawing(view) = self.pane.kind else { return None };
-        if !self.app.coach || self.app.active_body().is_none() {
+        let elsewhere = self.app.dialog.is_some() || self.app.lays_pattern();
+        if !self.app.coach || elsewhere || self.app.active_body().is_none() {
             return None;
         }
         match self.app.tool.first() {

@@ -102,7 +102,7 @@ impl Frame {
     }
 
     /// The point of a drawing view's plane under a pixel, in the view's own coordinates [m].
-    fn drawn(&self, view: View, at: Pos2) -> DVec2 {
+    pub(super) fn drawn(&self, view: View, at: Pos2) -> DVec2 {
         view.project(self.camera.ray(self.pixel(at), self.size()).origin)
     }
 
@@ -126,8 +126,12 @@ impl View3d<'_> {
         self.settle_camera(ui, rect);
         self.move_camera(ui, &response);
         let frame = Frame { rect, camera: self.pane.camera };
-        self.edit(ui, &response, frame);
+        let takes_region = self.region(ui, &response, frame);
+        if !takes_region {
+            self.edit(ui, &response, frame);
+        }
         match self.pane.kind {
+            _ if takes_region => {}
             _ if self.app.editing.has_pointer(self.pane.kind) => {}
             PaneKind::Drawing(view) => self.draw_strokes(ui, &response, view, frame),
             PaneKind::Result => self.pull(ui, &response, frame),
@@ -138,6 +142,7 @@ impl View3d<'_> {
             PaneKind::Result => self.paint_result(ui, frame),
         }
         self.paint_editing(ui, frame);
+        self.paint_pattern(ui, frame);
         self.paint_title(ui, rect);
         self.corner(ui, rect);
     }

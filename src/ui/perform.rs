@@ -17,6 +17,8 @@ impl App {
             Action::GoOn | Action::Live => self.looks_back(),
             Action::Reload => self.path.is_some(),
             Action::Recover => !self.trust.left().is_empty(),
+            Action::Patterns => true,
+            Action::KeepPattern => self.can_keep_pattern(),
             action if action.edits_fibres() => self.can_edit(action),
             _ => true,
         }
@@ -79,6 +81,8 @@ impl App {
             Action::Export => self.dialog = Some(Dialog::path(PathPurpose::Export, Some(&self.export_path()))),
             Action::Recover => self.dialog = Some(Dialog::Question(Question::Recover)),
             Action::Quit => self.leave(ctx, Next::Quit),
+            Action::Examples => self.dialog = Some(Dialog::Examples),
+            Action::Patterns | Action::KeepPattern => self.pattern_action(action),
             Action::Undo => {
                 if self.editor.undo() {
                     self.hand_over();

@@ -64,6 +64,7 @@ impl App {
     /// Goes on with the views, colours and files of the last time.
     pub fn recall(&mut self, ctx: &egui::Context, storage: &dyn eframe::Storage) {
         self.recall_recent(storage);
+        self.recall_welcome(storage);
         let Some(last) = eframe::get_value::<Remembered>(storage, KEY) else { return };
         if is_whole(&last.views) {
             self.panes = last.views;
@@ -78,6 +79,7 @@ impl App {
     }
 
     pub(super) fn remember(&mut self, storage: &mut dyn eframe::Storage) {
+        self.remember_welcome(storage);
         let views = std::mem::replace(&mut self.panes, Tree::empty(egui::Id::unique("no panes")));
         let (light, plots) = (self.tone == super::theme::Tone::Light, self.readings.open);
         let now = Remembered { views, light, coach: self.coach, timeline: self.timeline_kept(), plots };

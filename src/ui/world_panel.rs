@@ -50,15 +50,23 @@ impl App {
             ui.set_min_width(ui.available_width());
             ui.add_space(GRID);
             ui.horizontal(|ui| {
+                // All of them stand beside each other.
+                ui.spacing_mut().item_spacing.x = 0.5 * GRID;
+                ui.spacing_mut().button_padding.x = 0.75 * GRID;
                 ui.selectable_value(&mut self.tab, PropertyTab::Body, "Material");
                 ui.selectable_value(&mut self.tab, PropertyTab::World, "World");
                 ui.selectable_value(&mut self.tab, PropertyTab::Comparison, "Compare");
+                ui.selectable_value(&mut self.tab, PropertyTab::Patterns, "Patterns")
+                    .on_hover_text("Layouts of fibres to start from, and your own");
             });
             ui.separator();
-            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| match self.tab {
+            // Each tab, and a pattern that is chosen, begins at its own top.
+            let place = (self.tab, self.lays_pattern());
+            ScrollArea::vertical().id_salt(place).auto_shrink(false).show(ui, |ui| match self.tab {
                 PropertyTab::Body => self.body_tab(ui),
                 PropertyTab::World => self.world_tab(ui),
                 PropertyTab::Comparison => self.comparison_tab(ui),
+                PropertyTab::Patterns => self.patterns_tab(ui),
             });
         });
     }

@@ -110,3 +110,19 @@ fn a_program_without_pictures_says_so() {
         assert!(error.contains("built without pictures"), "{error}");
     }
 }
+
+#[cfg(feature = "render")]
+#[test]
+fn the_pictures_of_the_galleries_can_be_made_again() {
+    let desk = Desk::new(&pressed());
+    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
+    let make = |only: &str| drawn(&desk, &format!("make-pictures made --scenes {scenes} --only {only}"));
+    if make("vert").is_none() {
+        return;
+    }
+    make("two_layer_1d");
+    let [strip, example] = ["made/patterns/vertical.png", "made/examples/two_layer_1d.png"]
+        .map(|name| fs::read(desk.path(name)).expect("the picture is there"));
+    assert_eq!((png_size(&strip), png_size(&example)), ([128, 1280], [240, 150]));
+    assert_eq!(super::names(&desk.path("made/patterns")), ["vertical.png"]);
+}

@@ -5,6 +5,8 @@ mod commands;
 mod comparing;
 mod editing;
 mod fibres;
+mod gallery;
+mod patterns;
 mod picture;
 mod plots;
 mod pulling;

@@ -11,6 +11,7 @@
 
 mod cut;
 mod error;
+mod layout;
 mod reshape;
 mod snap;
 mod strokes;
@@ -19,6 +20,7 @@ mod vertices;
 
 pub use cut::{copies, split};
 pub use error::FibreEditError;
+pub use layout::{BENDING, Called, NEW_VOLUME_FRACTION, STIFFER, displaced, laid, rigidity_of};
 pub use reshape::{Fineness, resample, smooth};
 pub use snap::{snap, surface};
 pub use strokes::{redraw, reverse};

@@ -78,25 +78,37 @@ pub fn is_model(path: &Path) -> bool {
 pub fn load_model(path: &Path) -> Result<Model, IoError> {
     let load = || {
         let format = Format::of(path).ok_or(IoError::UnknownModel)?;
-        let bytes = read_bytes(path, MAX_MODEL_BYTES)?;
-        let folder = path.parent().unwrap_or(Path::new(""));
-        // Importers meet files that nobody has thought of: a panic in one is a file that cannot be read.
-        let read = catch_unwind(AssertUnwindSafe(|| match format {
-            Format::Obj => obj::read(&bytes, folder),
-            Format::Stl => stl::read(bytes),
-            Format::Ply => ply::read(&bytes),
-            Format::Gltf => gltf::read(&bytes, folder),
-        }));
-        let understood = |problem: String| IoError::Model { format: format.name(), problem: one_line(&problem) };
-        match read {
-            Ok(Ok(model)) if model.triangles.len().max(model.positions.len()) > MOST => {
-                Err(understood(format!("it has more than {} million faces or vertices", MOST / 1_000_000)))
-            }
-            Ok(Ok(model)) => Ok(model),
-            Ok(Err(Failure::Content(problem))) => Err(understood(problem)),
-            Ok(Err(Failure::Other(error))) => Err(error),
-            Err(_) => Err(understood("it is damaged".to_owned())),
-        }
+        read(read_bytes(path, MAX_MODEL_BYTES)?, format, path)
     };
     load().map_err(|error| error.within(path))
+}
+
+/// Reads a model from the bytes of a file of that name, which need not be there; files beside it that it refers to must.
+///
+/// # Errors
+/// As [`load_model`], but for those of reading.
+pub fn read_model(name: &Path, bytes: &[u8]) -> Result<Model, IoError> {
+    let format = Format::of(name).ok_or(IoError::UnknownModel);
+    format.and_then(|format| read(bytes.to_vec(), format, name)).map_err(|error| error.within(name))
+}
+
+fn read(bytes: Vec<u8>, format: Format, path: &Path) -> Result<Model, IoError> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    // Importers meet files that nobody has thought of: a panic in one is a file that cannot be read.
+    let read = catch_unwind(AssertUnwindSafe(|| match format {
+        Format::Obj => obj::read(&bytes, folder),
+        Format::Stl => stl::read(bytes),
+        Format::Ply => ply::read(&bytes),
+        Format::Gltf => gltf::read(&bytes, folder),
+    }));
+    let understood = |problem: String| IoError::Model { format: format.name(), problem: one_line(&problem) };
+    match read {
+        Ok(Ok(model)) if model.triangles.len().max(model.positions.len()) > MOST => {
+            Err(understood(format!("it has more than {} million faces or vertices", MOST / 1_000_000)))
+        }
+        Ok(Ok(model)) => Ok(model),
+        Ok(Err(Failure::Content(problem))) => Err(understood(problem)),
+        Ok(Err(Failure::Other(error))) => Err(error),
+        Err(_) => Err(understood("it is damaged".to_owned())),
+    }
 }

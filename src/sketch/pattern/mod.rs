@@ -27,6 +27,8 @@ pub struct Parameter {
     pub id: &'static str,
     /// Name a person reads.
     pub title: &'static str,
+    /// What it changes, for a person.
+    pub tip: &'static str,
     /// Unit a person reads; empty for counts and shares.
     pub unit: &'static str,
     /// What it is unless it is changed.
@@ -60,6 +62,9 @@ pub struct Pattern {
     pub does: &'static str,
     /// What it is given; the last one is the margin as a share of the box's least extent.
     pub parameters: &'static [Parameter],
+    /// Bending stiffness of its fibres over their axial rigidity, in particle spacings squared: fibres in the middle plane of
+    /// something flat carry it by bending alone.
+    pub bending: f64,
     /// Polylines in the unit cube, from the values before the margin.
     layout: fn(&[f64], &Inner) -> Vec<Polyline>,
 }

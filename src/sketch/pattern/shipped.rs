@@ -2,25 +2,42 @@
 
 use super::{Parameter, Pattern, curves, lines, planes};
 
-const fn share(id: &'static str, title: &'static str, default: f64, range: [f64; 2]) -> Parameter {
-    Parameter { id, title, unit: "", default, range, whole: false }
+/// Bending stiffness over axial rigidity of most fibres, in particle spacings squared: as of those that are drawn.
+const SLENDER: f64 = 0.02;
+/// That of fibres which carry something flat.
+const STOUT: f64 = 3.0;
+
+const fn share(id: &'static str, title: &'static str, default: f64, range: [f64; 2], tip: &'static str) -> Parameter {
+    Parameter { id, title, tip, unit: "", default, range, whole: false }
 }
 
-const fn count(id: &'static str, title: &'static str, default: f64, range: [f64; 2]) -> Parameter {
-    Parameter { id, title, unit: "", default, range, whole: true }
+const fn count(id: &'static str, title: &'static str, default: f64, range: [f64; 2], tip: &'static str) -> Parameter {
+    Parameter { id, title, tip, unit: "", default, range, whole: true }
 }
 
-/// Of the box's least extent, kept free on every side.
-const MARGIN: Parameter = share("margin", "Margin", 0.15, [0.02, 0.4]);
-const VERTICES: Parameter = count("vertices", "Vertices", 13.0, [3.0, 64.0]);
-const MANY_VERTICES: Parameter = count("vertices", "Vertices", 25.0, [3.0, 64.0]);
-const ALONG_X: Parameter = count("along_x", "Fibres along x", 2.0, [1.0, 8.0]);
-const ALONG_Z: Parameter = count("along_z", "Fibres along z", 2.0, [1.0, 8.0]);
-const ROWS: Parameter = count("fibres", "Fibres", 2.0, [1.0, 8.0]);
+const fn turns(default: f64, range: [f64; 2], tip: &'static str) -> Parameter {
+    Parameter { id: "turns", title: "Turns", tip, unit: "turns", default, range, whole: false }
+}
+
+const MARGIN: Parameter =
+    share("margin", "Margin", 0.15, [0.02, 0.4], "Kept free on every side, as a share of the box's least extent");
+const VERTICES: Parameter = count(
+    "vertices",
+    "Vertices",
+    13.0,
+    [3.0, 64.0],
+    "Of each fibre, at most one a particle spacing; more follow a curve more closely",
+);
+const MANY_VERTICES: Parameter = Parameter { default: 25.0, ..VERTICES };
+const FEW_VERTICES: Parameter = Parameter { default: 7.0, ..VERTICES };
+const ALONG_X: Parameter = count("along_x", "Fibres along X", 2.0, [1.0, 8.0], "How many stand side by side");
+const ALONG_Z: Parameter = count("along_z", "Fibres along Z", 2.0, [1.0, 8.0], "How many stand one behind the other");
+const ROWS: Parameter = count("fibres", "Fibres", 2.0, [1.0, 8.0], "How many stand one behind the other");
+const HUB: Parameter = share("hub", "Hub", 0.15, [0.05, 0.6], "Where they begin, as a share of the way to the rim");
 const HELIX: [Parameter; 5] = [
-    count("fibres", "Fibres", 4.0, [1.0, 12.0]),
-    Parameter { id: "turns", title: "Turns", unit: "turns", default: 0.5, range: [0.1, 3.0], whole: false },
-    share("radius", "Radius", 1.0, [0.2, 1.0]),
+    count("fibres", "Fibres", 4.0, [1.0, 12.0], "How many wind about the axis, evenly spaced"),
+    turns(0.5, [0.1, 3.0], "How often each winds about the axis; less lean means more twist to the height lost"),
+    share("radius", "Radius", 1.0, [0.2, 1.0], "As a share of the half width"),
     VERTICES,
     MARGIN,
 ];
@@ -30,15 +47,23 @@ pub static PATTERNS: [Pattern; 12] = [
     Pattern {
         id: "vertical",
         title: "Upright",
-        does: "Stiffens the solid along its height; pressed or dropped, it keeps it.",
+        does: "Stiffens the solid along its height; dropped, it keeps it.",
         parameters: &[ALONG_X, ALONG_Z, VERTICES, MARGIN],
+        bending: SLENDER,
         layout: lines::vertical,
     },
     Pattern {
         id: "slanted",
         title: "Slanted",
         does: "Shears the solid along the slant when it is pressed or lands.",
-        parameters: &[ALONG_X, ALONG_Z, share("lean", "Lean", 0.5, [-0.9, 0.9]), VERTICES, MARGIN],
+        parameters: &[
+            ALONG_X,
+            ALONG_Z,
+            share("lean", "Lean", 0.5, [-0.9, 0.9], "How far aside the upper ends stand, as a share of the width"),
+            VERTICES,
+            MARGIN,
+        ],
+        bending: SLENDER,
         layout: lines::slanted,
     },
     Pattern {
@@ -46,6 +71,7 @@ pub static PATTERNS: [Pattern; 12] = [
         title: "Helix, left-handed",
         does: "Twists the solid one way when it is pressed or lands.",
         parameters: &HELIX,
+        bending: SLENDER,
         layout: curves::helix_left,
     },
     Pattern {
@@ -53,51 +79,73 @@ pub static PATTERNS: [Pattern; 12] = [
         title: "Helix, right-handed",
         does: "Twists the solid the other way when it is pressed or lands.",
         parameters: &HELIX,
+        bending: SLENDER,
         layout: curves::helix_right,
     },
     Pattern {
         id: "cross",
         title: "Cross",
-        does: "Braces the solid: it resists shear in the plane of the cross and bends across it.",
+        does: "Braces the solid: pushed aside it gives way less, least in the plane of the cross.",
         parameters: &[
-            count("planes", "Planes", 2.0, [1.0, 6.0]),
-            share("reach", "Width", 1.0, [0.2, 1.0]),
+            count("planes", "Planes", 2.0, [1.0, 6.0], "How many crosses stand one behind the other"),
+            share("reach", "Width", 1.0, [0.2, 1.0], "Of each cross, as a share of that of the box"),
             VERTICES,
             MARGIN,
         ],
+        bending: SLENDER,
         layout: lines::cross,
     },
     Pattern {
         id: "frame",
         title: "Frame",
-        does: "Stiffens the edges: the faces bulge between them.",
+        does: "Stiffens the edges; dropped, the solid keeps its shape.",
         parameters: &[VERTICES, MARGIN],
+        bending: SLENDER,
         layout: lines::frame,
     },
     Pattern {
         id: "c_shape",
         title: "C",
         does: "Bends the solid once when it is pressed.",
-        parameters: &[ROWS, share("bulge", "Bulge", 0.8, [-1.0, 1.0]), VERTICES, MARGIN],
+        parameters: &[
+            ROWS,
+            share("bulge", "Bulge", 0.8, [-1.0, 1.0], "To the left, as a share of the width; below zero to the right"),
+            VERTICES,
+            MARGIN,
+        ],
+        bending: SLENDER,
         layout: curves::c_shape,
     },
     Pattern {
         id: "s_shape",
         title: "S",
         does: "Bends the solid twice when it is pressed, one half each way.",
-        parameters: &[ROWS, share("swing", "Swing", 0.8, [-1.0, 1.0]), VERTICES, MARGIN],
+        parameters: &[
+            ROWS,
+            share(
+                "swing",
+                "Swing",
+                0.8,
+                [-1.0, 1.0],
+                "Of the lower half to the right, as a share of the half width; below zero to the left",
+            ),
+            VERTICES,
+            MARGIN,
+        ],
+        bending: SLENDER,
         layout: curves::s_shape,
     },
     Pattern {
         id: "radial",
         title: "Rays",
-        does: "Stiffens a disc or plate from its middle to its rim; it cups instead of folding.",
+        does: "Stiffens a disc or plate from its middle to its rim, so that it hardly hangs.",
         parameters: &[
-            count("rays", "Rays", 8.0, [2.0, 24.0]),
-            share("hub", "Hub", 0.15, [0.05, 0.6]),
-            count("vertices", "Vertices", 7.0, [3.0, 64.0]),
+            count("rays", "Rays", 8.0, [2.0, 24.0], "How many run from the middle to the rim"),
+            HUB,
+            FEW_VERTICES,
             MARGIN,
         ],
+        bending: STOUT,
         layout: planes::radial,
     },
     Pattern {
@@ -105,11 +153,12 @@ pub static PATTERNS: [Pattern; 12] = [
         title: "Veins",
         does: "Carries a leaf along its midrib and veins, and leaves it soft between them.",
         parameters: &[
-            count("pairs", "Pairs", 4.0, [0.0, 12.0]),
-            share("reach", "Width", 0.9, [0.2, 1.0]),
+            count("pairs", "Pairs", 4.0, [0.0, 12.0], "Side veins that leave the midrib, one to each side"),
+            share("reach", "Width", 0.9, [0.2, 1.0], "Of the side veins, as a share of the half width"),
             Parameter {
                 id: "angle",
                 title: "Angle",
+                tip: "Between the midrib and its side veins",
                 unit: "degrees",
                 default: 50.0,
                 range: [20.0, 90.0],
@@ -118,6 +167,7 @@ pub static PATTERNS: [Pattern; 12] = [
             VERTICES,
             MARGIN,
         ],
+        bending: STOUT,
         layout: planes::vein,
     },
     Pattern {
@@ -125,12 +175,13 @@ pub static PATTERNS: [Pattern; 12] = [
         title: "Spiral",
         does: "Lets a plate stretch in its plane and turn about its middle as it does.",
         parameters: &[
-            count("arms", "Arms", 1.0, [1.0, 6.0]),
-            Parameter { id: "turns", title: "Turns", unit: "turns", default: 2.0, range: [0.25, 4.0], whole: false },
-            share("hub", "Hub", 0.15, [0.05, 0.6]),
+            count("arms", "Arms", 1.0, [1.0, 6.0], "How many spirals wind out of the middle, evenly spaced"),
+            turns(2.0, [0.25, 4.0], "How often each winds about the middle on its way to the rim"),
+            HUB,
             MANY_VERTICES,
             MARGIN,
         ],
+        bending: SLENDER,
         layout: planes::spiral,
     },
     Pattern {
@@ -138,12 +189,13 @@ pub static PATTERNS: [Pattern; 12] = [
         title: "Short fibres",
         does: "Strengthens the solid evenly, in no direction more than in others.",
         parameters: &[
-            count("fibres", "Fibres", 30.0, [1.0, 500.0]),
-            share("length", "Length", 0.6, [0.1, 1.0]),
-            count("seed", "Seed", 1.0, [0.0, 1e6]),
-            count("vertices", "Vertices", 4.0, [3.0, 16.0]),
+            count("fibres", "Fibres", 30.0, [1.0, 500.0], "How many lie in the solid; more make it stiffer"),
+            share("length", "Length", 0.6, [0.1, 1.0], "Of each, as a share of the box's least extent"),
+            count("seed", "Seed", 1.0, [0.0, 1e6], "Another number lays them otherwise, the same number the same"),
+            count("vertices", "Vertices", 4.0, [3.0, 16.0], "Of each fibre"),
             MARGIN,
         ],
+        bending: SLENDER,
         layout: lines::short_fibres,
     },
 ];

@@ -12,6 +12,7 @@ pub(super) use recent::choose_recent;
 
 use super::app::{App, Gravity};
 use super::dialogs::Dialog;
+use super::gallery::Example;
 use crate::io::{FileStamp, FileState, Origin, RecentFiles};
 use crate::scene::Scene;
 use egui::{Context, Event, ViewportCommand};
@@ -26,6 +27,8 @@ pub enum Next {
     New,
     /// A file.
     Open(PathBuf),
+    /// A scene that ships.
+    Example(&'static Example),
     /// A document that was left behind.
     Recover(Left),
     /// The end of the program.
@@ -157,6 +160,7 @@ impl App {
         match next {
             Next::New => self.open_document(None),
             Next::Open(path) => self.open_document(Some(path)),
+            Next::Example(example) => self.open_example(example),
             Next::Recover(left) => self.recover(&left),
             Next::Quit => {
                 self.trust.is_leaving = true;

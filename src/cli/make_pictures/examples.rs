@@ -1,0 +1,74 @@
+//! When each scene that ships shows best what it is about.
+
+/// A scene and the time of its picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Example {
+    /// Its file's name, without the ending.
+    pub name: &'static str,
+    /// When the picture is taken [s].
+    pub at: f64,
+}
+
+const fn at(name: &'static str, at: f64) -> Example {
+    Example { name, at }
+}
+
+/// Every scene that ships.
+pub const EXAMPLES: [Example; 56] = [
+    at("cantilever", 1.0),
+    at("figure_06_without", 0.002),
+    at("figure_06_without_soft", 0.033),
+    at("figure_06a", 0.002),
+    at("figure_06a_soft", 0.033),
+    at("figure_06b", 0.002),
+    at("figure_06b_soft", 0.12),
+    at("figure_06c", 0.002),
+    at("figure_06c_soft", 0.12),
+    at("figure_07_without", 0.008),
+    at("figure_07_without_soft", 0.5),
+    at("figure_07a", 0.008),
+    at("figure_07a_soft", 0.5),
+    at("figure_07b", 0.008),
+    at("figure_07b_soft", 0.5),
+    at("figure_07c", 0.008),
+    at("figure_07c_soft", 0.5),
+    at("figure_07d", 0.008),
+    at("figure_07d_soft", 0.5),
+    at("figure_08a_soft", 1.0),
+    at("figure_08b_soft", 0.3),
+    at("figure_08c_soft", 0.35),
+    at("figure_08d_soft", 0.35),
+    at("figure_09a_soft", 0.6),
+    at("figure_09b_soft", 0.6),
+    at("figure_09c_soft", 0.6),
+    at("figure_10_soft", 0.3),
+    at("figure_10_without_soft", 0.3),
+    at("free_flight", 0.05),
+    at("leaf", 0.01),
+    at("long_bar", 0.02),
+    at("plant", 0.01),
+    at("press_short_bar", 0.01),
+    at("short_bar", 0.003),
+    at("short_bar_mesh", 0.003),
+    at("short_bar_soft", 0.16),
+    at("two_layer_1d", 0.5),
+    at("two_layer_2d", 1.2),
+    at("two_layer_3d", 1.2),
+    at("two_layer_ball_on_bar", 0.55),
+    at("two_layer_balloon", 2.0),
+    at("two_layer_collapse", 6.0),
+    at("two_layer_collision", 1.5),
+    at("two_layer_density", 1.0),
+    at("two_layer_figure_10", 3.0),
+    at("two_layer_figure_11", 3.0),
+    at("two_layer_figure_12", 1.5),
+    at("two_layer_figure_13", 1.5),
+    at("two_layer_figure_14", 12.0),
+    at("two_layer_figure_15", 1.0),
+    at("two_layer_mesh", 0.9),
+    at("two_layer_one_against_two", 5.0),
+    at("two_layer_opposite_motion", 0.8),
+    at("two_layer_stability_soft", 10.0),
+    at("two_layer_stability_stiff", 1.0),
+    at("two_layer_subdivisions", 0.9),
+];

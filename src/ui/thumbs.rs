@@ -1,0 +1,104 @@
+//! Small pictures that come with the program, decoded when they are first seen.
+
+use egui::{ColorImage, Context, CornerRadius, Image, Rect, TextureHandle, TextureOptions, Ui};
+use std::collections::HashMap;
+use std::io::Cursor;
+
+/// Pictures decoded in one frame at most, so that none is held up by them.
+const A_FRAME: u32 = 3;
+/// Frames of a strip lie one below the other; each is as high as it is wide.
+const FRAMES_PER_SECOND: f64 = 11.0;
+
+/// Pictures by name, as far as they have been seen.
+#[derive(Default)]
+pub(super) struct Thumbs {
+    known: HashMap<&'static str, Option<TextureHandle>>,
+    /// Frame in which pictures were decoded last, and how many.
+    decoded: (u64, u32),
+}
+
+impl Thumbs {
+    /// The picture of this name, of which `png` is the file; none for now where enough was decoded in this frame, and for
+    /// ever where the file is no picture.
+    fn get(&mut self, ctx: &Context, name: &'static str, png: &[u8]) -> Option<TextureHandle> {
+        if let Some(known) = self.known.get(name) {
+            return known.clone();
+        }
+        let frame = ctx.cumulative_frame_nr();
+        if self.decoded.0 != frame {
+            self.decoded = (frame, 0);
+        }
+        if self.decoded.1 >= A_FRAME {
+            ctx.request_repaint();
+            return None;
+        }
+        self.decoded.1 += 1;
+        let texture = decode(png).map(|image| ctx.load_texture(name, image, TextureOptions::LINEAR));
+        self.known.insert(name, texture.clone());
+        texture
+    }
+
+    /// Whether the picture of this name has been decoded.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.known.contains_key(name)
+    }
+
+    /// Paints the picture of this name into a place.
+    pub(super) fn paint(&mut self, ui: &Ui, name: &'static str, png: &[u8], place: Rect) {
+        if let Some(texture) = self.get(ui.ctx(), name, png) {
+            Image::from_texture(&texture).corner_radius(CornerRadius::same(4)).paint_at(ui, place);
+        }
+    }
+
+    /// Paints a strip into a place: forth and back while it plays, else where it has come furthest.
+    pub(super) fn paint_strip(&mut self, ui: &Ui, name: &'static str, png: &[u8], place: Rect, plays: bool) {
+        let Some(texture) = self.get(ui.ctx(), name, png) else { return };
+        let [width, height] = texture.size();
+        let last = (height / width.max(1)).saturating_sub(1);
+        let frame = if plays {
+            ui.ctx().request_repaint_after_secs(1.0 / FRAMES_PER_SECOND as f32);
+            swing(ui.input(|input| input.time) * FRAMES_PER_SECOND, last)
+        } else {
+            last
+        };
+        // Half a pixel of each side is left out: what lies above and below is another frame.
+        let half = 0.5 / height as f32;
+        let share = |k: usize| k as f32 * width as f32 / height as f32;
+        let part = Rect::from_x_y_ranges(0.0..=1.0, share(frame) + half..=share(frame + 1) - half);
+        Image::from_texture(&texture).uv(part).corner_radius(CornerRadius::same(4)).paint_at(ui, place);
+    }
+}
+
+/// Which of the frames 0 to `last` is shown after so many, forth and back.
+fn swing(frames: f64, last: usize) -> usize {
+    let period = (2 * last).max(1);
+    let at = frames.max(0.0) as usize % period;
+    if at <= last { at } else { period - at }
+}
+
+/// Red, green and blue from a PNG file; none where it is none of eight bits each.
+fn decode(bytes: &[u8]) -> Option<ColorImage> {
+    let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().ok()?;
+    let mut pixels = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut pixels).ok()?;
+    let size = [info.width as usize, info.height as usize];
+    let plain = info.color_type == png::ColorType::Rgb && info.bit_depth == png::BitDepth::Eight;
+    (plain && pixels.len() == 3 * size[0] * size[1]).then(|| ColorImage::from_rgb(size, &pixels))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strips_go_forth_and_back() {
+        let shown: Vec<usize> = (0..8).map(|k| swing(f64::from(k), 3)).collect();
+        assert_eq!(shown, [0, 1, 2, 3, 2, 1, 0, 1]);
+        assert_eq!(swing(5.0, 0), 0);
+    }
+
+    #[test]
+    fn what_is_no_picture_is_none() {
+        assert!(decode(b"nothing").is_none());
+    }
+}

@@ -1,0 +1,124 @@
+//! Each pattern does what its line says, in the little scene of its picture.
+
+use crate::common::runner;
+use glam::DVec3;
+use sinew::cli::{Demo, demo};
+use sinew::scene::{FibreSource, Scene};
+use sinew::sim::Runner;
+use sinew::sketch::pattern::{PATTERNS, Pattern};
+use sinew::solver::measure::MeasureValue;
+
+fn demo_of(id: &str) -> Demo {
+    demo(Pattern::by_id(id).expect("a pattern")).expect("a scene").expect("one of its own")
+}
+
+fn ran(scene: &Scene, seconds: f64) -> Runner {
+    let mut runner = runner(scene);
+    for _ in 0..runner.frames_for(seconds) {
+        runner.advance_frame();
+    }
+    assert!(runner.world().divergence().is_none(), "{}: {:?}", scene.name, runner.world().divergence());
+    runner
+}
+
+/// A measure; a number stands in each component.
+fn measured(runner: &Runner, name: &str) -> DVec3 {
+    let index = runner.world().probes().iter().position(|probe| probe.name == name).expect("a measure of that name");
+    match runner.reported_measures()[index] {
+        MeasureValue::Scalar(value) => DVec3::splat(value),
+        MeasureValue::Vector(value) => value,
+    }
+}
+
+/// A measure with the pattern's fibres and without them.
+fn beside_plain(id: &str, measure: &str) -> [DVec3; 2] {
+    let demo = demo_of(id);
+    let both = [&demo.scene, &demo.plain()].map(|scene| measured(&ran(scene, demo.to), measure));
+    println!("{id}: {measure} {} with, {} without", both[0], both[1]);
+    both
+}
+
+#[test]
+fn every_pattern_has_its_scene_and_no_fibre_is_trimmed_in_it() {
+    for pattern in &PATTERNS {
+        let demo = demo_of(pattern.id);
+        demo.scene.validate().expect("a sound scene");
+        assert!(demo.from < demo.to && !demo.scene.bodies[0].fibres.is_empty());
+        let there = runner(&demo.scene).snapshot().bodies[0].fibres.clone();
+        assert_eq!(there.len(), demo.scene.bodies[0].fibres.len(), "{}", pattern.id);
+    }
+}
+
+#[test]
+fn upright_fibres_frames_and_short_fibres_keep_the_height_of_a_dropped_bar() {
+    for (id, share) in [("vertical", 0.8), ("frame", 0.8), ("short_fibres", 0.93)] {
+        let [with, without] = beside_plain(id, "height_loss");
+        assert!(without.x > 0.1 && with.x < share * without.x, "{id}: {} and {}", with.x, without.x);
+    }
+}
+
+#[test]
+fn slanted_fibres_shear_along_their_slant() {
+    let demo = demo_of("slanted");
+    let right = measured(&ran(&demo.scene, demo.to), "shear");
+    assert!(right.x > 10.0 && right.z.abs() < 0.02 * right.x, "{right} mm");
+    let mut mirrored = demo.scene.clone();
+    for fibre in &mut mirrored.bodies[0].fibres {
+        let FibreSource::Vertices(vertices) = &mut fibre.source else { panic!("{} has strokes", fibre.id) };
+        for vertex in vertices {
+            vertex[0] = -vertex[0];
+        }
+    }
+    let left = measured(&ran(&mirrored, demo.to), "shear");
+    assert!((right.x + left.x).abs() < 0.02 * right.x, "{right} and {left} mm");
+}
+
+#[test]
+fn helices_twist_by_their_hand() {
+    let [left, right] = ["helix_left", "helix_right"].map(|id| {
+        let demo = demo_of(id);
+        measured(&ran(&demo.scene, demo.to), "twist").x
+    });
+    println!("twisted by {left} and {right} degrees");
+    assert!(right > 10.0 && (left + right).abs() < 0.02 * right, "{left} and {right} degrees");
+}
+
+#[test]
+fn a_cross_holds_most_in_its_plane() {
+    let [with, without] = beside_plain("cross", "tip");
+    assert!(with.x > 1.0 && with.x < 0.85 * without.x, "{with} and {without} mm");
+    let demo = demo_of("cross");
+    let mut across = demo.scene.clone();
+    across.gravity = [0.0, 0.0, across.gravity[0]];
+    let across = measured(&ran(&across, demo.to), "tip");
+    assert!(across.z > 1.03 * with.x && across.z < 0.85 * without.x, "{across} across, {with} mm in its plane");
+}
+
+#[test]
+fn a_c_bends_once_and_an_s_twice() {
+    // How far the lower and the upper part stand aside of the line from the foot to the tip.
+    let aside = |id: &str| {
+        let demo = demo_of(id);
+        let runner = ran(&demo.scene, demo.to);
+        let [tip, lower, upper] = ["tip", "lower", "upper"].map(|name| measured(&runner, name).x);
+        [lower - tip * 21.0 / 90.0, upper - tip * 69.0 / 90.0]
+    };
+    let ([c_low, c_high], [s_low, s_high]) = (aside("c_shape"), aside("s_shape"));
+    println!("aside by {c_low}, {c_high} mm and {s_low}, {s_high} mm");
+    assert!(c_low < -0.5 && c_high < -0.5, "{c_low} and {c_high} mm");
+    assert!(s_low > 0.5 && s_high < -0.5, "{s_low} and {s_high} mm");
+}
+
+#[test]
+fn rays_and_veins_carry_what_hangs() {
+    for (id, measure, share) in [("radial", "rim", 0.6), ("vein", "tip", 0.6)] {
+        let [with, without] = beside_plain(id, measure);
+        assert!(without.y < -2.0 && with.y < 0.0 && with.y > share * without.y, "{id}: {with} and {without} mm");
+    }
+}
+
+#[test]
+fn a_spiral_turns_the_middle_of_a_plate_that_is_stretched() {
+    let [with, without] = beside_plain("spiral", "turn");
+    assert!(with.x < -5.0 && without.x.abs() < 0.1, "{} and {} degrees", with.x, without.x);
+}

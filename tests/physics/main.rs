@@ -13,6 +13,7 @@ mod figures;
 mod forces;
 mod meeting;
 mod paint;
+mod panels;
 mod patterns;
 mod press;
 mod rods;

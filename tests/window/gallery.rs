@@ -75,6 +75,8 @@ fn the_first_start_shows_them_over_the_running_scene_until_they_are_dismissed() 
         let time = window.state().published().status.time;
         until(&mut window, |app| app.published().status.time > time);
         let before = window.state().scene().clone();
+        // It stands still once its size is known.
+        window.run_steps(10);
         dismiss(&mut window);
         window.step();
         assert!(!window.state().shows_examples());

@@ -28,6 +28,7 @@ enum Ghost {
 }
 
 const MILLI: f64 = 1e3;
+const MICRO: f64 = 1e6;
 
 /// What can be chosen, in the order in which a key goes through it.
 const FIELDS: [(Option<FieldKind>, &str); 5] = [
@@ -44,7 +45,7 @@ const GHOSTS: [(Option<Ghost>, &str); 3] = [
 ];
 
 const CUTS: [(Option<Axis>, &str); 4] = [
-    (None, "Whole"),
+    (None, "No cut"),
     (Some(Axis::X), "Cut across X"),
     (Some(Axis::Y), "Cut across Y"),
     (Some(Axis::Z), "Cut across Z"),
@@ -93,7 +94,9 @@ impl App {
     /// Cuts through the middle of all bodies.
     fn choose_slice(&mut self, axis: Option<Axis>) {
         let middle = self.body_bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
-        self.display.slice = axis.map(|axis| Slice { axis, at: middle[axis.index()], flipped: false });
+        // To a micrometre; the sum makes a zero of minus zero.
+        let at = |axis: Axis| (MICRO * middle[axis.index()]).round() / MICRO + 0.0;
+        self.display.slice = axis.map(|axis| Slice { axis, at: at(axis), flipped: false });
     }
 
     fn body_bounds(&self) -> Option<Bounds> {

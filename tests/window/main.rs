@@ -61,7 +61,7 @@ fn scene(text: &str) -> Document {
 }
 
 /// Shows frames until something has come about.
-fn until(window: &mut Window, wanted: impl Fn(&App) -> bool) {
+fn until(window: &mut Window, mut wanted: impl FnMut(&App) -> bool) {
     let start = Instant::now();
     while !wanted(window.state()) {
         assert!(start.elapsed() < PATIENCE, "it never came about; the last message: {:?}", window.state().message());

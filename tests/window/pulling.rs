@@ -33,6 +33,19 @@ pub(super) fn move_to(window: &mut Window, from: Pos2, to: Pos2) {
     }
 }
 
+/// Shows frames until the body hardly moves any more.
+fn come_to_rest(window: &mut Window) {
+    let (mut last, mut time) = (DVec3::INFINITY, f64::NEG_INFINITY);
+    until(window, |app| {
+        if app.published().status.time < time + 0.05 {
+            return false;
+        }
+        let moved = center(app).distance(last);
+        (last, time) = (center(app), app.published().status.time);
+        moved < 5e-4
+    });
+}
+
 #[test]
 fn a_drag_moves_the_body_where_the_pointer_goes_and_release_lets_go() {
     let mut window = open(scene(CUBE));
@@ -47,6 +60,7 @@ fn a_drag_moves_the_body_where_the_pointer_goes_and_release_lets_go() {
     let held = move |app: &App| app.published().snapshot.bodies[body].surface()[vertex];
     until(&mut window, |app| held(app).distance(target) < 2e-3);
     assert!((center(window.state()) - start).dot(right) > 1e-3, "the body has come along");
+    come_to_rest(&mut window);
     button(&window, to, PointerButton::Primary, false);
     window.step();
     window.step();
@@ -99,6 +113,9 @@ fn a_two_layer_body_hangs_from_the_pointer_by_its_own_spring() {
     let mut window = open(scene(RING));
     super::press_key(&mut window, Modifiers::NONE, Key::Space);
     until(&mut window, |app| !app.published().status.playing);
+    // From its start, however far it has fallen by now.
+    super::press_key(&mut window, Modifiers::COMMAND, Key::R);
+    until(&mut window, |app| app.published().status.time == 0.0);
     // Its uppermost particle, where the result view shows it.
     let app = window.state();
     let particles = &app.published().snapshot.bodies[0].particles[..10];

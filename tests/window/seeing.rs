@@ -112,7 +112,7 @@ fn the_solid_is_cut_open_and_what_is_gone_is_not_pulled() {
     };
     let before = pulled(&mut window).expect("the skin before the eye");
     assert!(before.z > middle.z + 0.01, "{before} {middle}");
-    click(&mut window, "Whole");
+    click(&mut window, "No cut");
     click(&mut window, "Cut across Z");
     let behind = pulled(&mut window).expect("the far side from within");
     assert!(behind.z < middle.z - 0.01, "{behind} {middle}");

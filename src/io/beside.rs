@@ -8,7 +8,7 @@ use std::path::Path;
 /// is there already is left alone. Returns the name.
 ///
 /// # Errors
-/// [`IoError::InFile`] with [`IoError::Write`].
+/// [`IoError::InFile`] with [`IoError::Write`], or [`IoError::Read`] of a folder that cannot be looked into.
 pub fn put_beside(folder: &Path, name: &str, content: &[u8]) -> Result<String, IoError> {
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
     let mut number = 1;
@@ -21,7 +21,8 @@ pub fn put_beside(folder: &Path, name: &str, content: &[u8]) -> Result<String, I
                 write_atomically(&path, |out| out.write_all(content))?;
                 return Ok(tried);
             }
-            _ => number += 1,
+            Ok(_) | Err(IoError::NotAFile(_) | IoError::TooLarge { .. }) => number += 1,
+            Err(error) => return Err(error.within(&path)),
         }
     }
 }
@@ -37,5 +38,14 @@ mod tests {
         let put = |content: &[u8]| put_beside(folder.path(), "a.glb", content).expect("written");
         assert_eq!([put(b"one"), put(b"one"), put(b"other"), put(b"other")], ["a.glb", "a.glb", "a-2.glb", "a-2.glb"]);
         assert_eq!(fs::read(folder.path().join("a.glb")).expect("there"), b"one");
+    }
+
+    #[test]
+    fn what_is_no_folder_is_an_error() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("file");
+        fs::write(&file, "no folder").expect("written");
+        let error = put_beside(&file, "a.glb", b"one").expect_err("nothing can be put there").to_string();
+        assert!(error.contains("file"), "{error}");
     }
 }

@@ -30,6 +30,8 @@ pub struct Origin {
     pub file: Option<PathBuf>,
     /// The folder from which it names its models.
     pub folder: PathBuf,
+    /// Whether its models are those that come with the program and lie in no folder.
+    pub shipped: bool,
 }
 
 /// The place of one open document among those that can be recovered. Dropped without [`Self::clear`], as by a panic, it
@@ -59,6 +61,7 @@ pub struct Recoverable {
 struct Kept<'a> {
     original: Option<&'a str>,
     folder: Option<&'a str>,
+    shipped: bool,
     /// Since 1970 [ms].
     written: u64,
     scene: &'a Scene,
@@ -69,6 +72,8 @@ struct Kept<'a> {
 struct Found {
     original: Option<PathBuf>,
     folder: Option<PathBuf>,
+    #[serde(default)]
+    shipped: bool,
     written: u64,
     scene: Value,
 }
@@ -99,6 +104,7 @@ impl Recovery {
         let kept = Kept {
             original: file.as_deref().and_then(Path::to_str),
             folder: folder.as_deref().and_then(Path::to_str),
+            shipped: origin.shipped,
             written: SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default().as_millis() as u64,
             scene,
         };
@@ -210,7 +216,7 @@ fn looked_at(document: &Path) -> Option<Recoverable> {
     let found = read(document).ok()?;
     Some(Recoverable {
         name: found.scene.get("name").and_then(Value::as_str).unwrap_or_default().to_owned(),
-        origin: Origin { file: found.original, folder: found.folder.unwrap_or_default() },
+        origin: Origin { file: found.original, folder: found.folder.unwrap_or_default(), shipped: found.shipped },
         written: SystemTime::UNIX_EPOCH + Duration::from_millis(found.written),
         document: document.to_owned(),
     })

@@ -94,4 +94,17 @@ impl Scene {
         });
         solids.chain(layers)
     }
+
+    /// Where the scene names its models.
+    pub fn model_paths_mut(&mut self) -> impl Iterator<Item = &mut String> {
+        let solids = self.bodies.iter_mut().filter_map(|body| match &mut body.shape {
+            Shape::Mesh(shape) => Some(&mut shape.path),
+            Shape::Box(_) => None,
+        });
+        let layers = self.two_layer.iter_mut().filter_map(|body| match &mut body.shape {
+            TwoLayerShape::Mesh(shape) => Some(&mut shape.path),
+            _ => None,
+        });
+        solids.chain(layers)
+    }
 }

@@ -59,10 +59,11 @@ impl Series {
     /// Adds the present frame of the world in place of all that are not before it: the world was put back to there.
     pub fn push(&mut self, world: &World) {
         let row = row(world);
+        let had_rows = !self.rows.is_empty();
         while self.rows.back().is_some_and(|last| last[0] >= row[0]) {
             self.rows.pop_back();
         }
-        if self.rows.is_empty() {
+        if had_rows && self.rows.is_empty() {
             self.used.fill(false);
             self.dropped = 0;
         }
@@ -76,9 +77,20 @@ impl Series {
         }
     }
 
-    /// Whether the columns are those of a world.
-    pub fn is_of(&self, world: &World) -> bool {
-        self.columns == columns(world)
+    /// Goes on with a world after an edit: with other names if only those have changed, and without the rows so far where
+    /// the columns are others.
+    pub fn go_on_with(&mut self, world: &World, most: usize) {
+        let columns = columns(world);
+        if columns == self.columns {
+            return;
+        }
+        let nature = |column: &Column| (column.unit, column.kind);
+        if columns.iter().map(nature).eq(self.columns.iter().map(nature)) {
+            self.columns = columns;
+        } else {
+            let dropped = self.dropped + self.rows.len() as u64;
+            *self = Self { dropped, ..Self::new(world, most) };
+        }
     }
 
     /// The columns.

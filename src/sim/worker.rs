@@ -268,10 +268,13 @@ impl Loop {
             }
             SimCommand::Speed(speed) => self.speed = speed,
             SimCommand::Edit(scene) => {
-                self.go_on();
-                self.scene = scene;
                 self.status.edits += 1;
-                self.edited = true;
+                // What only looks otherwise moves as it did.
+                if !self.scene.moves_like(&scene) {
+                    self.go_on();
+                    self.edited = true;
+                }
+                self.scene = scene;
             }
             SimCommand::Open(scene, assets) => {
                 self.scene = scene;
@@ -280,6 +283,7 @@ impl Loop {
                 self.grabbed = None;
                 self.sights.drop_ghost();
                 self.wanted.0.clear();
+                self.forget();
                 self.put_together(false);
                 self.take_readings();
             }
@@ -288,8 +292,12 @@ impl Loop {
                 self.bodies_mut(body).into_iter().for_each(|body| body.strike(impulse));
             }
             SimCommand::Grab { body, vertex, target } => {
+                // A point of another build of the body may be another point of this one.
+                let is_here = !self.sees_another_scene();
                 self.go_on();
-                self.grab(body, vertex, target);
+                if is_here {
+                    self.grab(body, vertex, target);
+                }
             }
             SimCommand::MoveGrab(target) => {
                 for grab in self.grabs().filter_map(|grabs| grabs.last_mut()) {

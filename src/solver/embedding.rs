@@ -93,9 +93,9 @@ impl<'a> Embedder<'a> {
         self.weighted(at, &self.in_reach(at))
     }
 
-    /// The same over the particles that count there alone: those of more than [`NEGLIGIBLE`] of the heaviest weight. They
-    /// are half of all in reach, which is what a fibre vertex costs at every step; linear fields are reproduced all the
-    /// same. It changes abruptly from one point to the next, as a skin must not.
+    /// The same over the particles that count there alone: those of more than a negligible share of the heaviest weight.
+    /// They are half of all in reach, which is what a fibre vertex costs at every step; linear fields are reproduced all
+    /// the same. It changes abruptly from one point to the next, as a skin must not.
     pub fn compact_stencil(&self, at: DVec3) -> Option<Stencil> {
         self.weighted(at, &self.that_count(at))
     }

@@ -295,10 +295,11 @@ impl App {
         if let Some(path) = dropped {
             self.leave(ctx, Next::Open(path));
         }
-        if self.is_asking() || self.editing_keys(ctx) {
+        // Keys belong to what stands in front of everything.
+        if self.dialog.is_some() || self.editing_keys(ctx) {
             return;
         }
-        if ctx.input(|input| input.key_pressed(egui::Key::Escape)) && self.dialog.take().is_none() {
+        if ctx.input(|input| input.key_pressed(egui::Key::Escape)) {
             self.tool.cancel();
             self.leave_region();
             self.editing.redraws = false;

@@ -123,9 +123,8 @@ impl App {
             (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Open, .. }) => {
                 self.leave(ctx, Next::Open(path));
             }
-            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => {
-                self.export(&path);
-            }
+            (Answer::Path(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => self.export_to(path),
+            (Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => self.export(&path),
             (Answer::Example(example), _) => self.leave(ctx, Next::Example(example)),
             (Answer::Pattern, Dialog::Pattern(question)) => self.pattern_answered(&question),
             (Answer::Recent(path), _) => self.open_recent(ctx, path),

@@ -4,7 +4,7 @@ use crate::geometry::solid::Solid;
 use crate::io::{IoError, is_model, load_assets, load_scene, scene_from_json};
 use crate::scene::{
     Assets, Axis, Body, BodyKind, Damping, Extra, Falloff, Initial, IntegratorKind, Mass, Material, MeshShape,
-    Placement, Room, Scene, Shape, TwoLayerShape,
+    Placement, Room, Scene, Shape,
 };
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -127,15 +127,8 @@ pub(super) fn moved(scene: &Scene, from: &Path, to: &Path) -> Scene {
     if from == to {
         return scene;
     }
-    for body in &mut scene.bodies {
-        if let Shape::Mesh(shape) = &mut body.shape {
-            shape.path = seen_from(&from.join(&shape.path), &to);
-        }
-    }
-    for body in &mut scene.two_layer {
-        if let TwoLayerShape::Mesh(shape) = &mut body.shape {
-            shape.path = seen_from(&from.join(&shape.path), &to);
-        }
+    for path in scene.model_paths_mut() {
+        *path = seen_from(&from.join(&*path), &to);
     }
     scene
 }

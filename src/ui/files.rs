@@ -8,7 +8,7 @@ use super::gallery::{Example, shipped_assets};
 use super::sketch_tool::SketchTool;
 use super::trust::{Left, Next, Question};
 use crate::edit::Editor;
-use crate::io::{FileStamp, IoError, is_model, load_assets, save_scene};
+use crate::io::{FileStamp, IoError, Origin, is_model, load_assets, save_scene};
 use crate::sim::SimCommand;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -49,21 +49,18 @@ impl App {
     pub(super) fn recover(&mut self, left: &Left) {
         let load = || {
             let scene = left.what.load()?;
-            // The models of an example may lie in no folder.
-            let (assets, shipped) = match load_assets(&scene, &left.what.origin.folder, &mut |_| {}) {
-                Ok(assets) => (assets, false),
-                Err(error) => (shipped_assets(&scene).map_err(|_| error)?, true),
-            };
-            Ok((scene, Arc::new(assets), shipped))
+            let Origin { folder, shipped, .. } = &left.what.origin;
+            let assets = if *shipped { shipped_assets(&scene) } else { load_assets(&scene, folder, &mut |_| {}) };
+            Ok((scene, Arc::new(assets?)))
         };
         match load() {
-            Ok((scene, assets, shipped)) => {
+            Ok((scene, assets)) => {
                 let origin = left.what.origin.clone();
                 let said = format!("Recovered {}; save it to keep it", left.name());
                 // What the file became since then is not known to be what the document grew from.
                 let stamp = origin.file.as_deref().filter(|_| !left.is_older).and_then(|file| FileStamp::of(file).ok());
                 self.take_up(Document { scene, assets, path: origin.file, folder: origin.folder, note: None }, stamp);
-                self.gallery.shipped = shipped;
+                self.gallery.shipped = origin.shipped;
                 self.editor.mark_unsaved();
                 self.recovered(left);
                 self.say(Gravity::Note, said);
@@ -82,6 +79,9 @@ impl App {
         self.path = path;
         self.folder = folder;
         self.assets = assets;
+        // Nothing of the last document stands for this one until it is put together.
+        self.model = Arc::default();
+        self.display.slice = None;
         self.gallery.shipped = false;
         self.patterns.forget_region();
         self.trust.watch(stamp);

@@ -126,7 +126,7 @@ impl View3d<'_> {
         self.settle_camera(ui, rect);
         self.move_camera(ui, &response);
         let frame = Frame { rect, camera: self.pane.camera };
-        let takes_region = self.region(ui, &response, frame);
+        let takes_region = !self.app.editing.has_gesture() && self.region(ui, &response, frame);
         if !takes_region {
             self.edit(ui, &response, frame);
         }

@@ -44,12 +44,12 @@ impl App {
 
     /// Does what was asked for by keys.
     pub(super) fn perform_keys(&mut self, ctx: &egui::Context) {
-        // While something is typed, plain keys belong to the text.
+        // While something is typed, plain keys belong to the text, with Shift, too.
         let typing = ctx.egui_wants_keyboard_input();
         let mut keys: Vec<(Action, KeyboardShortcut)> = Action::ALL
             .into_iter()
             .flat_map(|action| action.shortcuts().iter().map(move |shortcut| (action, *shortcut)))
-            .filter(|(_, shortcut)| !(typing && shortcut.modifiers.is_none()))
+            .filter(|(_, shortcut)| !typing || shortcut.modifiers.alt || shortcut.modifiers.command)
             .collect();
         // Those with most modifiers first: Ctrl+Shift+Z must not be taken for Ctrl+Z, nor Alt+H for H.
         let held = |shortcut: &KeyboardShortcut| {
@@ -78,7 +78,7 @@ impl App {
             Action::Reload => self.reload(),
             Action::Save => self.save_then(ctx, None),
             Action::SaveAs => self.ask_where(None),
-            Action::Export => self.dialog = Some(Dialog::path(PathPurpose::Export, Some(&self.export_path()))),
+            Action::Export => self.ask_where_to_export(),
             Action::Recover => self.dialog = Some(Dialog::Question(Question::Recover)),
             Action::Quit => self.leave(ctx, Next::Quit),
             Action::Examples => self.dialog = Some(Dialog::Examples),

@@ -2,14 +2,16 @@
 
 use super::action::Action;
 use super::app::{App, Gravity};
+use super::dialogs::{Dialog, PathPurpose};
 use super::legend::digits;
 use super::plots::{BOLD, LINE, THIN, Trace, over_time, thinned};
 use super::theme::{self, GRID};
+use super::trust::{Loss, Question};
 use crate::io::write_atomically;
 use crate::sim::{ColumnKind, EnergyReport, Records, Series};
 use egui::{Align2, Color32, Panel, RichText, Role, ScrollArea, Sense, TextStyle, Ui, Vec2, WidgetInfo};
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Height of the panel and of a plot in it [points].
 const HEIGHT: f32 = 212.0;
@@ -271,8 +273,22 @@ impl App {
     }
 
     /// Where the table goes unless another place is chosen.
-    pub(super) fn export_path(&self) -> std::path::PathBuf {
+    pub(super) fn export_path(&self) -> PathBuf {
         self.path.as_ref().map_or_else(|| "readings.csv".into(), |path| path.with_extension("csv"))
+    }
+
+    /// Asks for the file that the table goes to.
+    pub(super) fn ask_where_to_export(&mut self) {
+        self.dialog = Some(Dialog::path(PathPurpose::Export, Some(&self.export_path())));
+    }
+
+    /// Writes the table, after asking where that would lose what a file holds.
+    pub(super) fn export_to(&mut self, path: PathBuf) {
+        if path.exists() {
+            self.dialog = Some(Dialog::Question(Question::Replace { path, loss: Loss::Table, next: None }));
+        } else {
+            self.export(&path);
+        }
     }
 
     /// Writes every reading that is kept as a table.

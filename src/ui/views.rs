@@ -19,6 +19,7 @@ struct Remembered {
     coach: bool,
     #[serde(default)]
     timeline: super::timeline::Kept,
+    #[serde(default)]
     plots: bool,
 }
 

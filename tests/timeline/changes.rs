@@ -67,6 +67,59 @@ fn an_edit_keeps_earlier_frames_and_drops_later_ones() {
 }
 
 #[test]
+fn another_look_leaves_the_recording_as_it_is() {
+    let worker = start(BREAKING);
+    let times: Vec<f64> = advance(&worker, 10).values().map(|p| p.status.time).collect();
+    let seen = show(&worker, times[3]);
+    let mut hidden = (*scene(BREAKING)).clone();
+    hidden.bodies[0].fibres[0].hidden = true;
+    hidden.bodies[0].color = Some([9, 9, 9]);
+    ask(&worker, SimCommand::Edit(Arc::new(hidden)));
+    let after = until(&worker, |p| p.status.edits == 1);
+    assert!(after.status.timeline.looks_back && after.status.timeline.frames == seen.status.timeline.frames);
+    assert!(Arc::ptr_eq(&after.at_rest, &seen.at_rest), "nothing was put together anew");
+    same(&after, &seen);
+}
+
+#[test]
+fn another_name_keeps_the_readings_and_another_body_is_counted_as_lost() {
+    let mut two = (*scene(BREAKING)).clone();
+    let mut other = two.bodies[0].clone();
+    (other.id, other.name) = ("other".to_owned(), "Other".to_owned());
+    other.placement.translation[0] += 0.2;
+    two.bodies.push(other);
+    let worker = start(&sinew::io::scene_to_json(&two));
+    advance(&worker, 5);
+    let rows = || worker.records(|records| (records.world.len(), records.world.dropped()));
+    assert_eq!(rows(), (6, 0));
+    two.bodies[1].name = "Renamed".to_owned();
+    ask(&worker, SimCommand::Edit(Arc::new(two.clone())));
+    until(&worker, |p| p.status.bodies.iter().any(|body| body.name == "Renamed"));
+    assert_eq!(rows(), (6, 0));
+    let named = |text: &str| {
+        worker.records(|records| records.world.columns().iter().any(|column| column.name.starts_with(text)))
+    };
+    assert!(named("Renamed: ") && !named("Other: "));
+    two.bodies.pop();
+    ask(&worker, SimCommand::Edit(Arc::new(two)));
+    until(&worker, |p| p.status.bodies.len() == 1);
+    assert_eq!(rows(), (1, 6));
+}
+
+#[test]
+fn a_document_that_cannot_be_put_together_leaves_nothing_of_the_last_one() {
+    let worker = start(BREAKING);
+    advance(&worker, 3);
+    let mut thin = (*scene(BREAKING)).clone();
+    thin.bodies[0].material.support_radius = 1e-9;
+    ask(&worker, SimCommand::Open(Arc::new(thin), Arc::default()));
+    let opened = until(&worker, |p| p.status.failure.is_some());
+    assert!(opened.snapshot.bodies.is_empty() && opened.at_rest.bodies.is_empty());
+    assert_eq!(opened.status.timeline.span, None);
+    assert!(worker.records(|records| records.world.is_empty()));
+}
+
+#[test]
 fn a_reset_and_another_document_empty_the_recording() {
     let worker = start(BREAKING);
     advance(&worker, 6);

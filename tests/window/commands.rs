@@ -60,6 +60,26 @@ fn no_two_commands_share_a_key() {
 }
 
 #[test]
+fn keys_do_nothing_behind_what_stands_in_front() {
+    let mut window = still();
+    press_key(&mut window, Modifiers::NONE, Key::A);
+    let before = window.state().scene().clone();
+    for (modifiers, key) in [(Modifiers::NONE, Key::F1), (Modifiers::COMMAND, Key::E)] {
+        press_key(&mut window, modifiers, key);
+        window.run_steps(5);
+        for key in [Key::X, Key::Delete, Key::Space, Key::Tab] {
+            press_key(&mut window, Modifiers::NONE, key);
+        }
+        assert_eq!(*window.state().scene(), before);
+        assert!(!window.state().published().status.playing);
+        press_key(&mut window, Modifiers::NONE, Key::Escape);
+        window.run_steps(3);
+    }
+    press_key(&mut window, Modifiers::NONE, Key::X);
+    assert!(*window.state().scene() != before, "once that is closed, keys act again");
+}
+
+#[test]
 fn typing_in_the_palette_is_no_shortcut() {
     let mut window = still();
     let fibres = window.state().scene().bodies[0].fibres.len();
@@ -67,6 +87,7 @@ fn typing_in_the_palette_is_no_shortcut() {
     window.step();
     press_key(&mut window, Modifiers::NONE, Key::X);
     press_key(&mut window, Modifiers::NONE, Key::Space);
+    press_key(&mut window, Modifiers::SHIFT, Key::D);
     window.step();
     assert_eq!(window.state().scene().bodies[0].fibres.len(), fibres);
     assert!(!window.state().published().status.playing);

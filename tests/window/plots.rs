@@ -128,6 +128,29 @@ fn the_table_is_that_of_the_command_line_with_every_frame() {
 }
 
 #[test]
+fn a_table_replaces_a_file_only_after_asking() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fall.csv");
+    std::fs::write(&path, "mine").expect("written");
+    let mut window = played();
+    let ask = |window: &mut Window| {
+        let ctx = window.ctx.clone();
+        window.state_mut().perform(&ctx, Action::Export);
+        window.run_steps(3);
+        super::editing::type_path(window, &path);
+        window.run_steps(3);
+        assert!(shown(window, "Replace fall.csv?"));
+        assert_eq!(std::fs::read_to_string(&path).expect("the file"), "mine");
+    };
+    ask(&mut window);
+    click(&mut window, "Cancel");
+    assert_eq!(std::fs::read_to_string(&path).expect("the file"), "mine");
+    ask(&mut window);
+    click(&mut window, "Replace");
+    assert!(std::fs::read_to_string(&path).expect("the table").starts_with("time"));
+}
+
+#[test]
 fn a_table_that_cannot_be_written_is_said_and_the_scene_is_no_place_for_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("scene.json");

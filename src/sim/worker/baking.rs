@@ -39,6 +39,19 @@ impl Loop {
         }
     }
 
+    /// Nothing is left of the last document.
+    pub(super) fn forget(&mut self) {
+        self.live();
+        self.look_ahead();
+        self.replay.recording.clear();
+        self.forget_readings();
+        (self.start, self.runner, self.placed) = (None, None, None);
+        self.at_rest = Arc::default();
+        self.status.divergence = None;
+        self.status.bodies.clear();
+        self.status.measures.clear();
+    }
+
     pub(super) fn bake(&mut self, scene: &Scene) -> Result<Baked, String> {
         scene.validate().map_err(|error| error.to_string())?;
         let mut shown = Instant::now();

@@ -7,7 +7,7 @@ use std::sync::PoisonError;
 /// Rows that are kept: ten minutes at sixty frames a second.
 const KEPT: usize = 36_000;
 
-/// Readings of every frame since the start of the scene.
+/// Readings of every frame since the start of the scene, or since it has other bodies or measures.
 #[derive(Clone, Debug, Default)]
 pub struct Records {
     /// Of the world.
@@ -21,15 +21,18 @@ impl Loop {
     pub(super) fn take_readings(&self) {
         let mut records = self.out.records.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(world) = self.runner.as_ref().map(Runner::world) {
-            if !records.world.is_of(world) {
-                records.world = Series::new(world, KEPT);
-            }
+            records.world.go_on_with(world, KEPT);
             records.world.push(world);
         }
         match self.sights.world() {
             Some(world) => records.ghost.get_or_insert_with(|| Series::new(world, KEPT)).push(world),
             None => records.ghost = None,
         }
+    }
+
+    /// Ends what was recorded of a document that another one follows.
+    pub(super) fn forget_readings(&self) {
+        *self.out.records.lock().unwrap_or_else(PoisonError::into_inner) = Records::default();
     }
 
     /// Ends what was recorded of a ghost that another one follows.

@@ -59,6 +59,7 @@ impl Loop {
 
     /// Nothing is kept but the start.
     pub(super) fn record_anew(&mut self) {
+        self.live();
         self.look_ahead();
         self.replay.recording.clear();
         self.record();
@@ -210,19 +211,22 @@ impl Loop {
         }
     }
 
+    /// Whether what is seen was put together from another state of the document than the live world.
+    pub(super) fn sees_another_scene(&self) -> bool {
+        let builds = self.replay.seen.as_ref().zip(self.start.as_ref());
+        builds.is_some_and(|(seen, start)| !Arc::ptr_eq(&seen.build, start))
+    }
+
     /// What the window is told of the recording.
     pub(super) fn timeline(&self) -> Timeline {
         let recording = &self.replay.recording;
         let [edits, breaks] = recording.marks();
         let [bytes, limit] = recording.memory();
-        let seen = self.replay.seen.as_ref();
         Timeline {
             span: recording.span(),
             frames: recording.len(),
-            looks_back: seen.is_some(),
-            of_another_scene: seen
-                .zip(self.start.as_ref())
-                .is_some_and(|(seen, start)| !Arc::ptr_eq(&seen.build, start)),
+            looks_back: self.looks_back(),
+            of_another_scene: self.sees_another_scene(),
             bytes,
             limit,
             edits,

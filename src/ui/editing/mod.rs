@@ -65,9 +65,9 @@ impl Editing {
         }
     }
 
-    /// Whether a move or turn is under way.
-    pub(super) fn is_moving(&self) -> bool {
-        self.moving.is_some()
+    /// Whether a move, a turn or a box is under way.
+    pub(super) fn has_gesture(&self) -> bool {
+        self.moving.is_some() || self.boxed.is_some()
     }
 
     /// Whether the pointer belongs to a gesture of editing, so that it neither draws nor pulls.

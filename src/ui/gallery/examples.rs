@@ -1,7 +1,7 @@
 //! The scenes that ship, within the program, so that they are there from whatever folder it is started.
 
 use crate::io::{IoError, load_assets_by, read_model, scene_from_json};
-use crate::scene::{Assets, Scene, Shape, TwoLayerShape};
+use crate::scene::{Assets, Scene};
 
 /// A scene that ships.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +67,7 @@ impl Example {
     /// None for what ships.
     pub fn load(&self) -> Result<(Scene, Assets), IoError> {
         let mut scene = scene_from_json(self.scene)?;
-        for path in model_paths(&mut scene) {
+        for path in scene.model_paths_mut() {
             *path = file_name(path).to_owned();
         }
         let assets = shipped_assets(&scene)?;
@@ -89,19 +89,6 @@ pub fn shipped_assets(scene: &Scene) -> Result<Assets, IoError> {
 /// The bytes of a model that ships, by its file's name.
 pub(super) fn shipped(name: &str) -> Option<&'static [u8]> {
     MODELS.iter().find(|(known, _)| *known == name).map(|(_, bytes)| *bytes)
-}
-
-/// Where a scene names its models.
-pub(super) fn model_paths(scene: &mut Scene) -> impl Iterator<Item = &mut String> {
-    let solids = scene.bodies.iter_mut().filter_map(|body| match &mut body.shape {
-        Shape::Mesh(shape) => Some(&mut shape.path),
-        Shape::Box(_) => None,
-    });
-    let layers = scene.two_layer.iter_mut().filter_map(|body| match &mut body.shape {
-        TwoLayerShape::Mesh(shape) => Some(&mut shape.path),
-        _ => None,
-    });
-    solids.chain(layers)
 }
 
 /// What follows the last slash.

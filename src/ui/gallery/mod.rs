@@ -16,8 +16,8 @@ use crate::scene::Scene;
 use egui::{
     Align2, CornerRadius, FontId, Frame, Pos2, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
 };
+use examples::shipped;
 pub(super) use examples::shipped_assets;
-use examples::{model_paths, shipped};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -79,7 +79,7 @@ impl App {
     /// The scene of an example as it can be saved in a folder: its models are put there beside it.
     pub(super) fn with_models_in(&mut self, folder: &Path) -> Result<Scene, IoError> {
         let mut scene = Scene::clone(self.editor.scene());
-        for path in model_paths(&mut scene) {
+        for path in scene.model_paths_mut() {
             if let Some(bytes) = shipped(path) {
                 *path = put_beside(folder, path, bytes)?;
             }

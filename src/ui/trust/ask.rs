@@ -97,12 +97,13 @@ fn replace(ui: &mut Ui, path: &Path, loss: Loss) -> Option<Reply> {
             "Another program changed it since it was read or saved here. Saving replaces what it holds now."
         }
         Loss::Other => "There is such a file already. Saving replaces what it holds.",
+        Loss::Table => "There is such a file already. Exporting replaces what it holds.",
     };
     explain(ui, &format!("Replace {}?", file_name(path)), why);
     place(ui, path);
     let choices = [
-        ("Replace", "Writes the scene over what the file holds", Reply::Replace),
-        ("Save as…", "Writes the scene to another file", Reply::SaveElsewhere),
+        ("Replace", "Writes over what the file holds", Reply::Replace),
+        ("Save as…", "Writes to another file", Reply::SaveElsewhere),
         ("Cancel", "Back to the scene; nothing is written (Escape)", Reply::Back),
     ];
     choose(ui, &choices, false)

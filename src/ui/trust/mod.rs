@@ -60,6 +60,8 @@ pub enum Loss {
     Changed,
     /// It is another file than the document's.
     Other,
+    /// A table is to be written there.
+    Table,
 }
 
 impl Trust {
@@ -141,11 +143,6 @@ impl App {
         if self.scene().name.is_empty() { "Untitled" } else { &self.scene().name }
     }
 
-    /// Whether something is asked that stands before everything else.
-    pub(super) fn is_asking(&self) -> bool {
-        matches!(self.dialog, Some(Dialog::Question(_)))
-    }
-
     /// Goes on to something else, after asking where that would lose changes.
     pub(super) fn leave(&mut self, ctx: &Context, next: Next) {
         if self.editor.is_changed() {
@@ -192,7 +189,7 @@ impl App {
     pub(super) fn note_document(&mut self) {
         self.trust.seen = Arc::clone(self.editor.scene());
         if self.editor.is_changed() {
-            let origin = Origin { file: self.path.clone(), folder: self.folder.clone() };
+            let origin = Origin { file: self.path.clone(), folder: self.folder.clone(), shipped: self.gallery.shipped };
             self.trust.keeper.keep(origin, Arc::clone(self.editor.scene()));
         } else {
             self.trust.keeper.forget();
@@ -260,7 +257,7 @@ impl App {
     /// Asks what nobody waits for, once nothing else is going on.
     fn ask_what_waits(&mut self, ctx: &Context) {
         let is_busy = self.dialog.is_some()
-            || self.editing.is_moving()
+            || self.editing.has_gesture()
             || ctx.egui_wants_keyboard_input()
             || ctx.input(|input| input.pointer.any_down());
         if is_busy || self.trust.waiting.is_empty() {
@@ -281,6 +278,8 @@ impl App {
         match (question, reply) {
             (Question::Unsaved(next), Reply::Save) => self.save_then(ctx, Some(next)),
             (Question::Unsaved(next), Reply::Discard) => self.go_on(ctx, next),
+            (Question::Replace { path, loss: Loss::Table, .. }, Reply::Replace) => self.export(&path),
+            (Question::Replace { loss: Loss::Table, .. }, Reply::SaveElsewhere) => self.ask_where_to_export(),
             (Question::Replace { path, next, .. }, Reply::Replace) => self.write_then(ctx, &path, next),
             (Question::Replace { next, .. }, Reply::SaveElsewhere) => self.ask_where(next),
             (Question::Reload { path, .. }, Reply::Reload) => self.open_document(Some(path)),

@@ -105,6 +105,29 @@ fn what_was_left_behind_is_recovered_as_changed() {
 }
 
 #[test]
+fn a_changed_example_is_recovered_with_the_models_that_came_with_it() {
+    let folder = folder();
+    {
+        let mut window = keeping(Document::load(None).expect("the built-in scene"), folder.path());
+        press_key(&mut window, Modifiers::COMMAND, Key::E);
+        window.run_steps(10);
+        click(&mut window, "A snapping stalk");
+        until(&mut window, |app| app.published().at_rest.bodies.iter().any(|body| body.name != "Soft bar"));
+        edit(&mut window);
+        focus(&mut window, false);
+        until(&mut window, |_| kept(folder.path()) == 1);
+    }
+    let mut window = keeping(Document::load(None).expect("the built-in scene"), folder.path());
+    until_shown(&mut window, "Recover unsaved changes?");
+    assert!(shows(&window, "Never saved to a file"));
+    click(&mut window, "Recover");
+    assert!(said(&window).starts_with("Recovered"), "{}", said(&window));
+    assert_eq!(fibres(&window), 0);
+    until(&mut window, |app| app.published().at_rest.bodies.iter().any(|body| body.name != "Soft bar"));
+    assert_eq!(window.state().published().status.failure, None);
+}
+
+#[test]
 fn a_recovered_document_asks_before_it_replaces_a_later_file() {
     let (folder, scenes) = (folder(), folder());
     let path = file(scenes.path(), "First");

@@ -61,7 +61,7 @@ impl Placing<'_> {
             self.warn_if_weak(fibre, &path);
             match self.runs(fibre, &path) {
                 Ok(runs) => placed.extend(runs.into_iter().filter_map(|run| self.embed(k, run, &path))),
-                Err(error) => self.note(&path, true, error.to_string()),
+                Err(error) => self.note(&path, true, format!("the fibre is left out: {error}")),
             }
         }
         placed

@@ -40,7 +40,7 @@ use std::process::ExitCode;
 #[derive(Debug, Parser)]
 #[command(name = "sinew", version, args_conflicts_with_subcommands = true)]
 pub struct Cli {
-    /// Scene to open in the window; the built-in scene unless given
+    /// Scene or model to open in the window; the built-in scene unless given
     pub scene: Option<PathBuf>,
     /// What to do.
     #[command(subcommand)]

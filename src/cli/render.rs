@@ -14,7 +14,7 @@ pub struct Render {
     /// Scene file; the built-in scene unless given
     scene: Option<PathBuf>,
     /// Simulated time at which the picture is taken [s]
-    #[arg(long, value_name = "S", default_value = "0", value_parser = seconds)]
+    #[arg(long, value_name = "S", default_value = "0", value_parser = seconds, allow_negative_numbers = true)]
     at: f64,
     /// Where the picture goes
     #[arg(long, value_name = "FILE.png")]

@@ -30,6 +30,8 @@ pub struct Origin {
     pub file: Option<PathBuf>,
     /// The folder from which it names its models.
     pub folder: PathBuf,
+    /// Whether the file may hold something else than what the document grew from.
+    pub doubtful: bool,
     /// Whether its models are those that come with the program and lie in no folder.
     pub shipped: bool,
 }
@@ -61,6 +63,7 @@ pub struct Recoverable {
 struct Kept<'a> {
     original: Option<&'a str>,
     folder: Option<&'a str>,
+    doubtful: bool,
     shipped: bool,
     /// Since 1970 [ms].
     written: u64,
@@ -72,6 +75,8 @@ struct Kept<'a> {
 struct Found {
     original: Option<PathBuf>,
     folder: Option<PathBuf>,
+    #[serde(default)]
+    doubtful: bool,
     #[serde(default)]
     shipped: bool,
     written: u64,
@@ -104,6 +109,7 @@ impl Recovery {
         let kept = Kept {
             original: file.as_deref().and_then(Path::to_str),
             folder: folder.as_deref().and_then(Path::to_str),
+            doubtful: origin.doubtful,
             shipped: origin.shipped,
             written: SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default().as_millis() as u64,
             scene,
@@ -216,7 +222,12 @@ fn looked_at(document: &Path) -> Option<Recoverable> {
     let found = read(document).ok()?;
     Some(Recoverable {
         name: found.scene.get("name").and_then(Value::as_str).unwrap_or_default().to_owned(),
-        origin: Origin { file: found.original, folder: found.folder.unwrap_or_default(), shipped: found.shipped },
+        origin: Origin {
+            file: found.original,
+            folder: found.folder.unwrap_or_default(),
+            doubtful: found.doubtful,
+            shipped: found.shipped,
+        },
         written: SystemTime::UNIX_EPOCH + Duration::from_millis(found.written),
         document: document.to_owned(),
     })

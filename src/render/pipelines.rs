@@ -83,7 +83,8 @@ impl Layouts {
         let layout = |label: &str, entries: &[wgpu::BindGroupLayoutEntry]| {
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
         };
-        let depth = texture(wgpu::TextureSampleType::Depth);
+        // Depths are loaded as plain numbers: OpenGL knows no other way.
+        let depth = texture(wgpu::TextureSampleType::Float { filterable: false });
         Self {
             frame: layout("frame", &[entry(0, uniform), entry(1, filtered), entry(2, sampler)]),
             caster: layout("caster", &[entry(0, uniform)]),

@@ -287,32 +287,7 @@ impl Loop {
                 self.put_together(false);
                 self.take_readings();
             }
-            SimCommand::Strike { body, impulse } => {
-                self.go_on();
-                self.bodies_mut(body).into_iter().for_each(|body| body.strike(impulse));
-            }
-            SimCommand::Grab { body, vertex, target } => {
-                // A point of another build of the body may be another point of this one.
-                let is_here = !self.sees_another_scene();
-                self.go_on();
-                if is_here {
-                    self.grab(body, vertex, target);
-                }
-            }
-            SimCommand::MoveGrab(target) => {
-                for grab in self.grabs().filter_map(|grabs| grabs.last_mut()) {
-                    grab.target = target;
-                }
-            }
-            SimCommand::Release => self.let_go(),
-            SimCommand::PinGrab => self.grabbed = None,
-            // There is nothing to do to an earlier frame in which nothing is held.
-            SimCommand::ReleaseAll if self.looks_back() && !self.shown().is_some_and(Runner::is_held) => {}
-            SimCommand::ReleaseAll => {
-                self.go_on();
-                self.grabbed = None;
-                self.runner.iter_mut().chain(self.sights.runner_mut()).for_each(Runner::release_all);
-            }
+            by_hand => self.obey_hand(&by_hand),
         }
     }
 

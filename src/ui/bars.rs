@@ -8,7 +8,7 @@ use super::theme::{self, GRID};
 use crate::edit::Command;
 use crate::scene::TimeStep;
 use crate::sim::SimCommand;
-use egui::{Button, DragValue, Panel, RichText, Ui};
+use egui::{Button, DragValue, Label, Panel, RichText, Ui};
 
 impl App {
     /// A menu entry for an action, marked where it is a switch that is on.
@@ -148,11 +148,12 @@ impl App {
                         Gravity::Warning => ("Warning: ", self.tone.warning()),
                         Gravity::Error => ("Error: ", self.tone.error()),
                     };
-                    ui.colored_label(color, format!("{mark}{text}"));
+                    let text = format!("{mark}{text}");
+                    ui.add(Label::new(RichText::new(&text).color(color)).truncate()).on_hover_text(text);
                     ui.separator();
                 }
                 let hint = self.editing.hint().unwrap_or_else(|| self.hint.to_owned());
-                ui.label(RichText::new(hint).weak());
+                ui.add(Label::new(RichText::new(hint).weak()).truncate());
             });
             ui.add_space(0.5 * GRID);
         });

@@ -125,6 +125,7 @@ impl App {
             }
             (Answer::Path(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => self.export_to(path),
             (Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => self.export(&path),
+            (Answer::Closed, Dialog::Examples) => self.welcomed(),
             (Answer::Example(example), _) => self.leave(ctx, Next::Example(example)),
             (Answer::Pattern, Dialog::Pattern(question)) => self.pattern_answered(&question),
             (Answer::Recent(path), _) => self.open_recent(ctx, path),

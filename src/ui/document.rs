@@ -1,7 +1,7 @@
 //! What the window opens: a scene and the models that it names, or a model alone.
 
 use crate::geometry::solid::Solid;
-use crate::io::{IoError, is_model, load_assets, load_scene, scene_from_json};
+use crate::io::{IoError, is_model, load_assets, load_scene, scene_from_json, unknown_fields};
 use crate::scene::{
     Assets, Axis, Body, BodyKind, Damping, Extra, Falloff, Initial, IntegratorKind, Mass, Material, MeshShape,
     Placement, Room, Scene, Shape,
@@ -47,7 +47,8 @@ impl Document {
         let scene = path.as_deref().map_or_else(|| scene_from_json(BUILT_IN), load_scene)?;
         let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")).to_owned();
         let assets = Arc::new(load_assets(&scene, &folder, &mut |_| {})?);
-        Ok(Self { scene, assets, path, folder, note: None })
+        let note = path.as_deref().and_then(|path| unknown(path, &scene));
+        Ok(Self { scene, assets, path, folder, note })
     }
 
     /// Whether it is what the window starts with unless it is given something else.
@@ -85,6 +86,14 @@ impl Document {
         let note = format!("Opened {name} as a soft solid of about {MODEL_PARTICLES} particles{scaled}");
         Ok(Self { scene, assets: Arc::new(assets), path: None, folder, note: Some(note) })
     }
+}
+
+/// What is to be said of fields that this program does not know.
+fn unknown(path: &Path, scene: &Scene) -> Option<String> {
+    let fields = unknown_fields(scene);
+    let (first, more) = (fields.first()?, fields.len() - 1);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    Some(format!("Opened {}: {first}{more} is unknown here; it is kept but does nothing", path.display()))
 }
 
 fn model_scene(name: &str, shape: &MeshShape) -> Scene {

@@ -58,7 +58,8 @@ impl App {
                 let origin = left.what.origin.clone();
                 let said = format!("Recovered {}; save it to keep it", left.name());
                 // What the file became since then is not known to be what the document grew from.
-                let stamp = origin.file.as_deref().filter(|_| !left.is_older).and_then(|file| FileStamp::of(file).ok());
+                let known = !left.is_older && !origin.doubtful;
+                let stamp = origin.file.as_deref().filter(|_| known).and_then(|file| FileStamp::of(file).ok());
                 self.take_up(Document { scene, assets, path: origin.file, folder: origin.folder, note: None }, stamp);
                 self.gallery.shipped = origin.shipped;
                 self.editor.mark_unsaved();
@@ -83,6 +84,7 @@ impl App {
         self.model = Arc::default();
         self.display.slice = None;
         self.gallery.shipped = false;
+        self.gallery.forget_welcome();
         self.patterns.forget_region();
         self.trust.watch(stamp);
         self.editing = Editing::default();

@@ -17,7 +17,12 @@ fn named(name: &str) -> Scene {
 }
 
 fn origin() -> Origin {
-    Origin { file: Some(PathBuf::from("/scenes/bar.json")), folder: PathBuf::from("/scenes"), shipped: true }
+    Origin {
+        file: Some(PathBuf::from("/scenes/bar.json")),
+        folder: PathBuf::from("/scenes"),
+        doubtful: true,
+        shipped: true,
+    }
 }
 
 fn files(folder: &Path) -> usize {
@@ -61,7 +66,7 @@ fn what_was_left_behind_is_offered_with_time_and_place() {
     assert_eq!(found[1].origin, origin());
     // A document that was never saved names its models from where the program ran.
     let here = std::env::current_dir().expect("a folder");
-    assert_eq!(found[0].origin, Origin { file: None, folder: here, shipped: false });
+    assert_eq!(found[0].origin, Origin { file: None, folder: here, doubtful: false, shipped: false });
     assert_eq!(found[1].load().expect("a scene"), named("Older"));
     found[1].discard().expect("forgotten");
     assert_eq!(recoverable(folder), found[..1]);
@@ -75,7 +80,7 @@ fn what_was_left_behind_is_offered_with_time_and_place() {
 fn a_file_that_was_written_later_is_known() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("bar.json");
-    let kept = Origin { file: Some(file.clone()), folder: folder.path().to_owned(), shipped: false };
+    let kept = Origin { file: Some(file.clone()), folder: folder.path().to_owned(), doubtful: false, shipped: false };
     let recovery = Recovery::open(folder.path()).expect("a place");
     recovery.write(&kept, &named("Bar")).expect("kept");
     drop(recovery);

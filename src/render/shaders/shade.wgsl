@@ -7,8 +7,8 @@ struct Caster {
 }
 
 @group(0) @binding(0) var<uniform> caster: Caster;
-@group(0) @binding(1) var along_key: texture_depth_2d;
-@group(0) @binding(2) var from_above: texture_depth_2d;
+@group(0) @binding(1) var along_key: texture_2d<f32>;
+@group(0) @binding(2) var from_above: texture_2d<f32>;
 
 const SEARCH = 32u;
 const TAPS = 64u;
@@ -51,7 +51,7 @@ fn fs_shade(@builtin(position) at: vec4f) -> @location(0) vec2f {
     var direction = vec2f(1.0, 0.0);
     for (var k = 0u; k < SEARCH; k++) {
         let away = distance_of(k, SEARCH);
-        let depth = textureLoad(along_key, clamped(at.xy + direction * away * search), 0);
+        let depth = textureLoad(along_key, clamped(at.xy + direction * away * search), 0).r;
         direction = turned(direction);
         let near = clamp((depth - away) * 6.0 + 1.0 + 3.0 / search, 0.0, 1.0);
         let weight = select(0.0, near, depth < 1.0);
@@ -65,7 +65,7 @@ fn fs_shade(@builtin(position) at: vec4f) -> @location(0) vec2f {
     for (var k = 0u; k < TAPS; k++) {
         let away = distance_of(k, TAPS);
         let weight = 1.0 - 0.85 * away * away;
-        let depth = textureLoad(along_key, clamped(at.xy + direction * away * penumbra * 1.3), 0);
+        let depth = textureLoad(along_key, clamped(at.xy + direction * away * penumbra * 1.3), 0).r;
         direction = turned(direction);
         hidden += select(0.0, weight, depth < 1.0);
         total += weight;
@@ -79,7 +79,7 @@ fn fs_shade(@builtin(position) at: vec4f) -> @location(0) vec2f {
     for (var k = 0u; k < TAPS; k++) {
         let away = distance_of(k, TAPS);
         let weight = 1.0 - away;
-        let depth = textureLoad(from_above, clamped(at.xy + direction * away * reach), 0);
+        let depth = textureLoad(from_above, clamped(at.xy + direction * away * reach), 0).r;
         direction = turned(direction);
         closed += select(0.0, weight * exp(-depth * caster.slope.w / caster.soft.z), depth < 1.0);
         whole += weight;

@@ -1,11 +1,45 @@
 //! What is done to bodies by hand: pulls on the world, and on its like in the ghost.
 
 use super::Loop;
+use crate::sim::{Runner, SimCommand};
 use crate::solver::body::Body;
 use crate::solver::grab::Grab;
 use glam::DVec3;
 
 impl Loop {
+    /// Does to bodies what was asked for by hand.
+    pub(super) fn obey_hand(&mut self, command: &SimCommand) {
+        match *command {
+            SimCommand::Strike { body, impulse } => {
+                self.go_on();
+                self.bodies_mut(body).into_iter().for_each(|body| body.strike(impulse));
+            }
+            SimCommand::Grab { body, vertex, target } => {
+                // A point of another build of the body may be another point of this one.
+                let is_here = !self.sees_another_scene();
+                self.go_on();
+                if is_here {
+                    self.grab(body, vertex, target);
+                }
+            }
+            SimCommand::MoveGrab(target) => {
+                for grab in self.grabs().filter_map(|grabs| grabs.last_mut()) {
+                    grab.target = target;
+                }
+            }
+            SimCommand::Release => self.let_go(),
+            SimCommand::PinGrab => self.grabbed = None,
+            // There is nothing to do to an earlier frame in which nothing is held.
+            SimCommand::ReleaseAll if self.looks_back() && !self.shown().is_some_and(Runner::is_held) => {}
+            SimCommand::ReleaseAll => {
+                self.go_on();
+                self.grabbed = None;
+                self.runner.iter_mut().chain(self.sights.runner_mut()).for_each(Runner::release_all);
+            }
+            _ => {}
+        }
+    }
+
     /// Lets go of what follows the pointer.
     pub(super) fn let_go(&mut self) {
         for grabs in self.grabs() {

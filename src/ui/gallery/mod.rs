@@ -13,6 +13,7 @@ use super::thumbs::Thumbs;
 use crate::draw::Theme;
 use crate::io::{IoError, put_beside};
 use crate::scene::Scene;
+use crate::sim::SimCommand;
 use egui::{
     Align2, CornerRadius, FontId, Frame, Pos2, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
 };
@@ -39,6 +40,8 @@ pub(super) struct Gallery {
     pub(super) shipped: bool,
     /// Whether the start screen has been shown.
     welcomed: bool,
+    /// Whether it is shown over a scene that nobody has seen start.
+    welcoming: bool,
 }
 
 /// What a person wants of the gallery.
@@ -54,7 +57,15 @@ impl App {
     pub fn welcome(&mut self) {
         if !self.gallery.welcomed {
             self.gallery.welcomed = true;
+            self.gallery.welcoming = true;
             self.dialog = Some(Dialog::Examples);
+        }
+    }
+
+    /// Starts the scene anew that the start screen was shown over.
+    pub(super) fn welcomed(&mut self) {
+        if std::mem::take(&mut self.gallery.welcoming) {
+            self.ask(SimCommand::Reset);
         }
     }
 
@@ -101,6 +112,11 @@ impl Document {
 }
 
 impl Gallery {
+    /// The scene that the start screen was shown over is there no more.
+    pub(super) fn forget_welcome(&mut self) {
+        self.welcoming = false;
+    }
+
     /// Shows everything; what was chosen, if something was.
     pub(super) fn show(&mut self, ui: &mut Ui) -> Option<Choice> {
         Frame::NONE.inner_margin(2.0 * GRID).show(ui, |ui| self.sections(ui)).inner

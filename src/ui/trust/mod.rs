@@ -189,7 +189,12 @@ impl App {
     pub(super) fn note_document(&mut self) {
         self.trust.seen = Arc::clone(self.editor.scene());
         if self.editor.is_changed() {
-            let origin = Origin { file: self.path.clone(), folder: self.folder.clone(), shipped: self.gallery.shipped };
+            let origin = Origin {
+                file: self.path.clone(),
+                folder: self.folder.clone(),
+                doubtful: self.trust.stamp.is_none(),
+                shipped: self.gallery.shipped,
+            };
             self.trust.keeper.keep(origin, Arc::clone(self.editor.scene()));
         } else {
             self.trust.keeper.forget();

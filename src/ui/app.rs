@@ -271,7 +271,12 @@ impl App {
     /// Takes the newest picture of the simulation and what the person asks for by keys and drops.
     fn listen(&mut self, ctx: &egui::Context) {
         if let Some(published) = self.worker.take() {
-            let notes = (published.status.notes != self.published.status.notes).then(|| published.status.notes.clone());
+            // What was noticed before the motion began is said before what happened in it.
+            if published.status.notes != self.published.status.notes
+                && let Some(text) = published.status.notes.last()
+            {
+                self.say(Gravity::Warning, text.clone());
+            }
             let fresh = !Arc::ptr_eq(&published.at_rest, &self.published.at_rest);
             let other_runs = published.compared.len() != self.published.compared.len();
             self.watch_breaks(&published);
@@ -283,9 +288,6 @@ impl App {
             if fresh {
                 self.active = self.active.min(self.published.at_rest.bodies.len().saturating_sub(1));
                 self.take_model();
-            }
-            if let Some(text) = notes.and_then(|notes| notes.into_iter().next_back()) {
-                self.say(Gravity::Warning, text);
             }
         }
         if ctx.input(|input| input.pointer.any_released()) {

@@ -188,7 +188,8 @@ impl Body {
         }
     }
 
-    /// Takes over the motion of `other`, the same body before an edit; false if the two do not have the same particles.
+    /// Takes over the motion of `other`, the same body before an edit, with what has broken in it; false if the two do not
+    /// have the same particles.
     pub(super) fn adopt(&mut self, other: &Self) -> bool {
         if self.parts.rest != other.parts.rest || other.divergence.is_some() {
             return false;
@@ -196,6 +197,9 @@ impl Body {
         self.parts.state.positions.clone_from(&other.parts.state.positions);
         self.parts.state.velocities.clone_from(&other.parts.state.velocities);
         self.grabs.clone_from(&other.grabs);
+        for force in &mut self.parts.forces {
+            force.adopt(&other.parts.forces);
+        }
         self.steps = other.steps;
         self.evaluations = other.evaluations;
         self.current = false;

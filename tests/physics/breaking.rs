@@ -2,7 +2,7 @@
 
 use crate::common::*;
 use glam::{DQuat, DVec3};
-use sinew::scene::{BreakPast, Extra, RestShape};
+use sinew::scene::{BreakPast, Extra, Fibre, FibreSource, RestShape};
 use sinew::solver::embedding::Stencil;
 use sinew::solver::energy::Energies;
 use sinew::solver::forces::Force;
@@ -97,4 +97,38 @@ fn a_scene_says_what_a_fibre_breaks_past_and_a_runner_from_the_start_is_whole() 
     assert!(run.world().bodies()[0].breaks().count() > 0);
     assert_eq!(start.snapshot().bodies[0].breaks, []);
     assert!(matches!(run.snapshot().bodies[0].breaks[0], FibreBreak { fibre: 0, place: BreakPlace::Edge(_), .. }));
+}
+
+#[test]
+fn what_is_broken_stays_so_through_edits_until_the_fibre_itself_is_moved() {
+    let column = |x: f64| (0..12).map(|k| [x, 0.003 + D * f64::from(k), 0.0]).collect();
+    let mut bar = short_bar(2e5);
+    let mut brittle = fibre("f", column(0.0), rigidity(3000.0, 0.01), 0.5, RestShape::AsDrawn);
+    brittle.break_past = Some(BreakPast { angle: None, tension: Some(20.0), extra: Extra::new() });
+    bar.fibres = vec![brittle.clone()];
+    bar.initial.deformation[1][1] = 1.1;
+    let mut run = runner(&in_space(bar.clone()));
+    run.advance_frame();
+    let breaks = run.snapshot().bodies[0].breaks.clone();
+    assert!(!breaks.is_empty());
+    let edited = |fibres: Vec<Fibre>| {
+        let mut next = runner(&in_space(sinew::scene::Body { fibres, ..bar.clone() }));
+        next.adopt(&run);
+        next
+    };
+    // Softer, tougher, and second in the list: the same fibre.
+    let mut other = brittle.clone();
+    other.stiffness = rigidity(1500.0, 0.01);
+    other.break_past = None;
+    let whole = fibre("g", column(0.006), rigidity(1500.0, 0.01), 0.5, RestShape::AsDrawn);
+    let kept = edited(vec![whole, other.clone()]);
+    let moved: Vec<FibreBreak> = breaks.iter().map(|one| FibreBreak { fibre: 1, ..*one }).collect();
+    assert_eq!(kept.snapshot().bodies[0].breaks, moved);
+    // A broken edge carries nothing: what stretches is the rest of it, less than all of it.
+    let alone = edited(vec![other.clone()]).world().bodies()[0].energies(0.0).stretching;
+    other.source = FibreSource::Vertices(column(0.001));
+    let drawn_anew = edited(vec![other]);
+    assert_eq!(drawn_anew.snapshot().bodies[0].breaks, []);
+    let unbroken = drawn_anew.world().bodies()[0].energies(0.0).stretching;
+    assert!(alone < unbroken * (1.0 - 0.9 * breaks.len() as f64 / 11.0), "{alone} and {unbroken} J");
 }

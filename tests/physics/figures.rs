@@ -14,12 +14,12 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
 }
 
-fn scene(name: &str) -> Scene {
+pub fn scene(name: &str) -> Scene {
     load_scene(&folder().join(name)).expect("a scene that loads")
 }
 
 /// The scene with every fibre mirrored to the other side of x = 0.
-fn mirrored(mut scene: Scene) -> Scene {
+pub fn mirrored(mut scene: Scene) -> Scene {
     for fibre in &mut scene.bodies[0].fibres {
         let FibreSource::Vertices(vertices) = &mut fibre.source else { panic!("drawn by strokes") };
         for vertex in vertices {
@@ -30,7 +30,7 @@ fn mirrored(mut scene: Scene) -> Scene {
 }
 
 /// Runs a scene, models included, for `seconds`.
-fn ran(scene: &Scene, seconds: f64) -> Runner {
+pub fn ran(scene: &Scene, seconds: f64) -> Runner {
     let mut runner = if scene.bodies.iter().any(|body| matches!(body.shape, sinew::scene::Shape::Mesh(_))) {
         let assets = load_assets(scene, &folder(), &mut |_| {}).unwrap();
         Runner::new(bake(scene, &assets, &mut |_, _| {}).unwrap())
@@ -48,14 +48,14 @@ fn index(runner: &Runner, name: &str) -> usize {
     runner.world().probes().iter().position(|probe| probe.name == name).expect("a measure of that name")
 }
 
-fn number(runner: &Runner, name: &str) -> f64 {
+pub fn number(runner: &Runner, name: &str) -> f64 {
     match runner.reported_measures()[index(runner, name)] {
         MeasureValue::Scalar(value) => value,
         MeasureValue::Vector(value) => panic!("{name} is a vector: {value}"),
     }
 }
 
-fn vector(runner: &Runner, name: &str) -> DVec3 {
+pub fn vector(runner: &Runner, name: &str) -> DVec3 {
     match runner.reported_measures()[index(runner, name)] {
         MeasureValue::Vector(value) => value,
         MeasureValue::Scalar(value) => panic!("{name} is a number: {value}"),

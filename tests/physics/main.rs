@@ -16,6 +16,7 @@ mod paint;
 mod panels;
 mod patterns;
 mod press;
+mod printed;
 mod rods;
 mod shipped;
 mod stable_step;

@@ -14,7 +14,7 @@ const fn at(name: &'static str, at: f64) -> Example {
 }
 
 /// Every scene that ships.
-pub const EXAMPLES: [Example; 56] = [
+pub const EXAMPLES: [Example; 65] = [
     at("cantilever", 1.0),
     at("figure_06_without", 0.002),
     at("figure_06_without_soft", 0.033),
@@ -34,14 +34,23 @@ pub const EXAMPLES: [Example; 56] = [
     at("figure_07c_soft", 0.5),
     at("figure_07d", 0.008),
     at("figure_07d_soft", 0.5),
+    at("figure_08a", 0.28),
     at("figure_08a_soft", 1.0),
+    at("figure_08b", 0.28),
     at("figure_08b_soft", 0.3),
+    at("figure_08c", 0.2),
     at("figure_08c_soft", 0.35),
+    at("figure_08d", 0.2),
     at("figure_08d_soft", 0.35),
+    at("figure_09a", 0.1),
     at("figure_09a_soft", 0.6),
+    at("figure_09b", 0.1),
     at("figure_09b_soft", 0.6),
+    at("figure_09c", 0.1),
     at("figure_09c_soft", 0.6),
+    at("figure_10", 0.05),
     at("figure_10_soft", 0.3),
+    at("figure_10_without", 0.05),
     at("figure_10_without_soft", 0.3),
     at("free_flight", 0.05),
     at("leaf", 0.01),
@@ -72,3 +81,28 @@ pub const EXAMPLES: [Example; 56] = [
     at("two_layer_stability_stiff", 1.0),
     at("two_layer_subdivisions", 0.9),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::EXAMPLES;
+    use crate::io::load_scene;
+    use std::collections::BTreeSet;
+    use std::fs;
+    use std::path::Path;
+
+    #[test]
+    fn every_scene_that_ships_has_its_picture_taken_while_it_runs() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+        let shipped: BTreeSet<String> = fs::read_dir(&folder)
+            .expect("the scenes")
+            .map(|entry| entry.expect("a file").path())
+            .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+            .map(|path| path.file_stem().expect("a name").to_string_lossy().into_owned())
+            .collect();
+        assert_eq!(EXAMPLES.iter().map(|example| example.name.to_owned()).collect::<BTreeSet<_>>(), shipped);
+        for example in EXAMPLES {
+            let scene = load_scene(&folder.join(format!("{}.json", example.name))).expect("a scene that loads");
+            assert!(example.at > 0.0 && example.at <= scene.time.duration + 1e-9, "{} at {}", example.name, example.at);
+        }
+    }
+}

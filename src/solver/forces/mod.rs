@@ -66,6 +66,9 @@ pub trait Force: Send + Sync {
         false
     }
 
+    /// Goes on from where the forces of the same body stood before an edit: what has broken stays broken.
+    fn adopt(&mut self, _before: &[Box<dyn Force>]) {}
+
     /// What the force is called where forces are timed one by one.
     fn name(&self) -> &'static str {
         "other"

@@ -70,6 +70,31 @@ impl Breakage {
         }
     }
 
+    /// What of it is broken in the fibres `after` an edit, where these are those `before` it. A fibre that runs along the
+    /// same vertices is the same one, whatever else of it is new, and wherever it now stands among the others.
+    pub(super) fn carried(&self, [before, after]: [&[FibreRest]; 2]) -> Self {
+        let mut carried = Self::none(after);
+        let (mut bend, mut edge) = (0, 0);
+        for fibre in after {
+            let (bends, edges) = (bend..bend + fibre.bends.len(), edge..edge + fibre.edges.len());
+            let (mut old_bend, mut old_edge) = (0, 0);
+            for old in before {
+                if old.vertices == fibre.vertices && old.first_vertex == fibre.first_vertex {
+                    carried.bends[bends.clone()].copy_from_slice(&self.bends[old_bend..][..bends.len()]);
+                    carried.edges[edges.clone()].copy_from_slice(&self.edges[old_edge..][..edges.len()]);
+                    let breaks = self.breaks.iter().filter(|one| one.fibre == old.line);
+                    carried.breaks.extend(breaks.map(|one| FibreBreak { fibre: fibre.line, ..*one }));
+                    break;
+                }
+                old_bend += old.bends.len();
+                old_edge += old.edges.len();
+            }
+            (bend, edge) = (bends.end, edges.end);
+        }
+        carried.breaks.sort_by(|one, other| one.time.total_cmp(&other.time));
+        carried
+    }
+
     /// Memory of the lists [bytes].
     pub(super) fn bytes(&self) -> usize {
         size_of_val(&*self.bends) + size_of_val(&*self.edges) + size_of_val(&*self.breaks)

@@ -238,6 +238,13 @@ impl Force for FibreForce {
         self.broken.breaks.len() > before
     }
 
+    fn adopt(&mut self, before: &[Box<dyn Force>]) {
+        if let Some(before) = before.iter().find_map(|force| force.fibres()) {
+            self.broken = before.broken.carried([&before.fibres, &self.fibres]);
+            self.work = Scratch::default();
+        }
+    }
+
     fn name(&self) -> &'static str {
         "fibres"
     }

@@ -42,7 +42,7 @@ pub(super) fn draft(
     notes: &mut Vec<Note>,
     progress: &mut dyn FnMut(&str, BakeStage),
 ) -> Result<Draft, BakeError> {
-    let name = if body.name.is_empty() { &body.id } else { &body.name };
+    let name = body.title();
     let material = &body.material;
     let spacing = material.spacing();
     let kernel = Kernel::new(material.support_radius);
@@ -117,7 +117,7 @@ pub(super) fn draft(
     let constraints = supports::constraints(&body.pins, &regions, &rest, &state, path)?;
     let parts = BodyParts {
         id: body.id.clone(),
-        name: name.clone(),
+        name: name.to_owned(),
         kind: match body.kind {
             BodyKind::FibreSolid => "fibre_solid",
         },

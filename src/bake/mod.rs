@@ -275,7 +275,7 @@ pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeS
     let mut drafts = Vec::new();
     for (index, body) in scene.bodies.iter().enumerate() {
         let path = format!("/bodies/{index}");
-        let name = if body.name.is_empty() { &body.id } else { &body.name };
+        let name = body.title();
         progress(name, BakeStage::Sampling);
         let matter = matter::matter(body, assets, &path, &mut notes)?;
         let body = matter.effective(body);

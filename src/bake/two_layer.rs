@@ -24,7 +24,7 @@ pub(super) fn draft(
     notes: &mut Vec<Note>,
     progress: &mut dyn FnMut(&str, BakeStage),
 ) -> Result<Draft, BakeError> {
-    let name = if body.name.is_empty() { &body.id } else { &body.name };
+    let name = body.title();
     progress(name, BakeStage::Sampling);
     let model = LayerModel::new(&body.shape, assets, path, notes)?;
     let regions = supports::chosen(&body.regions, &model.points, path)?;
@@ -70,7 +70,7 @@ pub(super) fn draft(
     constraints.extend(supports::constraints(&body.pins, &regions, &rest, &state, path)?);
     let parts = BodyParts {
         id: body.id.clone(),
-        name: name.clone(),
+        name: name.to_owned(),
         kind: "two_layer",
         model: model.points.as_slice().into(),
         rest,

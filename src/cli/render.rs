@@ -2,7 +2,7 @@
 
 use super::drive::drive;
 use super::picture::{Look, Studio};
-use super::prepare::{Sets, Threads, load, notes, put_together, seconds, tell};
+use super::prepare::{Sets, Threads, frames_to, load, notes, put_together, seconds, tell};
 use super::{CliError, Console, Outcome, output};
 use crate::sim::Runner;
 use clap::Args;
@@ -43,7 +43,7 @@ fn render(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
 
     let mut runner = Runner::new(baked);
     let mut studio = Studio::open(&args.look, &scene, &runner.snapshot())?;
-    let frames = runner.frames_for(args.at);
+    let frames = frames_to(args.at, &runner, console);
     console.begin();
     let ran = drive(&mut runner, frames, false, &mut |runner| {
         console.progress(runner.world().frame(), frames, "frames");

@@ -2,7 +2,7 @@
 
 use super::drive::{Drive, End, drive};
 use super::picture::{Look, Studio};
-use super::prepare::{Sets, Span, Threads, load, notes, put_together, source_name, tell, word};
+use super::prepare::{Sets, Span, Threads, frames_to, load, notes, put_together, source_name, tell, word};
 use super::summary::summary;
 use super::table::figures;
 use super::{CliError, Console, Outcome, output};
@@ -86,7 +86,7 @@ fn watch(
     console: &mut Console,
 ) -> Result<Drive, CliError> {
     let limit = args.span.limit(scene);
-    let frames = runner.frames_for(limit);
+    let frames = frames_to(limit, runner, console);
     let pieces = if args.span.until_rest { "frames at most" } else { "frames" };
     let mut stopped = vec![false; runner.world().bodies().len()];
     console.begin();

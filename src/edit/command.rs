@@ -138,8 +138,8 @@ impl Command {
     pub fn name(&self) -> String {
         match self {
             Self::Many { name, .. } => name.clone(),
-            Self::AddFibre { fibre, .. } => format!("Add {}", title(fibre)),
-            Self::SetFibre { fibre, .. } => format!("Change {}", title(fibre)),
+            Self::AddFibre { fibre, .. } => format!("Add {}", fibre.title()),
+            Self::SetFibre { fibre, .. } => format!("Change {}", fibre.title()),
             Self::RemoveFibre { .. } => "Delete fibre".to_owned(),
             Self::SetName { item, .. } => format!("Rename {}", several(std::slice::from_ref(item))),
             Self::SetHidden { items, hidden: true } => format!("Hide {}", several(items)),
@@ -150,7 +150,7 @@ impl Command {
             Self::SetMaterial { .. } => "Change material".to_owned(),
             Self::SetIntegrator { .. } => "Change integrator".to_owned(),
             Self::SetPins { .. } => "Change pins".to_owned(),
-            Self::SetTwoLayer(body) => format!("Change {}", if body.name.is_empty() { &body.id } else { &body.name }),
+            Self::SetTwoLayer(body) => format!("Change {}", body.title()),
             Self::SetTime(_) => "Change time step".to_owned(),
             Self::SetGravity(_) => "Change gravity".to_owned(),
             Self::SetRoom(_) => "Change room".to_owned(),
@@ -161,13 +161,9 @@ impl Command {
 
 fn name_of(verb: &str, fibres: &[Fibre]) -> String {
     match fibres {
-        [fibre] => format!("{verb} {}", title(fibre)),
+        [fibre] => format!("{verb} {}", fibre.title()),
         _ => format!("{verb} {} fibres", fibres.len()),
     }
-}
-
-fn title(fibre: &Fibre) -> &str {
-    if fibre.name.is_empty() { &fibre.id } else { &fibre.name }
 }
 
 fn several(items: &[Item]) -> String {

@@ -11,6 +11,7 @@ mod assets;
 mod body;
 mod fibre;
 mod measure;
+mod naming;
 mod paint;
 mod support;
 mod two_layer;

@@ -275,7 +275,11 @@ impl App {
             if published.status.notes != self.published.status.notes
                 && let Some(text) = published.status.notes.last()
             {
-                self.say(Gravity::Warning, text.clone());
+                let more = match published.status.notes.len() - 1 {
+                    0 => String::new(),
+                    more => format!(" (and {more} more: `sinew check` lists them)"),
+                };
+                self.say(Gravity::Warning, self.scene().with_names(text) + &more);
             }
             let fresh = !Arc::ptr_eq(&published.at_rest, &self.published.at_rest);
             let other_runs = published.compared.len() != self.published.compared.len();

@@ -133,12 +133,12 @@ impl App {
             ui.horizontal(|ui| {
                 let status = &self.published.status;
                 if let Some(failure) = status.failure.clone() {
-                    ui.colored_label(self.tone.error(), format!("Stopped: {failure}"));
+                    ui.colored_label(self.tone.error(), format!("Stopped: {}", self.scene().with_names(&failure)));
                     return;
                 }
                 if let Some(divergence) = status.divergence.clone() {
                     self.offer_fix(ui);
-                    ui.colored_label(self.tone.error(), format!("Stopped: {divergence}"));
+                    ui.colored_label(self.tone.error(), format!("Stopped: {}", self.scene().with_names(&divergence)));
                     return;
                 }
                 self.offer_after_sketch(ui);

@@ -36,7 +36,6 @@ impl App {
         let id = shown.snapshot.bodies.get(body).and_then(|body| body.fibres.get(fibre as usize));
         let id = id.map_or_else(|| fibre.to_string(), |fibre| fibre.id.clone());
         let fibres = self.scene().bodies.get(body).map_or(&[][..], |body| &body.fibres);
-        let named = fibres.iter().find(|fibre| fibre.id == id && !fibre.name.is_empty());
-        named.map_or(id, |fibre| fibre.name.clone())
+        fibres.iter().find(|fibre| fibre.id == id).map_or(id, |fibre| fibre.title().to_owned())
     }
 }

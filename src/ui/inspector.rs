@@ -3,7 +3,6 @@
 use super::action::Action;
 use super::app::App;
 use super::field::Field;
-use super::outliner::title;
 use super::theme::GRID;
 use crate::edit::Command;
 use crate::edit::fibre_ops::{displaced, rigidity_of};
@@ -41,7 +40,7 @@ impl App {
         let Some((of, fibre)) = self.selected_fibre() else { return };
         let (material, fibre) = (of.material.clone(), fibre.clone());
         let count = self.editing.selection.fibres().len();
-        ui.heading(if count > 1 { format!("{count} fibres") } else { title(&fibre).to_owned() });
+        ui.heading(if count > 1 { format!("{count} fibres") } else { fibre.title().to_owned() });
         let mut edited = fibre.clone();
         stiffness(ui, &mut edited, &material);
         VOLUME_FRACTION.show(ui, &mut edited.volume_fraction);

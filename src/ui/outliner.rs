@@ -24,11 +24,9 @@ impl App {
 
     fn bodies(&mut self, ui: &mut Ui) {
         let scene = self.scene();
-        let solids = scene.bodies.iter().map(|body| (&body.id, &body.name, body.hidden));
-        let bodies: Vec<(String, String, bool)> = solids
-            .chain(scene.two_layer.iter().map(|body| (&body.id, &body.name, body.hidden)))
-            .map(|(id, name, hidden)| (id.clone(), if name.is_empty() { id } else { name }.clone(), hidden))
-            .collect();
+        let solids = scene.bodies.iter().map(|body| (body.id.clone(), body.title().to_owned(), body.hidden));
+        let layered = scene.two_layer.iter().map(|body| (body.id.clone(), body.title().to_owned(), body.hidden));
+        let bodies: Vec<(String, String, bool)> = solids.chain(layered).collect();
         if bodies.is_empty() {
             ui.label("The scene has no body. Open a scene or a model, or start from the soft bar (Ctrl+N).");
             return;
@@ -81,7 +79,7 @@ impl App {
     /// What a two-layer body is made of.
     fn layers(&self, ui: &mut Ui) {
         let (Some(body), Some(shown)) = (self.active_two_layer(), self.model.bodies.first()) else { return };
-        ui.heading(if body.name.is_empty() { &body.id } else { &body.name });
+        ui.heading(body.title());
         let Some(layers) = &shown.layers else { return };
         ui.label(format!("Two-layer body of {} dimensions", body.shape.dimension()));
         ui.label(format!("{} particles outside, {} inside", layers.outer, shown.particles.len() - layers.outer));
@@ -109,7 +107,7 @@ impl App {
             ui.horizontal(|ui| {
                 self.colour(ui, &item, fibre, k);
                 let chosen = self.editing.selection.contains(&fibre.id);
-                if self.row(ui, &item, title(fibre), fibre.hidden, chosen) {
+                if self.row(ui, &item, fibre.title(), fibre.hidden, chosen) {
                     let adding = ui.input(|input| input.modifiers.shift || input.modifiers.command);
                     if chosen && !adding && self.editing.selection.fibres().len() == 1 {
                         self.editing.selection.clear();
@@ -156,9 +154,4 @@ fn paint_eye(ui: &Ui, spot: Rect, hidden: bool, hovered: bool) {
         ui.painter().add(Shape::line(lid(-1.0), stroke));
         ui.painter().circle_filled(middle, 1.8, color);
     }
-}
-
-/// What a fibre is called.
-pub(super) fn title(fibre: &Fibre) -> &str {
-    if fibre.name.is_empty() { &fibre.id } else { &fibre.name }
 }

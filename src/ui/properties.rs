@@ -135,7 +135,8 @@ impl App {
             self.gesture += 1;
             self.apply(&Command::SetIntegrator { body, integrator: chosen });
         }
-        let Some(step) = self.published.status.bodies.get(self.active).cloned() else { return };
+        let Some(mut step) = self.published.status.bodies.get(self.active).cloned() else { return };
+        step.limited_by = step.limited_by.map(|pointer| self.scene().with_names(&pointer));
         let exceeded = step.dt > step.stable_dt;
         let text = format!("DT    {:.3e} s\nlimit {:.3e} s", step.dt, step.stable_dt);
         let colour = if exceeded { self.tone.error() } else { ui.visuals().text_color() };

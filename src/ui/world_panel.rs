@@ -96,7 +96,7 @@ impl App {
         for (index, plate) in plates.iter_mut().enumerate() {
             ui.push_id(index, |ui| {
                 ui.horizontal(|ui| {
-                    ui.strong(if plate.name.is_empty() { &plate.id } else { &plate.name });
+                    ui.strong(plate.title());
                     if ui.button("Remove").on_hover_text("Takes this panel away").clicked() {
                         gone = Some(index);
                     }
@@ -255,7 +255,10 @@ impl App {
             }
         }
         for body in &self.published.status.bodies {
-            let set_by = body.limited_by.as_ref().map_or(String::new(), |pointer| format!(", set by {pointer}"));
+            let set_by = body
+                .limited_by
+                .as_ref()
+                .map_or(String::new(), |pointer| format!(", set by {}", self.scene().with_names(pointer)));
             if body.dt > body.stable_dt {
                 let text =
                     format!("{}: DT {:.3e} s is beyond its limit {:.3e} s{set_by}", body.name, body.dt, body.stable_dt);

@@ -77,7 +77,7 @@ fn with_vertices(fibre: &Fibre, vertices: &[DVec3]) -> Result<Edited, FibreEditE
         return Err(FibreEditError::Repeats { index: index + 1 });
     }
     let note = matches!(fibre.source, FibreSource::Strokes(_)).then(|| {
-        format!("{} is no longer drawn by its two strokes: it has {} vertices now", title(fibre), vertices.len())
+        format!("{} is no longer drawn by its two strokes: it has {} vertices now", fibre.title(), vertices.len())
     });
     let source = FibreSource::Vertices(vertices.iter().map(DVec3::to_array).collect());
     Ok(Edited { fibre: Fibre { source, ..fibre.clone() }, note })
@@ -90,8 +90,4 @@ fn chosen(indices: &[usize], count: usize) -> Result<Vec<bool>, FibreEditError> 
         *chosen.get_mut(index).ok_or(FibreEditError::NoVertex { index, count })? = true;
     }
     Ok(chosen)
-}
-
-fn title(fibre: &Fibre) -> &str {
-    if fibre.name.is_empty() { &fibre.id } else { &fibre.name }
 }

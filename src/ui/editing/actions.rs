@@ -186,7 +186,7 @@ impl App {
         match fibre_ops::split(fibre, vertex, &body.fibres, self.sampling()) {
             Ok((first, second)) => {
                 let (body, ids) = (body.id.clone(), [first.fibre.id.clone(), second.id.clone()]);
-                let name = format!("Split {}", if fibre.name.is_empty() { &fibre.id } else { &fibre.name });
+                let name = format!("Split {}", fibre.title());
                 let commands = vec![
                     Command::SetFibre { body: body.clone(), fibre: first.fibre },
                     Command::AddFibre { body, fibre: second },

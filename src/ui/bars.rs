@@ -22,7 +22,9 @@ impl App {
         if let Some(shortcut) = &shortcut {
             button = button.shortcut_text(shortcut);
         }
-        let response = ui.add_enabled(self.can(action), button).on_hover_text(action.tooltip());
+        let obstacle = self.obstacle(action);
+        let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(action.tooltip());
+        let response = response.on_disabled_hover_text(obstacle.unwrap_or_default());
         if response.clicked() {
             let ctx = ui.ctx().clone();
             self.perform(&ctx, action);
@@ -34,7 +36,9 @@ impl App {
     pub(super) fn control(&mut self, ui: &mut Ui, action: Action, text: &str) {
         let key = action.shortcuts().first().map_or_else(String::new, |shortcut| ui.ctx().format_shortcut(shortcut));
         let hover = if key.is_empty() { action.tooltip().to_owned() } else { format!("{} ({key})", action.tooltip()) };
-        if ui.add_enabled(self.can(action), Button::new(text)).on_hover_text(hover).clicked() {
+        let obstacle = self.obstacle(action);
+        let response = ui.add_enabled(obstacle.is_none(), Button::new(text)).on_hover_text(hover);
+        if response.on_disabled_hover_text(obstacle.unwrap_or_default()).clicked() {
             let ctx = ui.ctx().clone();
             self.perform(&ctx, action);
         }

@@ -10,24 +10,23 @@ impl App {
         if !next.compared.is_empty() || !self.published.compared.is_empty() {
             return;
         }
-        let before = |body: usize, at: &FibreBreak| {
-            self.published.snapshot.bodies.get(body).is_some_and(|body| body.breaks.contains(at))
-        };
         let bodies = next.snapshot.bodies.iter().enumerate();
         let all: Vec<(usize, &FibreBreak)> =
             bodies.flat_map(|(index, body)| body.breaks.iter().map(move |at| (index, at))).collect();
-        let fresh = all.iter().filter(|(body, at)| !before(*body, at));
-        let newest = fresh.max_by(|a, b| a.1.time.total_cmp(&b.1.time));
-        if let Some(&(body, at)) = newest {
-            let in_all = if all.len() > 1 { format!(", {} breaks in all", all.len()) } else { String::new() };
-            let text = format!("Fibre {} broke at {:.3} s{in_all}", self.fibre_name(next, body, at.fibre), at.time);
-            self.seeing.broke = Some(text.clone());
-            self.say(Gravity::Note, text);
-        } else if all.is_empty()
-            && let Some(said) = self.seeing.broke.take()
-            && self.message() == Some(&said)
-        {
-            self.message = None;
+        let newest = all.iter().max_by(|a, b| a.1.time.total_cmp(&b.1.time));
+        // By its time alone: an edit may have renumbered bodies and fibres.
+        let said = self.seeing.broke.take();
+        let last = said.as_ref().map_or(f64::NEG_INFINITY, |(time, _)| *time);
+        match (newest, said) {
+            (Some(&(body, at)), _) if at.time > last => {
+                let in_all = if all.len() > 1 { format!(", {} breaks in all", all.len()) } else { String::new() };
+                let text = format!("Fibre {} broke at {:.3} s{in_all}", self.fibre_name(next, body, at.fibre), at.time);
+                self.seeing.broke = Some((at.time, text.clone()));
+                self.say(Gravity::Note, text);
+            }
+            (Some((_, at)), Some((_, text))) => self.seeing.broke = Some((at.time, text)),
+            (None, Some((_, text))) if self.message() == Some(&text) => self.message = None,
+            _ => {}
         }
     }
 

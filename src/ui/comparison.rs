@@ -21,6 +21,8 @@ const PLOTS_HEIGHT: f32 = 180.0;
 const STUDY_SECONDS: f64 = 0.1;
 const STUDY_STEPS: u32 = 32;
 const STUDY_HALVINGS: u32 = 4;
+/// Why nothing can be started.
+const NONE_CHOSEN: &str = "Choose an integrator first";
 
 const DT: Field =
     Field::new("Step", "s", 1e-7..=1.0, None, "DT: every run takes exactly this step, whatever comes of it");
@@ -94,13 +96,15 @@ impl App {
         ui.horizontal(|ui| {
             let some = !self.comparison.chosen.is_empty();
             let tooltip = "Starts every chosen integrator at the start of the scene";
-            if ui.add_enabled(some, egui::Button::new("Start comparison")).on_hover_text(tooltip).clicked() {
+            let button = ui.add_enabled(some, egui::Button::new("Start comparison")).on_hover_text(tooltip);
+            if button.on_disabled_hover_text(NONE_CHOSEN).clicked() {
                 self.comparison.histories.clear();
                 self.ask(SimCommand::Compare { integrators: self.comparison.chosen.clone(), dt });
                 self.ask(SimCommand::Play);
             }
             let running = !self.published.compared.is_empty();
-            if ui.add_enabled(running, egui::Button::new("End")).on_hover_text("Goes back to the scene").clicked() {
+            let button = ui.add_enabled(running, egui::Button::new("End")).on_hover_text("Goes back to the scene");
+            if button.on_disabled_hover_text("Nothing is being compared").clicked() {
                 self.ask(SimCommand::Compare { integrators: Vec::new(), dt });
             }
         });
@@ -135,9 +139,14 @@ impl App {
     /// The log-log plot of errors over steps.
     fn orders(&mut self, ui: &mut Ui) {
         ui.add_space(2.0 * GRID);
-        let some = !self.comparison.chosen.is_empty() && self.comparison.studying.is_none();
+        let obstacle = if self.comparison.chosen.is_empty() {
+            Some(NONE_CHOSEN)
+        } else {
+            self.comparison.studying.is_some().then_some("The orders are being measured")
+        };
         let tooltip = "Runs the first tenth of a second with ever finer steps and plots the error against the step";
-        if ui.add_enabled(some, egui::Button::new("Measure the orders")).on_hover_text(tooltip).clicked() {
+        let button = ui.add_enabled(obstacle.is_none(), egui::Button::new("Measure the orders")).on_hover_text(tooltip);
+        if button.on_disabled_hover_text(obstacle.unwrap_or_default()).clicked() {
             let (scene, assets) = (Arc::clone(self.scene()), Arc::clone(&self.assets));
             self.comparison.study(scene, assets, ui.ctx().clone());
         }

@@ -98,7 +98,7 @@ impl App {
         let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(4.0 * GRID);
         let mut gallery = std::mem::take(&mut self.gallery);
         let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| match &mut dialog {
-            Dialog::Palette { text, chosen } => palette(ui, text, chosen, |action| self.can(action)),
+            Dialog::Palette { text, chosen } => palette(ui, text, chosen, |action| self.obstacle(action)),
             Dialog::Help => help(ui),
             Dialog::Path { purpose, text, browsing, .. } => ask_path(ui, *purpose, text, browsing, self.trust.recent()),
             Dialog::Question(question) => ask(ui, question, &self.about()).map_or(Answer::None, Answer::Reply),
@@ -141,7 +141,12 @@ impl App {
     }
 }
 
-fn palette(ui: &mut Ui, text: &mut String, chosen: &mut usize, can: impl Fn(Action) -> bool) -> Answer {
+fn palette(
+    ui: &mut Ui,
+    text: &mut String,
+    chosen: &mut usize,
+    obstacle: impl Fn(Action) -> Option<&'static str>,
+) -> Answer {
     ui.set_width(360.0);
     let typed = ui.add(TextEdit::singleline(text).hint_text("Type a command").desired_width(f32::INFINITY));
     typed.request_focus();
@@ -172,8 +177,10 @@ fn palette(ui: &mut Ui, text: &mut String, chosen: &mut usize, can: impl Fn(Acti
             let button = egui::Button::selectable(k == *chosen, action.name())
                 .shortcut_text(key)
                 .min_size(egui::vec2(340.0, 0.0));
-            let clicked = ui.add_enabled(can(action), button).on_hover_text(action.tooltip()).clicked();
-            if clicked || (enter && k == *chosen && can(action)) {
+            let why = obstacle(action);
+            let response = ui.add_enabled(why.is_none(), button).on_hover_text(action.tooltip());
+            let clicked = response.on_disabled_hover_text(why.unwrap_or_default()).clicked();
+            if clicked || (enter && k == *chosen && why.is_none()) {
                 answer = Answer::Do(action);
             }
         }

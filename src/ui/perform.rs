@@ -1,26 +1,31 @@
 //! What becomes of every action.
 
 use super::action::Action;
-use super::app::App;
+use super::app::{App, Gravity};
 use super::dialogs::{Dialog, PathPurpose};
 use super::trust::{Next, Question};
 use crate::sim::SimCommand;
 use egui::{KeyboardShortcut, Modifiers};
 
 impl App {
-    /// Whether an action can be asked for just now.
-    pub(super) fn can(&self, action: Action) -> bool {
+    /// Why an action cannot be asked for just now; none where it can.
+    pub(super) fn obstacle(&self, action: Action) -> Option<&'static str> {
+        let unless = |met: bool, why: &'static str| (!met).then_some(why);
         match action {
-            Action::Undo => self.editor.undo_name().is_some(),
-            Action::Redo => self.editor.redo_name().is_some(),
-            Action::StepBack | Action::FirstFrame | Action::Replay => self.has_frames(),
-            Action::GoOn | Action::Live => self.looks_back(),
-            Action::Reload => self.path.is_some(),
-            Action::Recover => !self.trust.left().is_empty(),
-            Action::Patterns => true,
-            Action::KeepPattern => self.can_keep_pattern(),
-            action if action.edits_fibres() => self.can_edit(action),
-            _ => true,
+            Action::Undo => unless(self.editor.undo_name().is_some(), "There is nothing to undo"),
+            Action::Redo => unless(self.editor.redo_name().is_some(), "There is nothing to redo"),
+            Action::StepBack | Action::FirstFrame | Action::Replay if !self.published.compared.is_empty() => {
+                Some("Nothing is recorded while integrators are compared")
+            }
+            Action::StepBack | Action::FirstFrame | Action::Replay => {
+                unless(self.has_frames(), "There are no earlier frames yet")
+            }
+            Action::GoOn | Action::Live => unless(self.looks_back(), "The present is shown already"),
+            Action::Reload => unless(self.path.is_some(), "The scene has no file yet"),
+            Action::Recover => unless(!self.trust.left().is_empty(), "Nothing was left unsaved"),
+            Action::KeepPattern => unless(self.can_keep_pattern(), "The body has no fibres"),
+            action if action.edits_fibres() => self.editing_obstacle(action),
+            _ => None,
         }
     }
 
@@ -64,8 +69,9 @@ impl App {
                 .collect()
         });
         for action in asked {
-            if self.can(action) {
-                self.perform(ctx, action);
+            match self.obstacle(action) {
+                None => self.perform(ctx, action),
+                Some(why) => self.say(Gravity::Note, format!("{}: {why}", action.name())),
             }
         }
     }

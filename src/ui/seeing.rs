@@ -16,8 +16,8 @@ pub(super) struct Seeing {
     /// Whether fibres are coloured by what they carry.
     pub(super) tension: bool,
     ghost: Option<Ghost>,
-    /// What was said of a break.
-    pub(super) broke: Option<String>,
+    /// When the newest break that was said happened [s], and what was said of it.
+    pub(super) broke: Option<(f64, String)>,
 }
 
 /// What runs beside the document.

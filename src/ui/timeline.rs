@@ -147,7 +147,8 @@ impl App {
             Sign::Pause => "Hold the motion",
             _ => action.name(),
         };
-        let response = ui.add_enabled_ui(self.can(action), |ui| {
+        let obstacle = self.obstacle(action);
+        let response = ui.add_enabled_ui(obstacle.is_none(), |ui| {
             let (place, response) = ui.allocate_exact_size(BUTTON, Sense::click());
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
             let visuals = ui.style().interact(&response);
@@ -159,7 +160,8 @@ impl App {
             }
             response
         });
-        if response.inner.on_hover_text(format!("{} ({key})", action.tooltip())).clicked() {
+        let response = response.inner.on_hover_text(format!("{} ({key})", action.tooltip()));
+        if response.on_disabled_hover_text(obstacle.unwrap_or_default()).clicked() {
             let ctx = ui.ctx().clone();
             self.perform(&ctx, action);
         }

@@ -18,6 +18,7 @@ mod patterns;
 mod press;
 mod printed;
 mod rods;
+mod ship;
 mod shipped;
 mod stable_step;
 mod stencil;

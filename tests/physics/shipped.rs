@@ -1,18 +1,10 @@
 //! The scenes that are shipped show what they say.
 
 use crate::common::*;
+use crate::ship::{folder, scene};
 use sinew::bake::bake;
 use sinew::io::{apply_sets, load_assets, load_scene, unknown_fields};
 use sinew::scene::{FibreSource, Scene};
-use std::path::{Path, PathBuf};
-
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
-}
-
-fn scene(name: &str) -> Scene {
-    load_scene(&folder().join(name)).expect("a scene that loads")
-}
 
 #[test]
 fn every_scene_bakes_without_a_warning() {

@@ -92,3 +92,17 @@ fn typing_in_the_palette_is_no_shortcut() {
     assert_eq!(window.state().scene().bodies[0].fibres.len(), fibres);
     assert!(!window.state().published().status.playing);
 }
+
+#[test]
+fn a_key_that_can_do_nothing_says_why() {
+    let mut window = still();
+    let cases = [
+        (Modifiers::NONE, Key::X, "Delete: Select a fibre first"),
+        (Modifiers::COMMAND, Key::Z, "Undo: There is nothing to undo"),
+        (Modifiers::SHIFT, Key::ArrowRight, "Live: The present is shown already"),
+    ];
+    for (modifiers, key, expected) in cases {
+        press_key(&mut window, modifiers, key);
+        assert_eq!(window.state().message(), Some(expected));
+    }
+}

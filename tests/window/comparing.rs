@@ -47,7 +47,7 @@ fn a_step_beyond_the_limit_is_red_with_its_parameter_and_blows_up() {
     until(&mut window, |app| app.published().compared.iter().any(|run| run.blew_up_at.is_some()));
     window.step();
     assert!(window.query_all_by_label_contains("is beyond its limit").next().is_some());
-    assert!(window.query_all_by_label_contains("set by /two_layer/0/").next().is_some());
+    assert!(window.query_all_by_label_contains(" of ring").next().is_some());
     assert!(window.query_all_by_label_contains("Blew up at").next().is_some());
     assert!(window.state().published().snapshot.bodies.iter().flat_map(|b| &b.particles).all(|x| x.is_finite()));
 }

@@ -66,14 +66,18 @@ pub fn picture(example: &Example, folder: &Path) -> Result<Vec<u8>, CliError> {
     let path = folder.join(format!("{}.json", example.name));
     let scene = load_scene(&path)?;
     let assets = load_assets(&scene, folder, &mut |_| {})?;
-    let now = run(&scene, &assets, &[example.at], Some(&path))?.pop().unwrap_or_default();
+    let mut states = run(&scene, &assets, &[0.0, example.at], Some(&path))?;
+    let now = states.pop().unwrap_or_default();
+    let start = states.pop().filter(|_| example.beside_start);
     let has_fibres = scene.bodies.iter().any(|body| !body.fibres.is_empty());
     let skin = if has_fibres { SkinStyle::XRay } else { SkinStyle::Shaded };
     let display = Display { skin, ..bare() };
     let size = EXAMPLE.map(|extent| FINER * extent);
-    let list = |snapshot| draw(&Subject { scene: &scene, snapshot, ghost: None }, &display, &Theme::gallery());
+    let list =
+        |snapshot| draw(&Subject { scene: &scene, snapshot, ghost: start.as_ref() }, &display, &Theme::gallery());
     let mut camera = Camera::perspective();
-    if let Some(bounds) = list(&now).bounds {
+    let shown = [Some(&now), start.as_ref()].into_iter().flatten();
+    if let Some(bounds) = shown.filter_map(|snapshot| list(snapshot).bounds).reduce(Bounds::union) {
         camera.frame(&bounds, f64::from(size[0]) / f64::from(size[1]));
         camera.height *= CLOSER;
     }

@@ -7,10 +7,16 @@ pub struct Example {
     pub name: &'static str,
     /// When the picture is taken [s].
     pub at: f64,
+    /// Whether the body as it started stands behind it, so that twins show how far each has moved.
+    pub beside_start: bool,
 }
 
 const fn at(name: &'static str, at: f64) -> Example {
-    Example { name, at }
+    Example { name, at, beside_start: false }
+}
+
+const fn beside_start(name: &'static str, at: f64) -> Example {
+    Example { name, at, beside_start: true }
 }
 
 /// Every scene that ships.
@@ -34,24 +40,24 @@ pub const EXAMPLES: [Example; 65] = [
     at("figure_07c_soft", 0.5),
     at("figure_07d", 0.008),
     at("figure_07d_soft", 0.5),
-    at("figure_08a", 0.28),
-    at("figure_08a_soft", 1.0),
-    at("figure_08b", 0.28),
-    at("figure_08b_soft", 0.3),
-    at("figure_08c", 0.2),
-    at("figure_08c_soft", 0.35),
-    at("figure_08d", 0.2),
-    at("figure_08d_soft", 0.35),
-    at("figure_09a", 0.1),
-    at("figure_09a_soft", 0.6),
-    at("figure_09b", 0.1),
-    at("figure_09b_soft", 0.6),
-    at("figure_09c", 0.1),
-    at("figure_09c_soft", 0.6),
-    at("figure_10", 0.05),
-    at("figure_10_soft", 0.3),
-    at("figure_10_without", 0.05),
-    at("figure_10_without_soft", 0.3),
+    beside_start("figure_08a", 0.28),
+    beside_start("figure_08a_soft", 1.0),
+    beside_start("figure_08b", 0.28),
+    beside_start("figure_08b_soft", 0.3),
+    beside_start("figure_08c", 0.28),
+    beside_start("figure_08c_soft", 0.35),
+    beside_start("figure_08d", 0.28),
+    beside_start("figure_08d_soft", 0.35),
+    beside_start("figure_09a", 0.108),
+    beside_start("figure_09a_soft", 0.6),
+    beside_start("figure_09b", 0.07),
+    beside_start("figure_09b_soft", 0.6),
+    beside_start("figure_09c", 0.075),
+    beside_start("figure_09c_soft", 0.6),
+    beside_start("figure_10", 0.04),
+    beside_start("figure_10_soft", 0.3),
+    beside_start("figure_10_without", 0.04),
+    beside_start("figure_10_without_soft", 0.3),
     at("free_flight", 0.05),
     at("leaf", 0.01),
     at("long_bar", 0.02),
@@ -99,6 +105,7 @@ mod tests {
             .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
             .map(|path| path.file_stem().expect("a name").to_string_lossy().into_owned())
             .collect();
+        assert_eq!(EXAMPLES.len(), shipped.len(), "each stands once");
         assert_eq!(EXAMPLES.iter().map(|example| example.name.to_owned()).collect::<BTreeSet<_>>(), shipped);
         for example in EXAMPLES {
             let scene = load_scene(&folder.join(format!("{}.json", example.name))).expect("a scene that loads");

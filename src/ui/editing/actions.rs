@@ -20,19 +20,34 @@ const SNAP_DEPTH: f64 = 0.5;
 const MIDDLE: f64 = 0.5;
 
 impl App {
-    /// Whether an action on fibres can be asked for just now.
-    pub(in crate::ui) fn can_edit(&self, action: Action) -> bool {
+    /// Why the selected fibres cannot be edited so; none where they can.
+    pub(in crate::ui) fn editing_obstacle(&self, action: Action) -> Option<&'static str> {
+        let unless = |met: bool, why: &'static str| (!met).then_some(why);
         let selection = &self.editing.selection;
-        let vertices = selection.vertices().map_or(0, <[usize]>::len);
+        let body = self.active_body();
+        let vertices = selection.vertices();
         match action {
-            Action::SelectAll | Action::BoxSelect => self.active_body().is_some_and(|body| !body.fibres.is_empty()),
-            Action::Paint => self.active_body().is_some(),
-            Action::InsertVertex => vertices > 1,
-            Action::Split => vertices == 1,
-            Action::Redraw => !self.selected_views().is_empty(),
-            Action::ShowAll => self.active_body().is_some_and(|body| body.fibres.iter().any(|fibre| fibre.hidden)),
-            Action::Delete => selection.vertices().map_or(selection.active().is_some(), |chosen| !chosen.is_empty()),
-            _ => selection.active().is_some(),
+            Action::SelectAll | Action::BoxSelect => {
+                unless(body.is_some_and(|body| !body.fibres.is_empty()), "The body has no fibres")
+            }
+            Action::Paint => unless(body.is_some(), "Only fibre solids are painted"),
+            Action::InsertVertex => {
+                unless(vertices.is_some_and(|chosen| chosen.len() > 1), "Select two vertices of a fibre first")
+            }
+            Action::Split => {
+                unless(vertices.is_some_and(|chosen| chosen.len() == 1), "Select one vertex of a fibre first")
+            }
+            Action::Redraw => {
+                unless(!self.selected_views().is_empty(), "Select a fibre that was drawn by strokes first")
+            }
+            Action::ShowAll => unless(
+                body.is_some_and(|body| body.fibres.iter().any(|fibre| fibre.hidden)),
+                "No fibre of the body is hidden",
+            ),
+            Action::Delete if vertices.is_some() => {
+                unless(vertices.is_some_and(|chosen| !chosen.is_empty()), "Select vertices first")
+            }
+            _ => unless(selection.active().is_some(), "Select a fibre first"),
         }
     }
 

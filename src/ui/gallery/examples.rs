@@ -148,15 +148,16 @@ examples! {
     Fibres "figure_07c", "Figure 7, C, as printed": "The middle gives way along the bulge.";
     Fibres "figure_07d", "Figure 7, S, as printed": "Both halves bend.";
     Fibres "figure_08a", "Figure 8, over-compliant, as printed": "Table 1's matrix alone: it goes down within 0.3 s.";
-    Fibres "figure_08b", "Figure 8, over-stiff, as printed": "A hundred times as stiff: stem and leaves move as one.";
-    Fibres "figure_08c", "Figure 8, with fibres, as printed": "Three strands side by side hold the stem: it swings back.";
+    Fibres "figure_08b", "Figure 8, over-stiff, as printed": "A thousand times as stiff: it hardly moves.";
+    Fibres "figure_08c", "Figure 8, with fibres, as printed": "Three strands side by side hold the stem: it swings.";
     Fibres "figure_08d", "Figure 8, more at the foot, as printed":
         "Crossed helices around its foot: that stays upright.";
     Fibres "figure_09a", "Figure 9, over-compliant, as printed": "Table 1's leaf without fibres nods by 37 mm.";
     Fibres "figure_09b", "Figure 9, over-stiff, as printed": "Ten times as stiff: 3.7 mm, and nothing bends.";
     Fibres "figure_09c", "Figure 9, veined, as printed": "Two strands, one above the other, carry it: 4.8 mm.";
-    Fibres "figure_10", "Figure 10, a snapping stalk, as printed": "Its upper strand tears, and the leaf goes down.";
-    Fibres "figure_10_without", "Figure 10, a stalk that holds, as printed": "Struck alike, it swings back up.";
+    Fibres "figure_10", "Figure 10, a snapping stalk, as printed":
+        "Its upper strand tears: the leaf goes down twice as far.";
+    Fibres "figure_10_without", "Figure 10, a stalk that holds, as printed": "Struck alike, it nods half as far.";
     Fibres "press_short_bar", "Press of the short bar": "The force at 2 %: 1950 N at rest.";
     Fibres "cantilever", "Cantilever": "Sags under its own weight, within 5 % of Timoshenko.";
     Fibres "free_flight", "Free flight": "Spins and rings in nothing: momenta stay to round-off.";

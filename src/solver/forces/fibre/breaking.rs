@@ -70,16 +70,19 @@ impl Breakage {
         }
     }
 
-    /// What of it is broken in the fibres `after` an edit, where these are those `before` it. A fibre that runs along the
-    /// same vertices is the same one, whatever else of it is new, and wherever it now stands among the others.
+    /// What is broken in the fibres `before` an edit, carried to those `after` it. A fibre along the same vertices is the
+    /// same one, whatever else of it is new and wherever it stands among the others now; one that was moved is whole.
     pub(super) fn carried(&self, [before, after]: [&[FibreRest]; 2]) -> Self {
         let mut carried = Self::none(after);
+        let mut taken = vec![false; before.len()];
         let (mut bend, mut edge) = (0, 0);
         for fibre in after {
             let (bends, edges) = (bend..bend + fibre.bends.len(), edge..edge + fibre.edges.len());
             let (mut old_bend, mut old_edge) = (0, 0);
-            for old in before {
-                if old.vertices == fibre.vertices && old.first_vertex == fibre.first_vertex {
+            for (old, taken) in before.iter().zip(&mut taken) {
+                // Two may lie on each other.
+                if !*taken && old.vertices == fibre.vertices && old.first_vertex == fibre.first_vertex {
+                    *taken = true;
                     carried.bends[bends.clone()].copy_from_slice(&self.bends[old_bend..][..bends.len()]);
                     carried.edges[edges.clone()].copy_from_slice(&self.edges[old_edge..][..edges.len()]);
                     let breaks = self.breaks.iter().filter(|one| one.fibre == old.line);

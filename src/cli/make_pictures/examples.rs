@@ -56,7 +56,7 @@ pub const EXAMPLES: [Example; 65] = [
     beside_start("figure_09c_soft", 0.6),
     beside_start("figure_10", 0.04),
     beside_start("figure_10_soft", 0.3),
-    beside_start("figure_10_without", 0.04),
+    beside_start("figure_10_without", 0.02),
     beside_start("figure_10_without_soft", 0.3),
     at("free_flight", 0.05),
     at("leaf", 0.01),

@@ -21,6 +21,8 @@ const FRAME: u32 = 128;
 const EXAMPLE: [u32; 2] = [240, 150];
 /// The camera frames with room to spare; small pictures need less.
 const CLOSER: f64 = 0.88;
+/// Examples show balls around particles at their edge, too.
+const EXAMPLE_CLOSER: f64 = 0.97;
 /// Eyes up to this height see a panel by its edge [degrees].
 const SIDELONG: f64 = 10.0;
 /// Pictures are drawn so many times as large each way, and averaged.
@@ -79,7 +81,7 @@ pub fn picture(example: &Example, folder: &Path) -> Result<Vec<u8>, CliError> {
     let shown = [Some(&now), start.as_ref()].into_iter().flatten();
     if let Some(bounds) = shown.filter_map(|snapshot| list(snapshot).bounds).reduce(Bounds::union) {
         camera.frame(&bounds, f64::from(size[0]) / f64::from(size[1]));
-        camera.height *= CLOSER;
+        camera.height *= EXAMPLE_CLOSER;
     }
     let mut booth = Offscreen::new(size)?;
     Ok(averaged(&booth.draw(list(&now), &camera)?).to_png()?)

@@ -66,7 +66,7 @@ pub const EXAMPLES: [Example; 65] = [
     at("short_bar", 0.003),
     at("short_bar_mesh", 0.003),
     at("short_bar_soft", 0.16),
-    at("two_layer_1d", 0.5),
+    at("two_layer_1d", 0.9),
     at("two_layer_2d", 1.2),
     at("two_layer_3d", 1.2),
     at("two_layer_ball_on_bar", 0.55),

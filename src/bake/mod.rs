@@ -336,7 +336,7 @@ const MOST_STEPS: f64 = 1e6;
 fn plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, BakeError> {
     let (frame_seconds, wanted, meetings): (f64, Vec<u32>, u32) = match &scene.time.step {
         TimeStep::Automatic(automatic) => {
-            let frame = 1.0 / scene.time.frames_per_second;
+            let frame = scene.time.frame_seconds();
             let count = |stable: f64| (frame / (automatic.safety * stable)).ceil().max(1.0) as u32;
             for draft in drafts {
                 let stable_dt = draft.parts.stable_dt;
@@ -357,7 +357,7 @@ fn plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, BakeError> {
         }
         TimeStep::Manual(manual) => {
             let count = manual.substeps_per_frame;
-            (manual.dt * f64::from(count), vec![count; drafts.len()], count)
+            (scene.time.frame_seconds(), vec![count; drafts.len()], count)
         }
     };
     let outer_steps = match (scene.panels.is_empty(), drafts.len()) {

@@ -137,8 +137,8 @@ pub fn with_sets(scene: &Scene, sets: &[Assignment]) -> Result<Scene, CliError> 
 /// [`CliError::ManualFrames`] where the frames follow from the time step, [`CliError::Scene`] for a rate out of range.
 pub fn with_frame_rate(mut scene: Scene, fps: Option<f64>) -> Result<Scene, CliError> {
     let Some(fps) = fps else { return Ok(scene) };
-    if let TimeStep::Manual(manual) = &scene.time.step {
-        return Err(CliError::ManualFrames { frame: manual.dt * f64::from(manual.substeps_per_frame) });
+    if matches!(scene.time.step, TimeStep::Manual(_)) {
+        return Err(CliError::ManualFrames { frame: scene.time.frame_seconds() });
     }
     scene.time.frames_per_second = fps;
     scene.validate()?;

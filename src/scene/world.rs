@@ -116,6 +116,16 @@ pub struct Time {
     pub extra: Extra,
 }
 
+impl Time {
+    /// Length of a frame [s].
+    pub fn frame_seconds(&self) -> f64 {
+        match &self.step {
+            TimeStep::Automatic(_) => 1.0 / self.frames_per_second,
+            TimeStep::Manual(manual) => manual.dt * f64::from(manual.substeps_per_frame),
+        }
+    }
+}
+
 impl Default for Time {
     fn default() -> Self {
         Self { frames_per_second: 60.0, duration: 1.0, step: TimeStep::default(), extra: Extra::new() }

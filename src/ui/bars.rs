@@ -5,6 +5,7 @@ use super::app::{App, Gravity};
 use super::menu::Menu;
 use super::sketch_tool::Stage;
 use super::theme::{self, GRID};
+use super::timescale::{moment, ratio};
 use crate::edit::Command;
 use crate::scene::TimeStep;
 use crate::sim::SimCommand;
@@ -89,22 +90,23 @@ impl App {
     fn read_out(&self, ui: &mut Ui) {
         let status = &self.published.status;
         let slow = status.real_time_factor < 0.9 * self.speed;
+        let now = |time| moment(time, self.scene().time.frame_seconds());
         let text = if let Some(baking) = &status.baking {
             format!("Putting together {baking}…")
         } else if status.real_time_factor > 0.0 && status.playing {
             let pace = if slow { "slow motion, " } else { "" };
             format!(
-                "{:.2} s   {:.0} frames/s, {} drawn   {pace}{:.2} × real time",
-                status.time,
+                "{}   {:.0} frames/s, {} drawn   {pace}{} × real time",
+                now(status.time),
                 status.frames_per_second,
                 self.frame_times.len(),
-                status.real_time_factor
+                ratio(status.real_time_factor)
             )
         } else if self.looks_back() {
             let last = status.timeline.span.map_or(status.time, |span| span[1]);
-            format!("{:.2} s of {last:.2} s", status.time)
+            format!("{} of {}", now(status.time), now(last))
         } else {
-            format!("{:.2} s", status.time)
+            now(status.time)
         };
         let mut why = vec![format!("{} particles", status.particles)];
         if let Some(body) = status.bodies.iter().max_by_key(|body| body.substeps) {

@@ -3,7 +3,7 @@
 use super::action::Action;
 use super::app::{App, Gravity};
 use super::theme::{self, GRID};
-use super::timescale::{Scale, clock, memory};
+use super::timescale::{Scale, clock, memory, moment};
 use crate::sim::{Published, SimCommand, USUAL_MEMORY};
 use egui::{Align2, FontId, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2};
 use serde::{Deserialize, Serialize};
@@ -212,10 +212,11 @@ impl App {
             ui.painter().text(bar.center(), Align2::CENTER_CENTER, why, FontId::proportional(11.0), ink);
             return;
         };
-        let scale = Scale::new(span, bar.shrink2(Vec2::new(INSET, 0.0)).x_range());
+        let frame = self.scene().time.frame_seconds();
+        let scale = Scale::new(span, frame, bar.shrink2(Vec2::new(INSET, 0.0)).x_range());
         self.scrub(&response, &scale, span);
         let shown = self.timeline.held.unwrap_or(self.published.status.time).clamp(span[0], span[1]);
-        let spoken = format!("Timeline from {:.2} s to {:.2} s", span[0], span[1]);
+        let spoken = format!("Timeline from {} to {}", moment(span[0], frame), moment(span[1], frame));
         response.widget_info(|| egui::WidgetInfo::slider(true, shown, &spoken));
         self.paint_track(ui, bar, &scale, span, shown);
         if let Some(at) = response.hover_pos() {
@@ -232,7 +233,7 @@ impl App {
     fn words_at(&self, scale: &Scale, x: f32, time: f64) -> String {
         let timeline = &self.published.status.timeline;
         let near = |marks: &[f64]| marks.iter().any(|mark| (scale.place(*mark) - x).abs() <= MARK);
-        let mut words = format!("{time:.2} s");
+        let mut words = moment(time, self.scene().time.frame_seconds());
         if near(&timeline.edits) {
             words.push_str("\nThe scene was changed");
         }

@@ -123,9 +123,8 @@ impl App {
                 "any step".to_owned()
             };
             if dt > run.stable_dt {
-                let set_by = self.published.status.bodies.iter().find_map(|body| body.limited_by.as_ref());
-                let set_by =
-                    set_by.map_or(String::new(), |pointer| format!(", set by {}", self.scene().with_names(pointer)));
+                let limits = self.published.status.bodies.iter().find_map(|body| body.limited_by.as_deref());
+                let set_by = self.set_by(limits);
                 ui.colored_label(self.tone.error(), format!("DT {dt:.3e} s is beyond its {limit}{set_by}"));
             } else {
                 ui.label(format!("DT {dt:.3e} s, {limit}"));

@@ -135,19 +135,23 @@ impl App {
             self.gesture += 1;
             self.apply(&Command::SetIntegrator { body, integrator: chosen });
         }
-        let Some(mut step) = self.published.status.bodies.get(self.active).cloned() else { return };
-        step.limited_by = step.limited_by.map(|pointer| self.scene().with_names(&pointer));
+        let Some(step) = self.published.status.bodies.get(self.active).cloned() else { return };
         let exceeded = step.dt > step.stable_dt;
         let text = format!("DT    {:.3e} s\nlimit {:.3e} s", step.dt, step.stable_dt);
         let colour = if exceeded { self.tone.error() } else { ui.visuals().text_color() };
-        let set_by = step.limited_by.as_ref().map_or(String::new(), |pointer| format!(", set by {pointer}"));
+        let set_by = self.set_by(step.limited_by.as_deref());
         let why = format!("The limit is the stable step of this integrator{set_by}");
         ui.label(RichText::new(text).monospace().color(colour)).on_hover_text(&why);
         if exceeded {
             ui.colored_label(self.tone.error(), format!("Beyond the limit{set_by}"));
         } else if let Some(pointer) = &step.limited_by {
-            ui.label(RichText::new(format!("Set by {pointer}")).weak().small());
+            ui.label(RichText::new(format!("Set by {}", self.scene().with_names(pointer))).weak().small());
         }
+    }
+
+    /// What sets a stable step, to be said after it; nothing where that is not known.
+    pub(super) fn set_by(&self, limited_by: Option<&str>) -> String {
+        limited_by.map_or_else(String::new, |pointer| format!(", set by {}", self.scene().with_names(pointer)))
     }
 }
 

@@ -255,10 +255,7 @@ impl App {
             }
         }
         for body in &self.published.status.bodies {
-            let set_by = body
-                .limited_by
-                .as_ref()
-                .map_or(String::new(), |pointer| format!(", set by {}", self.scene().with_names(pointer)));
+            let set_by = self.set_by(body.limited_by.as_deref());
             if body.dt > body.stable_dt {
                 let text =
                     format!("{}: DT {:.3e} s is beyond its limit {:.3e} s{set_by}", body.name, body.dt, body.stable_dt);

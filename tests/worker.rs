@@ -155,18 +155,18 @@ fn a_ghost_starts_from_where_the_world_is() {
 fn every_frame_is_recorded_though_its_picture_is_missed() {
     let worker = Worker::start(scene(""), Arc::default(), true, || {});
     let start = Instant::now();
-    while worker.records(|records| records.world.len()) < 30 {
+    while worker.time_series(|recorded| recorded.world.len()) < 30 {
         assert!(start.elapsed() < Duration::from_mins(1), "nothing is recorded");
         std::thread::sleep(Duration::from_millis(2));
     }
-    worker.records(|records| {
-        assert!(records.ghost.is_none() && records.world.dropped() == 0);
-        for (number, row) in records.world.rows() {
+    worker.time_series(|recorded| {
+        assert!(recorded.ghost.is_none() && recorded.world.dropped() == 0);
+        for (number, row) in recorded.world.rows() {
             assert!((row[0] - number as f64 / 60.0).abs() < 1e-9, "frame {number} at {} s", row[0]);
         }
     });
     // An edit that leaves the columns as they are goes on, one that does not begins anew.
-    let rows = |worker: &Worker| worker.records(|records| (records.world.len(), records.world.columns().len()));
+    let rows = |worker: &Worker| worker.time_series(|recorded| (recorded.world.len(), recorded.world.columns().len()));
     assert!(worker.send(SimCommand::Pause));
     until(&worker, |p| !p.status.playing);
     let (before, columns) = rows(&worker);
@@ -185,7 +185,7 @@ fn every_frame_is_recorded_though_its_picture_is_missed() {
 fn of_more_rows_than_are_kept_the_oldest_go() {
     let baked = sinew::bake::bake(&scene(""), &sinew::scene::Assets::default(), &mut |_, _| {}).expect("it bakes");
     let mut runner = sinew::sim::Runner::new(baked);
-    let mut series = sinew::sim::Series::new(runner.world(), 5);
+    let mut series = sinew::sim::TimeSeries::new(runner.world(), 5);
     for _ in 0..8 {
         series.push(runner.world());
         series.push(runner.world());

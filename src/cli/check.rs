@@ -8,7 +8,7 @@ use super::{CliError, Console, Outcome};
 use crate::bake::Baked;
 use crate::io::is_model;
 use crate::scene::{Scene, one_line};
-use crate::sim::labels;
+use crate::sim::body_labels;
 use crate::solver::body::Body;
 use crate::solver::world::World;
 use clap::Args;
@@ -74,7 +74,7 @@ fn bodies(world: &World) -> Table {
         ("span of particles [m]", Align::Right),
         ("mass [kg]", Align::Right),
     ]);
-    for (body, label) in world.bodies().iter().zip(labels(world.bodies())) {
+    for (body, label) in world.bodies().iter().zip(body_labels(world.bodies())) {
         let parts = body.parts();
         let span = span(&body.state().positions).to_array().map(figures).join(" x ");
         table.push([
@@ -108,7 +108,7 @@ fn steps(world: &World) -> Table {
         ("particle steps a second", Align::Right),
     ]);
     let plan = world.plan();
-    let label_of = labels(world.bodies());
+    let label_of = body_labels(world.bodies());
     for ((body, label), &substeps) in world.bodies().iter().zip(label_of).zip(&plan.substeps) {
         let a_frame = f64::from(substeps) * f64::from(plan.outer_steps);
         table.push([
@@ -130,7 +130,7 @@ fn cost(body: &Body, steps_a_second: f64) -> f64 {
 
 fn regions(baked: &Baked) -> Table {
     let mut table = Table::new([("region", Align::Left), ("body", Align::Left), ("particles", Align::Right)]);
-    for (regions, label) in baked.regions.iter().zip(labels(baked.world.bodies())) {
+    for (regions, label) in baked.regions.iter().zip(body_labels(baked.world.bodies())) {
         let mut regions: Vec<_> = regions.iter().collect();
         regions.sort_by_key(|(id, _)| *id);
         for (id, particles) in regions {
@@ -143,7 +143,7 @@ fn regions(baked: &Baked) -> Table {
 fn measures(world: &World) -> Table {
     let mut table =
         Table::new([("measure", Align::Left), ("body", Align::Left), ("kind", Align::Left), ("unit", Align::Left)]);
-    let label_of = labels(world.bodies());
+    let label_of = body_labels(world.bodies());
     for probe in world.probes() {
         let quantity = &probe.quantity;
         table.push([

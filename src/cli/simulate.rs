@@ -8,7 +8,7 @@ use super::table::figures;
 use super::{CliError, Console, Outcome, output};
 use crate::io::{FrameFolder, write_obj};
 use crate::scene::Scene;
-use crate::sim::{Report, Runner, Series};
+use crate::sim::{Report, Runner, TimeSeries};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -113,7 +113,7 @@ fn watch(
 
 /// What is kept of every frame.
 struct Records {
-    series: Option<Series>,
+    series: Option<TimeSeries>,
     shapes: Option<FrameFolder>,
     pictures: Option<(Studio, FrameFolder)>,
 }
@@ -122,7 +122,7 @@ impl Records {
     fn new(args: &Simulate, scene: &Scene, runner: &Runner) -> Result<Self, CliError> {
         // A driver may be missing: that is found out before a folder is made.
         let studio = args.png.as_ref().map(|_| Studio::open(&args.look, scene, &runner.snapshot())).transpose()?;
-        let series = args.series.as_ref().map(|_| Series::new(runner.world(), usize::MAX));
+        let series = args.series.as_ref().map(|_| TimeSeries::new(runner.world(), usize::MAX));
         let folder = |path: Option<&PathBuf>, extension| path.map(|path| FrameFolder::create(path, extension));
         let shapes = folder(args.out.as_ref(), "obj").transpose()?;
         let pictures = studio.zip(folder(args.png.as_ref(), "png").transpose()?);

@@ -62,7 +62,7 @@ pub enum SimCommand {
     /// at the end.
     Replay,
     /// Go on from the frame that is shown; the later ones are dropped. A pull, a strike and an edit do so, too.
-    GoOn,
+    ContinueHere,
     /// Back from earlier frames to where the simulation has come to.
     Live,
     /// Memory that the kept frames may take [bytes].

@@ -149,7 +149,7 @@ pub fn reference(scene: &Scene, assets: &Assets, seconds: f64, finest: f64) -> R
 }
 
 /// Slope of log(error) over log(step): the order of convergence, by least squares. None with fewer than two points.
-pub fn order(points: &[(f64, f64)]) -> Option<f64> {
+pub fn convergence_order(points: &[(f64, f64)]) -> Option<f64> {
     let logs: Vec<(f64, f64)> = points.iter().map(|(dt, error)| (dt.ln(), error.ln())).collect();
     let n = logs.len() as f64;
     let (mean_x, mean_y) = (logs.iter().map(|p| p.0).sum::<f64>() / n, logs.iter().map(|p| p.1).sum::<f64>() / n);

@@ -13,11 +13,11 @@ mod study;
 mod worker;
 
 pub use command::SimCommand;
-pub use compare::{Trial, order, reference};
-pub use recording::USUAL_MEMORY;
+pub use compare::{Trial, convergence_order, reference};
+pub use recording::DEFAULT_MEMORY;
 pub use report::{BodyReport, EnergyReport, MeasureReport, Report};
 pub use runner::Runner;
-pub use series::{Column, ColumnKind, Series, labels};
-pub use status::{Compared, Published, Reading, Status, Stepping, Timeline};
-pub use study::{Convergence, study};
-pub use worker::{Records, Worker};
+pub use series::{Column, ColumnKind, TimeSeries, body_labels};
+pub use status::{ComparedRun, ComparedSample, Published, RecordingStatus, Status, Stepping};
+pub use study::{Convergence, convergence_study};
+pub use worker::{RecordedSeries, Worker};

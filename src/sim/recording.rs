@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// Memory that a recording takes at most unless it is told otherwise [bytes].
-pub const USUAL_MEMORY: usize = 512 << 20;
+pub const DEFAULT_MEMORY: usize = 512 << 20;
 
 /// A state of a run, and the run's start, which has the rest data that it goes with.
 pub(super) struct Kept {
@@ -92,7 +92,7 @@ pub(super) struct Recording {
 
 impl Default for Recording {
     fn default() -> Self {
-        Self { frames: VecDeque::new(), marks: Default::default(), bytes: 0, limit: USUAL_MEMORY }
+        Self { frames: VecDeque::new(), marks: Default::default(), bytes: 0, limit: DEFAULT_MEMORY }
     }
 }
 

@@ -37,7 +37,7 @@ pub struct Column {
 
 /// Rows so far, one a frame, under columns that are those of a world.
 #[derive(Clone, Debug, Default)]
-pub struct Series {
+pub struct TimeSeries {
     columns: Vec<Column>,
     rows: VecDeque<Box<[f64]>>,
     /// Rows that are kept at most.
@@ -48,7 +48,7 @@ pub struct Series {
     used: Vec<bool>,
 }
 
-impl Series {
+impl TimeSeries {
     /// No rows yet of a world; of more than `most` rows the oldest are dropped.
     pub fn new(world: &World, most: usize) -> Self {
         let columns = columns(world);
@@ -79,7 +79,7 @@ impl Series {
 
     /// Goes on with a world after an edit: with other names if only those have changed, and without the rows so far where
     /// the columns are others.
-    pub fn go_on_with(&mut self, world: &World, most: usize) {
+    pub fn continue_with(&mut self, world: &World, most: usize) {
         let columns = columns(world);
         if columns == self.columns {
             return;
@@ -149,7 +149,7 @@ impl Series {
 }
 
 /// Names by which bodies are told apart: their names, or their identifiers where two share a name.
-pub fn labels(bodies: &[Body]) -> Vec<String> {
+pub fn body_labels(bodies: &[Body]) -> Vec<String> {
     let names: HashSet<&str> = bodies.iter().map(|body| body.parts().name.as_str()).collect();
     let unique = names.len() == bodies.len();
     bodies.iter().map(|body| one_line(if unique { &body.parts().name } else { &body.parts().id })).collect()
@@ -159,7 +159,7 @@ fn columns(world: &World) -> Vec<Column> {
     let bodies = world.bodies();
     let column = |name: String, unit, kind| Column { name, unit, kind };
     let mut columns = vec![column("time".to_owned(), "s", ColumnKind::Time)];
-    for label in labels(bodies) {
+    for label in body_labels(bodies) {
         let prefix = if bodies.len() > 1 { format!("{label}: ") } else { String::new() };
         let energies = EnergyReport::NAMES.iter().enumerate();
         columns.extend(energies.map(|(k, name)| column(format!("{prefix}{name}"), "J", ColumnKind::Energy(k))));

@@ -1,7 +1,7 @@
 //! The same scene under several integrators, in step and side by side.
 
 use super::compare::Trial;
-use super::status::{Compared, Reading};
+use super::status::{ComparedRun, ComparedSample};
 use crate::bake::BakeError;
 use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::snapshot::Snapshot;
@@ -69,18 +69,18 @@ impl SideBySide {
     }
 
     /// How every run stands.
-    pub(super) fn compared(&self) -> Vec<Compared> {
-        let compared = |run: &Run| Compared {
+    pub(super) fn compared(&self) -> Vec<ComparedRun> {
+        let compared = |run: &Run| ComparedRun {
             integrator: run.integrator,
             stable_dt: run.trial.stable_dt(),
             blew_up_at: run.trial.blew_up_at(),
             bodies: run.shown.bodies.len(),
-            reading: self.reading(&run.trial),
+            sample: self.sample(&run.trial),
         };
         self.runs.iter().map(compared).collect()
     }
 
-    fn reading(&self, trial: &Trial) -> Reading {
+    fn sample(&self, trial: &Trial) -> ComparedSample {
         let bodies = trial.world().bodies();
         let momentum: DVec3 = bodies
             .iter()
@@ -93,7 +93,7 @@ impl SideBySide {
             let surface = body.parts().layers.as_ref()?.outer_surface.as_ref()?;
             Some(surface.volume(&body.state().positions))
         });
-        Reading {
+        ComparedSample {
             time: trial.world().time(),
             energy: trial.energy(),
             momentum: momentum.length(),

@@ -34,18 +34,18 @@ pub struct Status {
     /// Document edits taken over so far, so that a window knows whether its last one has arrived.
     pub edits: u64,
     /// What is kept of the motion.
-    pub timeline: Timeline,
+    pub recording: RecordingStatus,
 }
 
 /// What is kept of the motion so far, and what is seen of it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Timeline {
+pub struct RecordingStatus {
     /// Times of the first and the last frame [s]; none where nothing is kept.
     pub span: Option<[f64; 2]>,
     /// Number of frames.
     pub frames: usize,
     /// Whether an earlier frame is shown, not what the simulation has come to.
-    pub looks_back: bool,
+    pub in_replay: bool,
     /// Whether the frame that is shown was computed before the scene was last put together: what goes on from it is the
     /// present scene in the motion of that frame.
     pub of_another_scene: bool,
@@ -58,7 +58,7 @@ pub struct Timeline {
     /// Times of frames in which fibres broke [s].
     pub breaks: Vec<f64>,
     /// How often the simulation went on from an earlier frame, and what is to be said of the last time.
-    pub went_on: (u64, String),
+    pub continued: (u64, String),
 }
 
 /// How a body is stepped.
@@ -78,7 +78,7 @@ pub struct Stepping {
 
 /// One of the runs that are compared side by side.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Compared {
+pub struct ComparedRun {
     /// Its integrator.
     pub integrator: IntegratorKind,
     /// Greatest step that the integrator is estimated to take [s].
@@ -88,12 +88,12 @@ pub struct Compared {
     /// Bodies of the snapshot that are its own; the runs follow each other.
     pub bodies: usize,
     /// What is plotted.
-    pub reading: Reading,
+    pub sample: ComparedSample,
 }
 
 /// What is plotted of a run at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
+pub struct ComparedSample {
     /// Simulated time [s].
     pub time: f64,
     /// Total energy [J].
@@ -120,5 +120,5 @@ pub struct Published {
     /// The rest.
     pub status: Status,
     /// Runs that are compared; the snapshot shows them side by side then. Empty where none are.
-    pub compared: Vec<Compared>,
+    pub compared: Vec<ComparedRun>,
 }

@@ -1,6 +1,6 @@
 //! Orders of convergence: errors over steps, against a run that is far finer.
 
-use super::compare::{Trial, order, reference};
+use super::compare::{Trial, convergence_order, reference};
 use crate::bake::BakeError;
 use crate::scene::{Assets, IntegratorKind, Scene};
 
@@ -23,7 +23,7 @@ impl Convergence {
     pub fn of(integrator: IntegratorKind, errors: impl IntoIterator<Item = (f64, f64)>, size: f64) -> Self {
         let mut points: Vec<(f64, f64)> = errors.into_iter().filter(|(_, error)| *error > ROUND_OFF * size).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Self { integrator, order: order(&points), points }
+        Self { integrator, order: convergence_order(&points), points }
     }
 }
 
@@ -32,7 +32,7 @@ impl Convergence {
 ///
 /// # Errors
 /// A scene that cannot be put together.
-pub fn study(
+pub fn convergence_study(
     scene: &Scene,
     assets: &Assets,
     integrators: &[IntegratorKind],

@@ -10,7 +10,7 @@ use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::snapshot::Snapshot;
 use baking::describe;
 use glam::DVec3;
-pub use records::Records;
+pub use records::RecordedSeries;
 use replay::Replay;
 use sights::Sights;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -29,7 +29,7 @@ const RATE_WINDOW: Duration = Duration::from_millis(500);
 const GREATEST_DEBT: Duration = Duration::from_millis(100);
 
 type Slot = Arc<Mutex<Option<Arc<Published>>>>;
-type Shared = Arc<Mutex<Records>>;
+type Shared = Arc<Mutex<RecordedSeries>>;
 
 /// The running simulation, seen from the window.
 pub struct Worker {
@@ -67,7 +67,7 @@ impl Worker {
     }
 
     /// Looks at what was recorded of every frame. The solver waits meanwhile: to be read, not to be worked with.
-    pub fn records<T>(&self, read: impl FnOnce(&Records) -> T) -> T {
+    pub fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
         read(&self.records.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
@@ -200,7 +200,7 @@ impl Loop {
 
     fn runs(&self) -> bool {
         let moves = |runner: &Runner| self.side_by_side.is_some() || !runner.all_stopped();
-        self.status.playing && (self.looks_back() || self.runner.as_ref().is_some_and(moves))
+        self.status.playing && (self.in_replay() || self.runner.as_ref().is_some_and(moves))
     }
 
     fn frame_seconds(&self) -> f64 {
@@ -229,7 +229,7 @@ impl Loop {
                 self.rate = Rate::new();
                 self.start_replay();
             }
-            SimCommand::GoOn => {
+            SimCommand::ContinueHere => {
                 self.go_on();
                 self.play();
             }
@@ -237,7 +237,7 @@ impl Loop {
             SimCommand::Memory(limit) => {
                 let time = self.shown_time();
                 self.replay.recording.set_limit(limit);
-                self.replay.wanted = self.looks_back().then_some(time);
+                self.replay.wanted = self.in_replay().then_some(time);
             }
             SimCommand::Compare { integrators, dt } => {
                 self.look_ahead();
@@ -298,7 +298,7 @@ impl Loop {
 
     /// One frame, of the world or of a replay.
     fn advance(&mut self) {
-        if self.looks_back() {
+        if self.in_replay() {
             self.replay_frame();
         } else {
             self.solve();

@@ -102,8 +102,8 @@ impl App {
                 self.frame_times.len(),
                 ratio(status.real_time_factor)
             )
-        } else if self.looks_back() {
-            let last = status.timeline.span.map_or(status.time, |span| span[1]);
+        } else if self.in_replay() {
+            let last = status.recording.span.map_or(status.time, |span| span[1]);
             format!("{} of {}", now(status.time), now(last))
         } else {
             now(status.time)

@@ -6,7 +6,7 @@ use super::plots::{LINE, Trace, over_time, still};
 use super::properties::{INTEGRATORS, integrator_name};
 use super::theme::{self, GRID};
 use crate::scene::{Assets, IntegratorKind, Scene};
-use crate::sim::{Compared, Convergence, Reading, SimCommand, study};
+use crate::sim::{ComparedRun, ComparedSample, Convergence, SimCommand, convergence_study};
 use egui::{Color32, RichText, Ui};
 use egui_plot::{Line, MarkerShape, Plot, PlotPoints, Points};
 use std::collections::VecDeque;
@@ -33,22 +33,22 @@ pub(super) struct Comparison {
     chosen: Vec<IntegratorKind>,
     dt: Option<f64>,
     /// Readings of each run.
-    histories: Vec<VecDeque<Reading>>,
+    histories: Vec<VecDeque<ComparedSample>>,
     studying: Option<Receiver<Result<Vec<Convergence>, String>>>,
     orders: Vec<Convergence>,
 }
 
 impl Comparison {
     /// Keeps what was published.
-    pub(super) fn record(&mut self, compared: &[Compared]) {
+    pub(super) fn record(&mut self, compared: &[ComparedRun]) {
         self.histories.resize(compared.len(), VecDeque::new());
         for (history, run) in self.histories.iter_mut().zip(compared) {
-            let fresh = history.back().is_none_or(|last| last.time != run.reading.time);
-            if history.back().is_some_and(|last| last.time > run.reading.time) {
+            let fresh = history.back().is_none_or(|last| last.time != run.sample.time);
+            if history.back().is_some_and(|last| last.time > run.sample.time) {
                 history.clear();
             }
             if fresh && run.blew_up_at.is_none() {
-                history.push_back(run.reading);
+                history.push_back(run.sample);
             }
             if history.len() > KEPT {
                 history.pop_front();
@@ -60,7 +60,7 @@ impl Comparison {
         let (sender, receiver) = channel();
         let chosen = self.chosen.clone();
         std::thread::spawn(move || {
-            let found = study(&scene, &assets, &chosen, STUDY_SECONDS, STUDY_STEPS, STUDY_HALVINGS);
+            let found = convergence_study(&scene, &assets, &chosen, STUDY_SECONDS, STUDY_STEPS, STUDY_HALVINGS);
             // The window may be gone by now.
             let _ = sender.send(found.map_err(|error| error.to_string()));
             ctx.request_repaint();
@@ -202,14 +202,14 @@ impl App {
         });
     }
 
-    fn plot(&self, ui: &mut Ui, [title, unit]: [&str; 2], value: impl Fn(&Reading) -> Option<f64>) {
+    fn plot(&self, ui: &mut Ui, [title, unit]: [&str; 2], value: impl Fn(&ComparedSample) -> Option<f64>) {
         ui.label(RichText::new(title).small());
         let histories = self.published.compared.iter().zip(&self.comparison.histories);
         if !self.comparison.histories.iter().flatten().any(|reading| value(reading).is_some()) {
             ui.label(RichText::new("The scene has no two-layer body that encloses gas").weak().small());
             return;
         }
-        let trace = |(run, history): (&Compared, &VecDeque<Reading>)| Trace {
+        let trace = |(run, history): (&ComparedRun, &VecDeque<ComparedSample>)| Trace {
             name: integrator_name(run.integrator).to_owned(),
             colour: self.run_colour(place(run.integrator)),
             width: LINE,

@@ -20,7 +20,7 @@ impl App {
             Action::StepBack | Action::FirstFrame | Action::Replay => {
                 unless(self.has_frames(), "There are no earlier frames yet")
             }
-            Action::GoOn | Action::Live => unless(self.looks_back(), "The present is shown already"),
+            Action::GoOn | Action::Live => unless(self.in_replay(), "The present is shown already"),
             Action::Reload => unless(self.path.is_some(), "The scene has no file yet"),
             Action::Recover => unless(!self.trust.left().is_empty(), "Nothing was left unsaved"),
             Action::KeepPattern => unless(self.can_keep_pattern(), "The body has no fibres"),
@@ -107,7 +107,7 @@ impl App {
             Action::StepBack => self.look_back(SimCommand::StepBack),
             Action::FirstFrame => self.show_first(),
             Action::Replay => self.look_back(SimCommand::Replay),
-            Action::GoOn => self.ask(SimCommand::GoOn),
+            Action::GoOn => self.ask(SimCommand::ContinueHere),
             Action::Live => self.ask(SimCommand::Live),
             Action::Reset => self.ask(SimCommand::Reset),
             Action::ReleasePins => self.ask(SimCommand::ReleaseAll),

@@ -50,7 +50,7 @@ impl View3d<'_> {
                 self.app.pull = None;
             }
         } else if response.hovered() {
-            self.app.hint = if self.app.looks_back() {
+            self.app.hint = if self.app.in_replay() {
                 "Drag a body to pull it and go on from this frame; the later ones are dropped then"
             } else {
                 "Drag a body to pull it; middle drag turns the view, the wheel comes closer"

@@ -8,7 +8,7 @@ use super::plots::{BOLD, LINE, THIN, Trace, over_time, thinned};
 use super::theme::{self, GRID};
 use super::trust::{Loss, Question};
 use crate::io::write_atomically;
-use crate::sim::{ColumnKind, EnergyReport, Records, Series};
+use crate::sim::{ColumnKind, EnergyReport, RecordedSeries, TimeSeries};
 use egui::{Align2, Color32, Panel, RichText, Role, ScrollArea, Sense, TextStyle, Ui, Vec2, WidgetInfo};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -71,7 +71,7 @@ impl Curve {
     }
 
     /// Its line through the last rows.
-    fn trace(&self, series: &Series) -> Trace {
+    fn trace(&self, series: &TimeSeries) -> Trace {
         let now = series.last().map_or(0.0, |row| row[0]);
         let rows = series.rows().rev().take_while(|(_, row)| row[0] >= now - SPAN).count();
         let bucket = (rows as u64).div_ceil(POINTS).next_power_of_two();
@@ -92,12 +92,12 @@ struct Chart {
 }
 
 /// Columns of one kind.
-fn columns(series: &Series, kind: ColumnKind) -> Vec<usize> {
+fn columns(series: &TimeSeries, kind: ColumnKind) -> Vec<usize> {
     (0..series.columns().len()).filter(|&k| series.columns()[k].kind == kind).collect()
 }
 
 /// The units of the measures, each once, in their order.
-fn units(series: &Series) -> Vec<&'static str> {
+fn units(series: &TimeSeries) -> Vec<&'static str> {
     let mut units = Vec::new();
     for column in series.columns().iter().filter(|column| column.kind == ColumnKind::Measure) {
         if !units.contains(&column.unit) {
@@ -124,7 +124,7 @@ impl App {
     }
 
     fn readings_panel(&mut self, ui: &mut Ui) {
-        let (units, rows) = self.records(|records| (units(&records.world), records.world.len()));
+        let (units, rows) = self.time_series(|recorded| (units(&recorded.world), recorded.world.len()));
         if let Tab::Measures(unit) = self.readings.tab
             && !units.contains(&unit)
         {
@@ -156,11 +156,11 @@ impl App {
             return;
         }
         let status = &self.published.status;
-        let seen = status.timeline.looks_back.then_some(status.time);
-        let (entries, shown, mark) = self.records(|records| {
-            let charts = self.charts(&records.world);
-            let traces = |chart: &Chart| (chart.title, chart.unit, self.traces(chart, records));
-            let series = &records.world;
+        let seen = status.recording.in_replay.then_some(status.time);
+        let (entries, shown, mark) = self.time_series(|recorded| {
+            let charts = self.charts(&recorded.world);
+            let traces = |chart: &Chart| (chart.title, chart.unit, self.traces(chart, recorded));
+            let series = &recorded.world;
             let row = seen.map_or_else(|| series.last(), |time| series.at(time));
             // What lies before all that is plotted has no place there.
             let begin = series.last().map_or(0.0, |last| last[0] - SPAN);
@@ -182,7 +182,7 @@ impl App {
     }
 
     /// What the tab shows.
-    fn charts(&self, series: &Series) -> Vec<Chart> {
+    fn charts(&self, series: &TimeSeries) -> Vec<Chart> {
         let pictures = self.tone.pictures();
         let ink = theme::color(pictures.text);
         let hue = |k: usize| theme::color(pictures.fibre(k));
@@ -222,10 +222,10 @@ impl App {
     }
 
     /// The lines of a plot, those of the ghost thin and dashed behind them.
-    fn traces(&self, chart: &Chart, records: &Records) -> Vec<Trace> {
+    fn traces(&self, chart: &Chart, recorded: &RecordedSeries) -> Vec<Trace> {
         let shown = || chart.curves.iter().filter(|curve| !self.readings.hidden.contains(&curve.name));
         // A ghost with other bodies or measures has other columns, of which these curves know nothing.
-        let ghost = records.ghost.iter().filter(|ghost| ghost.columns() == records.world.columns());
+        let ghost = recorded.ghost.iter().filter(|ghost| ghost.columns() == recorded.world.columns());
         let ghosts = ghost.flat_map(|ghost| {
             shown().map(|curve| Trace {
                 name: format!("{}, ghost", curve.name),
@@ -234,7 +234,7 @@ impl App {
                 ..curve.trace(ghost)
             })
         });
-        ghosts.chain(shown().map(|curve| curve.trace(&records.world))).collect()
+        ghosts.chain(shown().map(|curve| curve.trace(&recorded.world))).collect()
     }
 
     /// Names with their colours and present values; a click leaves a line out.
@@ -268,8 +268,8 @@ impl App {
     }
 
     /// Looks at what was recorded of every frame since the start.
-    pub fn records<T>(&self, read: impl FnOnce(&Records) -> T) -> T {
-        self.worker.records(read)
+    pub fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
+        self.worker.time_series(read)
     }
 
     /// Where the table goes unless another place is chosen.
@@ -301,7 +301,7 @@ impl App {
             return;
         }
         // The solver is not to wait while the table is made.
-        let series = self.records(|records| records.world.clone());
+        let series = self.time_series(|recorded| recorded.world.clone());
         let (rows, dropped) = (series.len(), series.dropped());
         let written = series
             .to_csv()

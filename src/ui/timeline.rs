@@ -4,7 +4,7 @@ use super::action::Action;
 use super::app::{App, Gravity};
 use super::theme::{self, GRID};
 use super::timescale::{Scale, clock, memory, moment};
-use crate::sim::{Published, SimCommand, USUAL_MEMORY};
+use crate::sim::{DEFAULT_MEMORY, Published, SimCommand};
 use egui::{Align2, FontId, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -34,7 +34,7 @@ pub(super) struct Kept {
 
 impl Default for Kept {
     fn default() -> Self {
-        Self { shown: true, memory: USUAL_MEMORY / MIB }
+        Self { shown: true, memory: DEFAULT_MEMORY / MIB }
     }
 }
 
@@ -86,12 +86,12 @@ impl App {
 
     /// Whether there are earlier frames to be seen.
     pub(super) fn has_frames(&self) -> bool {
-        self.published.compared.is_empty() && self.published.status.timeline.frames > 1
+        self.published.compared.is_empty() && self.published.status.recording.frames > 1
     }
 
     /// Whether an earlier frame is shown.
-    pub(super) fn looks_back(&self) -> bool {
-        self.published.status.timeline.looks_back
+    pub(super) fn in_replay(&self) -> bool {
+        self.published.status.recording.in_replay
     }
 
     /// Asks for earlier frames; what was held by the pointer is let go.
@@ -102,13 +102,13 @@ impl App {
 
     /// Asks for the first frame that is kept.
     pub(super) fn show_first(&mut self) {
-        if let Some([first, _]) = self.published.status.timeline.span {
+        if let Some([first, _]) = self.published.status.recording.span {
             self.look_back(SimCommand::Show(first));
         }
     }
 
     pub(super) fn timeline(&mut self, ui: &mut Ui) {
-        let (count, said) = &self.published.status.timeline.went_on;
+        let (count, said) = &self.published.status.recording.continued;
         if *count != self.timeline.said {
             let said = said.clone();
             self.timeline.said = *count;
@@ -169,7 +169,7 @@ impl App {
 
     /// How much is kept; opens what may be.
     fn memory(&mut self, ui: &mut Ui) {
-        let timeline = &self.published.status.timeline;
+        let timeline = &self.published.status.recording;
         let length = timeline.span.map_or(0.0, |[first, last]| last - first);
         let text = format!("{} kept, {}", clock(length), memory(timeline.bytes, timeline.limit));
         let tooltip = format!(
@@ -199,7 +199,7 @@ impl App {
         let place = Rect::from_min_size(ui.max_rect().min, Vec2::new(ui.available_width(), HEIGHT));
         let response = ui.allocate_rect(place, Sense::click_and_drag());
         let bar = Rect::from_min_size(place.min + Vec2::new(0.0, 0.5 * GRID), Vec2::new(place.width(), BAR));
-        let span = self.published.status.timeline.span.filter(|_| self.published.compared.is_empty());
+        let span = self.published.status.recording.span.filter(|_| self.published.compared.is_empty());
         let Some(span) = span.filter(|_| bar.width() > 4.0 * INSET) else {
             let why = if self.published.compared.is_empty() {
                 "Nothing is kept yet"
@@ -231,7 +231,7 @@ impl App {
 
     /// What is to be said of a place of the bar, at which a time [s] lies.
     fn words_at(&self, scale: &Scale, x: f32, time: f64) -> String {
-        let timeline = &self.published.status.timeline;
+        let timeline = &self.published.status.recording;
         let near = |marks: &[f64]| marks.iter().any(|mark| (scale.place(*mark) - x).abs() <= MARK);
         let mut words = moment(time, self.scene().time.frame_seconds());
         if near(&timeline.edits) {
@@ -284,7 +284,7 @@ impl App {
             let at = Pos2::new(x, bar.bottom() + GRID);
             painter.text(at, Align2::CENTER_TOP, text, FontId::proportional(10.0), ink);
         }
-        let timeline = &self.published.status.timeline;
+        let timeline = &self.published.status.recording;
         for time in &timeline.edits {
             let top = Pos2::new(scale.place(*time), bar.top());
             painter.add(wedge(top, visuals.text_color()));

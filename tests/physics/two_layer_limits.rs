@@ -3,7 +3,7 @@
 use crate::two_layer::{ball, ring, segment, two_layer, with};
 use serde_json::{Value, json};
 use sinew::scene::{Assets, IntegratorKind, Scene};
-use sinew::sim::{Trial, order, reference};
+use sinew::sim::{Trial, convergence_order, reference};
 
 const EULER: IntegratorKind = IntegratorKind::ExplicitEuler;
 const MIDPOINT: IntegratorKind = IntegratorKind::Midpoint;
@@ -102,7 +102,7 @@ fn orders_of_convergence_in_free_oscillation() {
             }
             (dt, trial.position_error(&exact))
         });
-        order(&points).unwrap()
+        convergence_order(&points).unwrap()
     };
     for (integrator, expected) in [
         (EULER, 1.0),

@@ -17,12 +17,12 @@ fn a_strike_on_an_earlier_frame_goes_on_from_there() {
     let times: Vec<f64> = first.values().map(|p| p.status.time).collect();
     show(&worker, times[3]);
     ask(&worker, SimCommand::Strike { body: 0, impulse: DVec3::new(0.0, 0.0, 5e-2) });
-    let struck = until(&worker, |p| !p.status.timeline.looks_back);
+    let struck = until(&worker, |p| !p.status.recording.in_replay);
     assert_eq!(struck.status.time, times[3]);
-    let timeline = &struck.status.timeline;
+    let timeline = &struck.status.recording;
     assert_eq!(timeline.span, Some([0.0, times[3]]));
-    assert_eq!(timeline.went_on.0, 1);
-    assert!(timeline.went_on.1.contains("6 later frames were dropped"), "{:?}", timeline.went_on);
+    assert_eq!(timeline.continued.0, 1);
+    assert!(timeline.continued.1.contains("6 later frames were dropped"), "{:?}", timeline.continued);
     let next = advance(&worker, 1);
     let next = next.values().next().expect("a frame");
     assert_eq!(next.status.time, times[4]);
@@ -38,28 +38,28 @@ fn an_edit_keeps_earlier_frames_and_drops_later_ones() {
     soft.bodies[0].material.young_modulus = 5e4;
     show(&worker, times[5]);
     ask(&worker, SimCommand::Edit(Arc::new(soft)));
-    let edited = until(&worker, |p| p.status.edits == 1 && !p.status.timeline.looks_back);
-    assert_eq!(edited.status.timeline.span, Some([0.0, times[5]]));
+    let edited = until(&worker, |p| p.status.edits == 1 && !p.status.recording.in_replay);
+    assert_eq!(edited.status.recording.span, Some([0.0, times[5]]));
     assert_eq!(bits(&edited.snapshot), bits(&first[&times[5].to_bits()].snapshot), "it begins where that frame is");
     let second = advance(&worker, 4);
     let marked = second.values().next_back().expect("frames");
-    assert_eq!(marked.status.timeline.edits, [times[5]]);
+    assert_eq!(marked.status.recording.edits, [times[5]]);
     // Frames of before can be looked at, with their fields, and are what they were.
     ask(&worker, SimCommand::Field(Some(FieldKind::Stress)));
     let old = show(&worker, times[2]);
     assert_eq!(bits(&old.snapshot), bits(&first[&times[2].to_bits()].snapshot));
-    assert!(old.status.timeline.of_another_scene);
+    assert!(old.status.recording.of_another_scene);
     assert!(old.snapshot.field.as_ref().is_some_and(|field| !field.bodies[0].is_empty()));
     ask(&worker, SimCommand::Field(None));
     let new = show(&worker, marked.status.time);
-    assert!(!new.status.timeline.of_another_scene);
+    assert!(!new.status.recording.of_another_scene);
     same(&new, marked);
     // What goes on from one of before is the present scene in that motion.
     show(&worker, times[2]);
-    ask(&worker, SimCommand::GoOn);
+    ask(&worker, SimCommand::ContinueHere);
     ask(&worker, SimCommand::Pause);
-    let on = until(&worker, |p| !p.status.timeline.looks_back && !p.status.playing);
-    assert!(on.status.timeline.went_on.1.contains("with the present scene"), "{:?}", on.status.timeline.went_on);
+    let on = until(&worker, |p| !p.status.recording.in_replay && !p.status.playing);
+    assert!(on.status.recording.continued.1.contains("with the present scene"), "{:?}", on.status.recording.continued);
     let softer = advance(&worker, 2);
     let moved = softer.values().find(|p| first.contains_key(&key(p)));
     let moved = moved.expect("times go on in whole frames");
@@ -76,7 +76,7 @@ fn another_look_leaves_the_recording_as_it_is() {
     hidden.bodies[0].color = Some([9, 9, 9]);
     ask(&worker, SimCommand::Edit(Arc::new(hidden)));
     let after = until(&worker, |p| p.status.edits == 1);
-    assert!(after.status.timeline.looks_back && after.status.timeline.frames == seen.status.timeline.frames);
+    assert!(after.status.recording.in_replay && after.status.recording.frames == seen.status.recording.frames);
     assert!(Arc::ptr_eq(&after.at_rest, &seen.at_rest), "nothing was put together anew");
     same(&after, &seen);
 }
@@ -90,14 +90,14 @@ fn another_name_keeps_the_readings_and_another_body_is_counted_as_lost() {
     two.bodies.push(other);
     let worker = start(&sinew::io::scene_to_json(&two));
     advance(&worker, 5);
-    let rows = || worker.records(|records| (records.world.len(), records.world.dropped()));
+    let rows = || worker.time_series(|recorded| (recorded.world.len(), recorded.world.dropped()));
     assert_eq!(rows(), (6, 0));
     two.bodies[1].name = "Renamed".to_owned();
     ask(&worker, SimCommand::Edit(Arc::new(two.clone())));
     until(&worker, |p| p.status.bodies.iter().any(|body| body.name == "Renamed"));
     assert_eq!(rows(), (6, 0));
     let named = |text: &str| {
-        worker.records(|records| records.world.columns().iter().any(|column| column.name.starts_with(text)))
+        worker.time_series(|recorded| recorded.world.columns().iter().any(|column| column.name.starts_with(text)))
     };
     assert!(named("Renamed: ") && !named("Other: "));
     two.bodies.pop();
@@ -115,8 +115,8 @@ fn a_document_that_cannot_be_put_together_leaves_nothing_of_the_last_one() {
     ask(&worker, SimCommand::Open(Arc::new(thin), Arc::default()));
     let opened = until(&worker, |p| p.status.failure.is_some());
     assert!(opened.snapshot.bodies.is_empty() && opened.at_rest.bodies.is_empty());
-    assert_eq!(opened.status.timeline.span, None);
-    assert!(worker.records(|records| records.world.is_empty()));
+    assert_eq!(opened.status.recording.span, None);
+    assert!(worker.time_series(|recorded| recorded.world.is_empty()));
 }
 
 #[test]
@@ -125,13 +125,13 @@ fn a_reset_and_another_document_empty_the_recording() {
     advance(&worker, 6);
     show(&worker, 0.05);
     ask(&worker, SimCommand::Reset);
-    let reset = until(&worker, |p| p.status.timeline.frames == 1);
-    assert!(reset.status.time == 0.0 && !reset.status.timeline.looks_back);
+    let reset = until(&worker, |p| p.status.recording.frames == 1);
+    assert!(reset.status.time == 0.0 && !reset.status.recording.in_replay);
     advance(&worker, 6);
     show(&worker, 0.05);
     ask(&worker, SimCommand::Open(scene(TWO_LAYER), Arc::default()));
     let opened = until(&worker, |p| p.snapshot.bodies.len() == 2);
-    assert!(opened.status.timeline.frames == 1 && !opened.status.timeline.looks_back);
+    assert!(opened.status.recording.frames == 1 && !opened.status.recording.in_replay);
 }
 
 #[test]
@@ -150,10 +150,10 @@ fn the_ghost_is_kept_in_step() {
     going_on_gives_the_same(&worker, &first);
     // Where there was none yet, it joins.
     show(&worker, 1.0 / 60.0);
-    ask(&worker, SimCommand::GoOn);
+    ask(&worker, SimCommand::ContinueHere);
     until(&worker, |p| {
         let ghost = p.ghost.as_ref().map_or(0.0, |ghost| ghost.time);
-        !p.status.timeline.looks_back && p.status.time > 0.1 && (ghost - p.status.time).abs() < 1e-9
+        !p.status.recording.in_replay && p.status.time > 0.1 && (ghost - p.status.time).abs() < 1e-9
     });
 }
 
@@ -167,14 +167,14 @@ fn comparing_records_nothing() {
     ask(&worker, SimCommand::Compare { integrators, dt: 1e-3 });
     ask(&worker, SimCommand::Play);
     let compared = until(&worker, |p| p.compared.len() == 2 && p.status.time > 0.1);
-    assert!(compared.status.timeline.frames == 5 && !compared.status.timeline.looks_back);
+    assert!(compared.status.recording.frames == 5 && !compared.status.recording.in_replay);
     for command in [SimCommand::Show(0.0), SimCommand::StepBack, SimCommand::Replay] {
         ask(&worker, command);
     }
     ask(&worker, SimCommand::Compare { integrators: Vec::new(), dt: 1e-3 });
     ask(&worker, SimCommand::Pause);
     let ended = until(&worker, |p| p.compared.is_empty());
-    assert!(!ended.status.timeline.looks_back);
+    assert!(!ended.status.recording.in_replay);
     same(&show(&worker, frame.status.time), frame);
 }
 

@@ -5,7 +5,7 @@ mod changes;
 use glam::DVec3;
 use sinew::io::scene_from_json;
 use sinew::scene::Scene;
-use sinew::sim::{Published, SimCommand, USUAL_MEMORY, Worker};
+use sinew::sim::{DEFAULT_MEMORY, Published, SimCommand, Worker};
 use sinew::solver::snapshot::Snapshot;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -39,7 +39,7 @@ fn scene(text: &str) -> Arc<Scene> {
 
 fn start(text: &str) -> Worker {
     let worker = Worker::start(scene(text), Arc::default(), false, || {});
-    until(&worker, |p| p.status.timeline.frames == 1);
+    until(&worker, |p| p.status.recording.frames == 1);
     worker
 }
 
@@ -82,7 +82,7 @@ fn advance(worker: &Worker, frames: usize) -> Shown {
 
 fn show(worker: &Worker, time: f64) -> Arc<Published> {
     ask(worker, SimCommand::Show(time));
-    until(worker, |p| p.status.time == time && p.status.timeline.looks_back)
+    until(worker, |p| p.status.time == time && p.status.recording.in_replay)
 }
 
 fn same(shown: &Published, first: &Published) {
@@ -109,7 +109,7 @@ fn all_are_shown_again(worker: &Worker, first: &Shown) {
         same(&show(worker, frame.status.time), frame);
     }
     ask(worker, SimCommand::Live);
-    same(&until(worker, |p| !p.status.timeline.looks_back), frames[count - 1]);
+    same(&until(worker, |p| !p.status.recording.in_replay), frames[count - 1]);
 }
 
 /// Goes on from several frames and gets the same ones again as the first time.
@@ -118,8 +118,10 @@ fn going_on_gives_the_same(worker: &Worker, first: &Shown) {
     let last = frames[frames.len() - 1].status.time;
     for from in [frames.len() / 2, frames.len() - 2, 0] {
         show(worker, frames[from].status.time);
-        ask(worker, SimCommand::GoOn);
-        until(worker, |p| p.status.time >= last && p.status.timeline.span.is_some_and(|span| span[1] == p.status.time));
+        ask(worker, SimCommand::ContinueHere);
+        until(worker, |p| {
+            p.status.time >= last && p.status.recording.span.is_some_and(|span| span[1] == p.status.time)
+        });
         ask(worker, SimCommand::Pause);
         until(worker, |p| !p.status.playing);
         // What was computed again is what is kept now.
@@ -138,7 +140,7 @@ fn a_bar_whose_fibres_break_is_shown_and_gone_on_from_bit_for_bit() {
     assert!(breaks(first.values().next().expect("frames")) == 0 && breaks(last) > 0, "a fibre breaks on the way");
     let pairs = first.values().zip(first.values().skip(1));
     let marked: Vec<f64> = pairs.filter(|(a, b)| breaks(b) > breaks(a)).map(|(_, b)| b.status.time).collect();
-    assert_eq!(last.status.timeline.breaks, marked);
+    assert_eq!(last.status.recording.breaks, marked);
     all_are_shown_again(&worker, &first);
     going_on_gives_the_same(&worker, &first);
 }
@@ -173,7 +175,7 @@ fn the_oldest_frames_make_room_and_the_bound_holds() {
     let worker = start(BREAKING);
     advance(&worker, 2);
     let before = until_timeline(&worker);
-    assert_eq!(before.limit, USUAL_MEMORY);
+    assert_eq!(before.limit, DEFAULT_MEMORY);
     // The start that the frames share, and about eight of them.
     let each = (before.bytes - first_bytes(&worker)) / (before.frames - 1);
     let limit = before.bytes + 6 * each;
@@ -182,7 +184,7 @@ fn the_oldest_frames_make_room_and_the_bound_holds() {
     for _ in 0..20 {
         let shown = advance(&worker, 1);
         let p = shown.values().next().expect("a frame");
-        let timeline = &p.status.timeline;
+        let timeline = &p.status.recording;
         assert!(timeline.bytes <= limit && timeline.limit == limit, "{timeline:?}");
         assert_eq!(timeline.span.map(|span| span[1]), Some(p.status.time), "the newest is kept");
         newest = p.status.time;
@@ -194,27 +196,27 @@ fn the_oldest_frames_make_room_and_the_bound_holds() {
     // What is dropped cannot be shown: the nearest that is left is.
     let oldest = full.span.expect("frames")[0];
     ask(&worker, SimCommand::Show(0.0));
-    until(&worker, |p| p.status.timeline.looks_back && p.status.time == oldest);
+    until(&worker, |p| p.status.recording.in_replay && p.status.time == oldest);
     // Less memory drops more, also of what is being looked at.
     ask(&worker, SimCommand::Memory(before.bytes + each));
-    let less = until(&worker, |p| p.status.timeline.limit == before.bytes + each);
-    assert!(less.status.timeline.frames < full.frames && less.status.timeline.bytes <= before.bytes + each);
-    assert_eq!(less.status.timeline.span.map(|span| span[0]), Some(less.status.time));
+    let less = until(&worker, |p| p.status.recording.limit == before.bytes + each);
+    assert!(less.status.recording.frames < full.frames && less.status.recording.bytes <= before.bytes + each);
+    assert_eq!(less.status.recording.span.map(|span| span[0]), Some(less.status.time));
     // None at all is a bound, too.
     ask(&worker, SimCommand::Memory(0));
-    until(&worker, |p| p.status.timeline.frames == 0 && p.status.timeline.bytes == 0);
+    until(&worker, |p| p.status.recording.frames == 0 && p.status.recording.bytes == 0);
 }
 
-fn until_timeline(worker: &Worker) -> sinew::sim::Timeline {
+fn until_timeline(worker: &Worker) -> sinew::sim::RecordingStatus {
     ask(worker, SimCommand::Speed(1.0));
-    until(worker, |_| true).status.timeline.clone()
+    until(worker, |_| true).status.recording.clone()
 }
 
 /// Memory of the first frame alone, with what it goes with.
 fn first_bytes(worker: &Worker) -> usize {
     let span = until_timeline(worker).span.expect("frames");
     ask(worker, SimCommand::Reset);
-    let one = until(worker, |p| p.status.timeline.frames == 1).status.timeline.bytes;
+    let one = until(worker, |p| p.status.recording.frames == 1).status.recording.bytes;
     while until_timeline(worker).span.is_some_and(|now| now[1] < span[1]) {
         advance(worker, 1);
     }
@@ -231,13 +233,13 @@ fn a_replay_shows_what_was_kept_and_computes_nothing() {
     let mut seen = 0;
     loop {
         let p = until(&worker, |_| true);
-        assert_eq!(p.status.timeline.span, kept.span, "nothing is added");
-        assert_eq!(p.status.timeline.bytes, kept.bytes);
+        assert_eq!(p.status.recording.span, kept.span, "nothing is added");
+        assert_eq!(p.status.recording.bytes, kept.bytes);
         if let Some(frame) = first.get(&key(&p)) {
             same(&p, frame);
             seen += 1;
         }
-        if !p.status.timeline.looks_back {
+        if !p.status.recording.in_replay {
             assert!(key(&p) == last && !p.status.playing, "it holds at the end");
             break;
         }
@@ -247,7 +249,7 @@ fn a_replay_shows_what_was_kept_and_computes_nothing() {
     // Played from an earlier frame it goes on where the recording ends.
     show(&worker, f64::from_bits(*first.keys().next().expect("frames")));
     ask(&worker, SimCommand::Play);
-    let on = until(&worker, |p| key(p) > last && !p.status.timeline.looks_back);
+    let on = until(&worker, |p| key(p) > last && !p.status.recording.in_replay);
     assert!(on.status.playing);
     ask(&worker, SimCommand::Pause);
     until(&worker, |p| !p.status.playing);
@@ -264,19 +266,19 @@ fn frames_are_stepped_through_one_by_one() {
     let times: Vec<f64> = std::iter::once(0.0).chain(first.values().map(|p| p.status.time)).collect();
     for time in times[..5].iter().rev() {
         ask(&worker, SimCommand::StepBack);
-        until(&worker, |p| p.status.time == *time && p.status.timeline.looks_back && !p.status.playing);
+        until(&worker, |p| p.status.time == *time && p.status.recording.in_replay && !p.status.playing);
     }
     // There is none before the first.
     ask(&worker, SimCommand::StepBack);
     assert_eq!(until(&worker, |_| true).status.time, 0.0);
     for (k, time) in times.iter().enumerate().skip(1) {
         ask(&worker, SimCommand::Step);
-        until(&worker, |p| p.status.time == *time && p.status.timeline.looks_back == (k < 5));
+        until(&worker, |p| p.status.time == *time && p.status.recording.in_replay == (k < 5));
     }
     // Beyond the last one it is computed.
     ask(&worker, SimCommand::Step);
     let next = until(&worker, |p| p.status.time > times[5]);
-    assert_eq!(next.status.timeline.frames, 7);
+    assert_eq!(next.status.recording.frames, 7);
 }
 
 #[test]
@@ -291,7 +293,7 @@ fn the_newest_of_many_wishes_is_shown_and_looking_changes_nothing() {
     ask(&worker, SimCommand::Show(times[4] + 1e-3));
     until(&worker, |p| p.status.time == times[4]);
     ask(&worker, SimCommand::Live);
-    until(&worker, |p| !p.status.timeline.looks_back);
+    until(&worker, |p| !p.status.recording.in_replay);
     // The strike after the last frame is not lost.
     let struck = advance(&worker, 1);
     let worker = start(BREAKING);

@@ -22,12 +22,12 @@ fn compare(step: &str) -> Window {
 #[test]
 fn integrators_run_side_by_side_in_step_and_the_scene_comes_back() {
     let mut window = compare("0.001");
-    until(&mut window, |app| app.published().compared[0].reading.time > 0.3);
+    until(&mut window, |app| app.published().compared[0].sample.time > 0.3);
     window.step();
     let published = window.state().published();
     let kinds: Vec<IntegratorKind> = published.compared.iter().map(|run| run.integrator).collect();
     assert_eq!(kinds, [IntegratorKind::ExplicitEuler, IntegratorKind::Rk4]);
-    let [euler, rk4] = [&published.compared[0].reading, &published.compared[1].reading];
+    let [euler, rk4] = [&published.compared[0].sample, &published.compared[1].sample];
     assert!((euler.time - rk4.time).abs() < 1e-9);
     assert!(euler.volume.is_some() && rk4.pressure.is_some_and(|pressure| pressure > 0.0));
     // Side by side: further apart than the ring is wide.

@@ -7,7 +7,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use sinew::bake::bake;
 use sinew::io::scene_from_json;
 use sinew::scene::Assets;
-use sinew::sim::{Runner, Series};
+use sinew::sim::{Runner, TimeSeries};
 use sinew::ui::{Action, App, Document};
 
 /// A cube that falls, with two measures in different units.
@@ -67,9 +67,9 @@ fn the_legend_has_present_values_and_leaves_lines_out() {
     press_key(&mut window, Modifiers::ALT, Key::E);
     window.step();
     let time = window.state().published().status.time;
-    let mass: f64 = window.state().records(|records| {
-        let row = records.world.last().expect("a row");
-        let momentum = records.world.columns().iter().position(|column| column.name == "linear_momentum y");
+    let mass: f64 = window.state().time_series(|recorded| {
+        let row = recorded.world.last().expect("a row");
+        let momentum = recorded.world.columns().iter().position(|column| column.name == "linear_momentum y");
         -row[momentum.expect("the column")] / (9.81 * time)
     });
     // A half of m v².
@@ -89,7 +89,7 @@ fn the_legend_has_present_values_and_leaves_lines_out() {
 #[test]
 fn readings_begin_anew_with_a_reset() {
     let mut window = played();
-    let rows = |app: &App| app.records(|records| records.world.len());
+    let rows = |app: &App| app.time_series(|recorded| recorded.world.len());
     assert!(rows(window.state()) > 10);
     press_key(&mut window, Modifiers::COMMAND, Key::R);
     until(&mut window, |app| rows(app) == 1);
@@ -115,7 +115,7 @@ fn the_table_is_that_of_the_command_line_with_every_frame() {
     assert!(said.starts_with("Wrote ") && said.contains("fall.csv"), "{said}");
     let scene = scene_from_json(CUBE).expect("a scene");
     let mut runner = Runner::new(bake(&scene, &Assets::default(), &mut |_, _| {}).expect("it bakes"));
-    let mut series = Series::new(runner.world(), usize::MAX);
+    let mut series = TimeSeries::new(runner.world(), usize::MAX);
     series.push(runner.world());
     while runner.world().time() + 1e-9 < window.state().published().status.time {
         runner.advance_frame();
@@ -178,16 +178,16 @@ fn what_runs_beside_is_dashed() {
     for rows in 2..=3 {
         press_key(&mut window, Modifiers::NONE, Key::Period);
         until(&mut window, |app| {
-            app.records(|records| records.ghost.as_ref().is_some_and(|ghost| ghost.len() == rows))
+            app.time_series(|recorded| recorded.ghost.as_ref().is_some_and(|ghost| ghost.len() == rows))
         });
     }
     press_key(&mut window, Modifiers::ALT, Key::E);
     window.step();
     assert!(shown(&window, "Dashed: the ghost"));
     let energies = |app: &App| {
-        app.records(|records| {
-            let last = |series: &Series| series.last().expect("a row")[1..10].to_vec();
-            [last(&records.world), last(records.ghost.as_ref().expect("a ghost"))]
+        app.time_series(|recorded| {
+            let last = |series: &TimeSeries| series.last().expect("a row")[1..10].to_vec();
+            [last(&recorded.world), last(recorded.ghost.as_ref().expect("a ghost"))]
         })
     };
     let [world, ghost] = energies(window.state());

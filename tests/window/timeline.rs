@@ -3,7 +3,7 @@
 use super::{Window, button, click, drag, press_key, still, until, view};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect};
 use egui_kittest::kittest::{NodeT, Queryable};
-use sinew::sim::Timeline;
+use sinew::sim::RecordingStatus;
 use sinew::solver::snapshot::Snapshot;
 use sinew::ui::App;
 
@@ -11,8 +11,8 @@ fn time(app: &App) -> f64 {
     app.published().status.time
 }
 
-fn timeline(app: &App) -> &Timeline {
-    &app.published().status.timeline
+fn timeline(app: &App) -> &RecordingStatus {
+    &app.published().status.recording
 }
 
 /// The built-in scene with some frames, each computed and shown once.
@@ -58,7 +58,7 @@ fn a_drag_in_the_timeline_shows_exactly_what_was_there() {
     let last = shown[40].time;
     let path: Vec<Pos2> = (0..=30).map(|k| place(&window, last - 0.5 * last * f64::from(k) / 30.0)).collect();
     drag(&mut window, &path);
-    until(&mut window, |app| timeline(app).looks_back && (time(app) - 0.5 * last).abs() < 0.01);
+    until(&mut window, |app| timeline(app).in_replay && (time(app) - 0.5 * last).abs() < 0.01);
     let index = shown.iter().position(|frame| frame.time == time(window.state())).expect("a frame that was shown");
     is_frame(&window, &shown, index);
     assert!(!window.state().published().status.playing);
@@ -82,7 +82,7 @@ fn a_drag_in_the_timeline_shows_exactly_what_was_there() {
     button(&window, beyond, PointerButton::Primary, false);
     window.step();
     click(&mut window, "Live");
-    until(&mut window, |app| !timeline(app).looks_back);
+    until(&mut window, |app| !timeline(app).in_replay);
     is_frame(&window, &shown, 40);
 }
 
@@ -97,17 +97,17 @@ fn keys_and_buttons_step_through_the_motion() {
     press_key(&mut window, Modifiers::NONE, Key::ArrowRight);
     until(&mut window, |app| time(app) == shown[6].time);
     press_key(&mut window, Modifiers::SHIFT, Key::ArrowLeft);
-    until(&mut window, |app| time(app) == 0.0 && timeline(app).looks_back);
+    until(&mut window, |app| time(app) == 0.0 && timeline(app).in_replay);
     is_frame(&window, &shown, 0);
     click(&mut window, "Advance one frame");
     until(&mut window, |app| time(app) == shown[1].time);
     press_key(&mut window, Modifiers::SHIFT, Key::ArrowRight);
-    until(&mut window, |app| !timeline(app).looks_back);
+    until(&mut window, |app| !timeline(app).in_replay);
     assert_eq!(time(window.state()), shown[8].time);
     click(&mut window, "Step back");
     until(&mut window, |app| time(app) == shown[7].time);
     click(&mut window, "First kept frame");
-    until(&mut window, |app| time(app) == 0.0 && timeline(app).looks_back);
+    until(&mut window, |app| time(app) == 0.0 && timeline(app).in_replay);
     assert_eq!(timeline(window.state()).frames, 9, "nothing was computed");
 }
 
@@ -115,18 +115,18 @@ fn keys_and_buttons_step_through_the_motion() {
 fn a_replay_ends_where_the_recording_does() {
     let (mut window, shown) = recorded(20);
     click(&mut window, "Replay");
-    until(&mut window, |app| timeline(app).looks_back && app.published().status.playing);
-    until(&mut window, |app| !timeline(app).looks_back && !app.published().status.playing);
+    until(&mut window, |app| timeline(app).in_replay && app.published().status.playing);
+    until(&mut window, |app| !timeline(app).in_replay && !app.published().status.playing);
     is_frame(&window, &shown, 20);
     assert_eq!(timeline(window.state()).frames, 21);
     // Held on the way, and gone on with.
     press_key(&mut window, Modifiers::SHIFT, Key::Space);
-    until(&mut window, |app| timeline(app).looks_back && app.published().status.playing);
+    until(&mut window, |app| timeline(app).in_replay && app.published().status.playing);
     press_key(&mut window, Modifiers::NONE, Key::Space);
     until(&mut window, |app| !app.published().status.playing);
     // Played on, it reaches the end and computes what comes then.
     press_key(&mut window, Modifiers::NONE, Key::Space);
-    until(&mut window, |app| !timeline(app).looks_back && time(app) > shown[20].time);
+    until(&mut window, |app| !timeline(app).in_replay && time(app) > shown[20].time);
 }
 
 #[test]
@@ -138,7 +138,7 @@ fn going_on_from_a_frame_is_said() {
     until(&mut window, |app| time(app) == shown[6].time);
     window.step();
     click(&mut window, "Go on from here");
-    until(&mut window, |app| !timeline(app).looks_back && time(app) > shown[8].time);
+    until(&mut window, |app| !timeline(app).in_replay && time(app) > shown[8].time);
     let said = window.state().message().unwrap_or_default().to_owned();
     assert!(said.contains("0.10 s") && said.contains("2 later frames were dropped"), "{said}");
     press_key(&mut window, Modifiers::NONE, Key::Space);
@@ -146,7 +146,7 @@ fn going_on_from_a_frame_is_said() {
     // The same frames as the first time.
     let bar = place(&window, shown[8].time);
     drag(&mut window, &[bar, bar]);
-    until(&mut window, |app| timeline(app).looks_back && time(app) == shown[8].time);
+    until(&mut window, |app| timeline(app).in_replay && time(app) == shown[8].time);
     is_frame(&window, &shown, 8);
 }
 
@@ -154,7 +154,7 @@ fn going_on_from_a_frame_is_said() {
 fn an_edit_and_a_pull_go_on_from_the_frame_that_is_shown() {
     let (mut window, shown) = recorded(10);
     press_key(&mut window, Modifiers::SHIFT, Key::ArrowLeft);
-    until(&mut window, |app| timeline(app).looks_back && time(app) == 0.0);
+    until(&mut window, |app| timeline(app).in_replay && time(app) == 0.0);
     for frame in &shown[1..=5] {
         press_key(&mut window, Modifiers::NONE, Key::ArrowRight);
         until(&mut window, |app| time(app) == frame.time);
@@ -162,7 +162,7 @@ fn an_edit_and_a_pull_go_on_from_the_frame_that_is_shown() {
     // An edit.
     press_key(&mut window, Modifiers::NONE, Key::A);
     press_key(&mut window, Modifiers::NONE, Key::Delete);
-    until(&mut window, |app| app.published().status.edits == 1 && !timeline(app).looks_back);
+    until(&mut window, |app| app.published().status.edits == 1 && !timeline(app).in_replay);
     window.step();
     assert_eq!(time(window.state()), shown[5].time);
     assert_eq!(timeline(window.state()).span.map(|span| span[1]), Some(shown[5].time));
@@ -172,7 +172,7 @@ fn an_edit_and_a_pull_go_on_from_the_frame_that_is_shown() {
     press_key(&mut window, Modifiers::NONE, Key::Period);
     until(&mut window, |app| time(app) > shown[5].time);
     press_key(&mut window, Modifiers::SHIFT, Key::ArrowLeft);
-    until(&mut window, |app| timeline(app).looks_back && time(app) == 0.0);
+    until(&mut window, |app| timeline(app).in_replay && time(app) == 0.0);
     is_frame(&window, &shown, 0);
     let at = view(&window, "Result").center();
     window.event(Event::PointerMoved(at));
@@ -182,7 +182,7 @@ fn an_edit_and_a_pull_go_on_from_the_frame_that_is_shown() {
     window.event(Event::PointerMoved(at + egui::Vec2::new(40.0, 0.0)));
     window.step();
     assert!(window.state().pulled().is_some(), "it is held");
-    until(&mut window, |app| !timeline(app).looks_back && timeline(app).frames == 1);
+    until(&mut window, |app| !timeline(app).in_replay && timeline(app).frames == 1);
     window.step();
     let said = window.state().message().unwrap_or_default().to_owned();
     assert!(said.contains("with the present scene: 6 later frames were dropped"), "{said}");

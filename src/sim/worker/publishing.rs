@@ -11,7 +11,7 @@ impl Loop {
     pub(super) fn publish(&mut self) {
         let mut snapshot = Snapshot::default();
         let (field, tension, mut ghost) = (self.field(), self.tension(), self.ghost());
-        self.status.timeline = self.timeline();
+        self.status.recording = self.timeline();
         if let Some(runner) = self.shown() {
             let world = runner.world();
             snapshot = runner.particles();

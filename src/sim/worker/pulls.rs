@@ -30,7 +30,7 @@ impl Loop {
             SimCommand::Release => self.let_go(),
             SimCommand::PinGrab => self.grabbed = None,
             // There is nothing to do to an earlier frame in which nothing is held.
-            SimCommand::ReleaseAll if self.looks_back() && !self.shown().is_some_and(Runner::is_held) => {}
+            SimCommand::ReleaseAll if self.in_replay() && !self.shown().is_some_and(Runner::is_held) => {}
             SimCommand::ReleaseAll => {
                 self.go_on();
                 self.grabbed = None;

@@ -1,7 +1,7 @@
 //! What is recorded of every frame. It does not go with the pictures, of which a busy window misses some.
 
 use super::Loop;
-use crate::sim::{Runner, Series};
+use crate::sim::{Runner, TimeSeries};
 use std::sync::PoisonError;
 
 /// Rows that are kept: ten minutes at sixty frames a second.
@@ -9,11 +9,11 @@ const KEPT: usize = 36_000;
 
 /// Readings of every frame since the start of the scene, or since it has other bodies or measures.
 #[derive(Clone, Debug, Default)]
-pub struct Records {
+pub struct RecordedSeries {
     /// Of the world.
-    pub world: Series,
+    pub world: TimeSeries,
     /// Of the scene that runs in step, since it does; none where there is none.
-    pub ghost: Option<Series>,
+    pub ghost: Option<TimeSeries>,
 }
 
 impl Loop {
@@ -21,18 +21,18 @@ impl Loop {
     pub(super) fn take_readings(&self) {
         let mut records = self.out.records.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(world) = self.runner.as_ref().map(Runner::world) {
-            records.world.go_on_with(world, KEPT);
+            records.world.continue_with(world, KEPT);
             records.world.push(world);
         }
         match self.sights.world() {
-            Some(world) => records.ghost.get_or_insert_with(|| Series::new(world, KEPT)).push(world),
+            Some(world) => records.ghost.get_or_insert_with(|| TimeSeries::new(world, KEPT)).push(world),
             None => records.ghost = None,
         }
     }
 
     /// Ends what was recorded of a document that another one follows.
     pub(super) fn forget_readings(&self) {
-        *self.out.records.lock().unwrap_or_else(PoisonError::into_inner) = Records::default();
+        *self.out.records.lock().unwrap_or_else(PoisonError::into_inner) = RecordedSeries::default();
     }
 
     /// Ends what was recorded of a ghost that another one follows.

@@ -6,7 +6,7 @@
 use super::Loop;
 use crate::sim::Runner;
 use crate::sim::recording::{Frame, Kept, Recording, Seen};
-use crate::sim::status::Timeline;
+use crate::sim::status::RecordingStatus;
 use crate::solver::snapshot::Snapshot;
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub(super) struct Replay {
     /// Whether the simulation ran when the first frame was shown.
     resumes: bool,
     /// How often the simulation went on from an earlier frame, and what became of the later ones.
-    went_on: (u64, String),
+    continued: (u64, String),
 }
 
 impl Replay {
@@ -36,7 +36,7 @@ impl Replay {
 
 impl Loop {
     /// Whether an earlier frame is shown.
-    pub(super) fn looks_back(&self) -> bool {
+    pub(super) fn in_replay(&self) -> bool {
         self.replay.seen.is_some()
     }
 
@@ -78,7 +78,7 @@ impl Loop {
         if self.side_by_side.is_some() || index >= self.replay.recording.len() {
             return;
         }
-        if !self.looks_back() {
+        if !self.in_replay() {
             self.let_go();
             self.replay.resumes = self.status.playing;
         }
@@ -105,7 +105,7 @@ impl Loop {
 
     /// Back to the live world, which runs on if it did before.
     pub(super) fn live(&mut self) {
-        if self.looks_back() {
+        if self.in_replay() {
             self.status.playing = self.replay.resumes;
             self.look_ahead();
         }
@@ -140,7 +140,7 @@ impl Loop {
 
     /// To the next frame; where there is none it is computed.
     pub(super) fn step(&mut self) {
-        if self.looks_back() && self.step_on() {
+        if self.in_replay() && self.step_on() {
             return;
         }
         if self.runner.is_some() {
@@ -156,12 +156,12 @@ impl Loop {
         if self.side_by_side.is_some() {
             return;
         }
-        let later = self.looks_back() && self.replay.recording.after(self.shown_time()).is_some();
+        let later = self.in_replay() && self.replay.recording.after(self.shown_time()).is_some();
         if !later {
             self.look_at(0);
         }
         self.replay.goes_on = false;
-        self.status.playing = self.looks_back();
+        self.status.playing = self.in_replay();
     }
 
     /// One frame of a replay.
@@ -169,7 +169,7 @@ impl Loop {
         let moved = self.step_on();
         if !moved && self.replay.goes_on && self.runner.is_some() {
             self.look_ahead();
-        } else if !moved || (!self.looks_back() && !self.replay.goes_on) {
+        } else if !moved || (!self.in_replay() && !self.replay.goes_on) {
             self.hold();
         }
     }
@@ -206,8 +206,8 @@ impl Loop {
         if dropped > 0 {
             let later =
                 if dropped == 1 { "1 later frame was".to_owned() } else { format!("{dropped} later frames were") };
-            self.replay.went_on.0 += 1;
-            self.replay.went_on.1 = format!("Went on from {time:.2} s{with}: {later} dropped");
+            self.replay.continued.0 += 1;
+            self.replay.continued.1 = format!("Went on from {time:.2} s{with}: {later} dropped");
         }
     }
 
@@ -218,20 +218,20 @@ impl Loop {
     }
 
     /// What the window is told of the recording.
-    pub(super) fn timeline(&self) -> Timeline {
+    pub(super) fn timeline(&self) -> RecordingStatus {
         let recording = &self.replay.recording;
         let [edits, breaks] = recording.marks();
         let [bytes, limit] = recording.memory();
-        Timeline {
+        RecordingStatus {
             span: recording.span(),
             frames: recording.len(),
-            looks_back: self.looks_back(),
+            in_replay: self.in_replay(),
             of_another_scene: self.sees_another_scene(),
             bytes,
             limit,
             edits,
             breaks,
-            went_on: self.replay.went_on.clone(),
+            continued: self.replay.continued.clone(),
         }
     }
 }

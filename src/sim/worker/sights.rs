@@ -118,7 +118,7 @@ impl Loop {
     /// Puts the ghost together if another one is wanted. It starts where the world is now, so that the two part only by
     /// what their scenes differ in. While an earlier frame is shown it waits.
     pub(super) fn put_ghost_together(&mut self) {
-        if self.looks_back() || !std::mem::take(&mut self.sights.stale) {
+        if self.in_replay() || !std::mem::take(&mut self.sights.stale) {
             return;
         }
         let Some(scene) = self.sights.wanted.clone() else {
@@ -150,7 +150,7 @@ impl Loop {
 
     /// What is to be seen beside the world that is shown.
     pub(super) fn ghost(&self) -> Option<Snapshot> {
-        if !self.looks_back() {
+        if !self.in_replay() {
             return self.sights.ghost.as_ref().map(|ghost| ghost.runner.particles());
         }
         // In an earlier frame it is the one that was there then.

@@ -39,9 +39,9 @@ fn a_panic_in_the_solver_is_reported_and_a_reset_goes_on() {
     assert!(!published.status.playing);
     // What was kept is still there to go on from.
     worker.obey(SimCommand::StepBack);
-    assert!(worker.looks_back());
-    worker.obey(SimCommand::GoOn);
-    assert!(worker.status.failure.is_none() && !worker.looks_back());
+    assert!(worker.in_replay());
+    worker.obey(SimCommand::ContinueHere);
+    assert!(worker.status.failure.is_none() && !worker.in_replay());
     worker.obey(SimCommand::Step);
     assert!(worker.runner.as_ref().is_some_and(|runner| runner.world().time() > 0.0));
     worker.obey(SimCommand::Reset);

@@ -1,172 +1,245 @@
-//! Reads the paths into this crate out of Rust source, whatever form they have. Not a Rust parser: it knows comments,
-//! literals, words and `::`, and that is enough.
+//! Reads the paths out of Rust source, whatever form they have, and what they mean below the crate's root. Not a Rust
+//! parser: what it knows is words, `::`, braces, `use`, `mod` and `#[cfg(test)]`.
 
-/// A path into the crate.
+use crate::tokens::{Token, tokens};
+
+/// How a path stands in the source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// In a `use`.
+    Use,
+    /// In a `use` with a visibility: `pub use`, `pub(crate) use`.
+    ReExport,
+    /// In code, by at least two segments.
+    Path,
+    /// In code, a word that stands alone where a name may stand.
+    Word,
+}
+
+/// A path, made absolute.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Import {
     /// Segments below the crate's root.
     pub path: Vec<String>,
+    /// Whether it said where it starts, by `crate::`, `self::`, `super::`, or by `sinew::` in the binary. One that did
+    /// not is read as if it started in its own module, and may as well be the path of another crate.
+    pub rooted: bool,
+    /// The module in which it stands, one written inside the file with it.
+    pub module: Vec<String>,
+    /// The name that a `use` brings in; none for a glob and outside of `use`.
+    pub name: Option<String>,
+    /// How it stands.
+    pub kind: Kind,
     /// Line, from 1.
     pub line: usize,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum Token {
-    Word(String),
-    PathSeparator,
-    Open,
-    Close,
-    Comma,
-    Other(char),
-}
-
-/// Every path of `text`, the source of `module`, that starts at the crate's root: by `crate::`, by `sinew::` in the
-/// binary, or by as many `super::` as lead out of the room.
-pub fn imports(text: &str, module: &[String]) -> Vec<Import> {
-    let tokens = tokens(text);
-    let mut found = Vec::new();
-    let mut at = 0;
-    while at < tokens.len() {
-        match root_at(&tokens, at, module) {
-            Some(below) => at = read_tree(&tokens, below, &mut Vec::new(), &mut found),
-            None => at += 1,
-        }
-    }
-    found
-}
-
-/// Where the path goes on below the crate's root, if one starts there at this token.
-fn root_at(tokens: &[(Token, usize)], at: usize, module: &[String]) -> Option<usize> {
-    let is_separator = |at: usize| tokens.get(at).is_some_and(|(token, _)| *token == Token::PathSeparator);
-    if at > 0 && is_separator(at - 1) {
-        return None;
-    }
-    let word = |at: usize| match tokens.get(at) {
-        Some((Token::Word(word), _)) if is_separator(at + 1) => Some(word.as_str()),
-        _ => None,
-    };
-    match word(at)? {
-        "crate" => Some(at + 2),
-        "sinew" if module == ["main"] => Some(at + 2),
-        "super" => {
-            let ups = (0..tokens.len()).take_while(|k| word(at + 2 * k) == Some("super")).count();
-            (ups == module.len()).then_some(at + 2 * ups)
-        }
-        _ => None,
-    }
-}
-
-/// Reads what stands behind `::`, a word or a group; gives the token behind it.
-fn read_tree(tokens: &[(Token, usize)], mut at: usize, prefix: &mut Vec<String>, found: &mut Vec<Import>) -> usize {
-    let depth = prefix.len();
-    loop {
-        match tokens.get(at) {
-            Some((Token::Word(word), line)) => {
-                prefix.push(word.clone());
-                at += 1;
-                if matches!(tokens.get(at), Some((Token::PathSeparator, _))) {
-                    at += 1;
-                    continue;
+/// Every path of `text`, the source of `module`. What is for tests only is left out where `tests` is false.
+pub fn imports(text: &str, module: &[String], tests: bool) -> Vec<Import> {
+    let mut reader = Reader { tokens: tokens(text), module: module.to_vec(), found: Vec::new() };
+    let (mut at, mut depth, mut inside) = (0, 0, Vec::new());
+    while at < reader.tokens.len() {
+        if !tests && reader.is_for_tests(at) {
+            at = reader.item_end(at);
+        } else if let Some(name) = reader.inline_module(at) {
+            reader.module.push(name);
+            inside.push(depth);
+            depth += 1;
+            at += 3;
+        } else if reader.word(at) == Some("use") {
+            at = reader.read_use(at);
+        } else if let Some(end) = reader.visibility_end(at) {
+            at = end;
+        } else {
+            match reader.tokens[at].0 {
+                Token::Open => depth += 1,
+                Token::Close => {
+                    depth -= 1;
+                    if inside.last() == Some(&depth) {
+                        inside.pop();
+                        reader.module.pop();
+                    }
                 }
-                found.push(Import { path: prefix.clone(), line: *line });
+                _ => {}
             }
-            Some((Token::Open, _)) => at = read_group(tokens, at + 1, prefix, found),
-            // A glob, or a generic argument behind `::`.
-            Some((_, line)) if !prefix.is_empty() => found.push(Import { path: prefix.clone(), line: *line }),
-            _ => {}
-        }
-        prefix.truncate(depth);
-        return at;
-    }
-}
-
-/// Reads the items of a group up to its closing brace; gives the token behind it.
-fn read_group(tokens: &[(Token, usize)], mut at: usize, prefix: &mut Vec<String>, found: &mut Vec<Import>) -> usize {
-    loop {
-        at = read_tree(tokens, at, prefix, found);
-        // Whatever is left of the item, such as `as name`.
-        while tokens.get(at).is_some_and(|(token, _)| !matches!(token, Token::Comma | Token::Close)) {
-            at += 1;
-        }
-        match tokens.get(at) {
-            Some((Token::Comma, _)) if !matches!(tokens.get(at + 1), Some((Token::Close, _))) => at += 1,
-            Some((Token::Comma, _)) => return at + 2,
-            _ => return at + 1,
+            at = reader.read_path(at);
         }
     }
+    reader.found
 }
 
-/// Words and marks of a source text with their lines; comments and literals are left out.
-fn tokens(text: &str) -> Vec<(Token, usize)> {
-    let chars: Vec<char> = text.chars().collect();
-    let mut found = Vec::new();
-    let (mut at, mut line) = (0, 1);
-    while at < chars.len() {
-        let next = literal_or_comment_end(&chars, at).unwrap_or_else(|| {
-            let c = chars[at];
-            let token = match c {
-                ':' if chars.get(at + 1) == Some(&':') => Token::PathSeparator,
-                '{' => Token::Open,
-                '}' => Token::Close,
-                ',' => Token::Comma,
-                _ if is_word(c) => Token::Word(chars[at..].iter().copied().take_while(|&c| is_word(c)).collect()),
-                other => Token::Other(other),
-            };
-            let length = match &token {
-                Token::PathSeparator => 2,
-                Token::Word(word) => word.chars().count(),
-                _ => 1,
-            };
-            if !c.is_whitespace() {
-                found.push((token, line));
-            }
-            at + length
-        });
-        line += chars[at..next].iter().filter(|&&c| c == '\n').count();
-        at = next;
-    }
-    found
+struct Reader {
+    tokens: Vec<(Token, usize)>,
+    module: Vec<String>,
+    found: Vec<Import>,
 }
 
-fn is_word(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
-}
+impl Reader {
+    fn token(&self, at: usize) -> Option<&Token> {
+        self.tokens.get(at).map(|(token, _)| token)
+    }
 
-/// The character behind the literal or comment that starts here, if one does.
-fn literal_or_comment_end(chars: &[char], at: usize) -> Option<usize> {
-    let end = chars.len();
-    let starts = |text: &str| text.chars().eq(chars[at..].iter().copied().take(text.len()));
-    let find = |from: usize, text: &str| {
-        let pattern: Vec<char> = text.chars().collect();
-        chars[from.min(end)..].windows(pattern.len()).position(|window| window == pattern).map(|k| from + k)
-    };
-    if starts("//") {
-        return Some(find(at, "\n").unwrap_or(end));
-    }
-    if starts("/*") {
-        return Some(find(at + 2, "*/").map_or(end, |close| close + 2));
-    }
-    if chars[at] == '\'' {
-        return match chars.get(at + 1) {
-            Some('\\') => Some(find(at + 3, "'").map_or(end, |close| close + 1)),
-            Some(_) if chars.get(at + 2) == Some(&'\'') => Some(at + 3),
+    fn word(&self, at: usize) -> Option<&str> {
+        match self.token(at) {
+            Some(Token::Word(word)) => Some(word),
             _ => None,
-        };
-    }
-    let in_word = at > 0 && is_word(chars[at - 1]);
-    let raw =
-        if in_word { 0 } else { ["br", "r"].iter().find(|prefix| starts(prefix)).map_or(0, |prefix| prefix.len()) };
-    let hashes = chars[at + raw..].iter().take_while(|&&c| c == '#').count();
-    if raw > 0 && chars.get(at + raw + hashes) == Some(&'"') {
-        let close = format!("\"{}", "#".repeat(hashes));
-        return Some(find(at + raw + hashes + 1, &close).map_or(end, |k| k + close.len()));
-    }
-    if chars[at] == '"' {
-        let mut k = at + 1;
-        while k < end && chars[k] != '"' {
-            k += if chars[k] == '\\' { 2 } else { 1 };
         }
-        return Some((k + 1).min(end));
     }
-    None
+
+    fn is(&self, at: usize, mark: char) -> bool {
+        self.token(at) == Some(&Token::Other(mark))
+    }
+
+    fn is_separator(&self, at: usize) -> bool {
+        self.token(at) == Some(&Token::PathSeparator)
+    }
+
+    /// Whether `#[cfg(test)]` starts here.
+    fn is_for_tests(&self, at: usize) -> bool {
+        self.is(at, '#')
+            && self.is(at + 1, '[')
+            && self.word(at + 2) == Some("cfg")
+            && self.is(at + 3, '(')
+            && self.word(at + 4) == Some("test")
+            && self.is(at + 5, ')')
+    }
+
+    /// The token behind the item that starts here: behind its `;`, or behind its braces.
+    fn item_end(&self, mut at: usize) -> usize {
+        let (mut round, mut braces) = (0, 0);
+        while let Some(token) = self.token(at) {
+            at += 1;
+            match token {
+                Token::Other('(' | '[') => round += 1,
+                Token::Other(')' | ']') => round -= 1,
+                Token::Open => braces += 1,
+                Token::Close => braces -= 1,
+                _ => {}
+            }
+            let closed = matches!(token, Token::Close | Token::Other(';'));
+            if closed && round == 0 && braces == 0 {
+                break;
+            }
+        }
+        at
+    }
+
+    /// The name of the module that is opened here with a brace.
+    fn inline_module(&self, at: usize) -> Option<String> {
+        let opens = self.word(at) == Some("mod") && self.token(at + 2) == Some(&Token::Open);
+        if opens { self.word(at + 1).map(str::to_owned) } else { None }
+    }
+
+    /// The token behind `pub(in path)`, if that starts here: its path imports nothing.
+    fn visibility_end(&self, at: usize) -> Option<usize> {
+        let starts = self.word(at) == Some("pub") && self.is(at + 1, '(') && self.word(at + 2) == Some("in");
+        starts.then(|| (at..self.tokens.len()).find(|&k| self.is(k, ')')).map_or(self.tokens.len(), |k| k + 1))
+    }
+
+    /// Reads the `use` that starts here; gives the token behind it.
+    fn read_use(&mut self, at: usize) -> usize {
+        let seen = at > 0 && (self.word(at - 1) == Some("pub") || self.is(at - 1, ')'));
+        let from = if self.is_separator(at + 1) { at + 2 } else { at + 1 };
+        self.read_tree(from, &mut Vec::new(), if seen { Kind::ReExport } else { Kind::Use })
+    }
+
+    /// Reads what stands behind `::` or `use`, a word or a group; gives the token behind it.
+    fn read_tree(&mut self, mut at: usize, prefix: &mut Vec<String>, kind: Kind) -> usize {
+        let depth = prefix.len();
+        loop {
+            match self.token(at) {
+                Some(Token::Word(word)) => {
+                    prefix.push(word.clone());
+                    at += 1;
+                    if self.is_separator(at) {
+                        at += 1;
+                        continue;
+                    }
+                    let renamed = if self.word(at) == Some("as") { self.word(at + 1) } else { None };
+                    let own = prefix.iter().rev().find(|segment| *segment != "self").cloned();
+                    let name = renamed.map(str::to_owned).or(own);
+                    self.find(prefix, name, kind, at - 1);
+                }
+                Some(Token::Open) => at = self.read_group(at + 1, prefix, kind),
+                // A glob, or a generic argument behind `::`.
+                Some(_) if !prefix.is_empty() => self.find(prefix, None, kind, at),
+                _ => {}
+            }
+            prefix.truncate(depth);
+            return at;
+        }
+    }
+
+    /// Reads the items of a group up to its closing brace; gives the token behind it.
+    fn read_group(&mut self, mut at: usize, prefix: &mut Vec<String>, kind: Kind) -> usize {
+        loop {
+            at = self.read_tree(at, prefix, kind);
+            // Whatever is left of the item, such as `as name`.
+            while self.token(at).is_some_and(|token| !matches!(token, Token::Comma | Token::Close)) {
+                at += 1;
+            }
+            match self.token(at) {
+                Some(Token::Comma) if self.token(at + 1) != Some(&Token::Close) => at += 1,
+                Some(Token::Comma) => return at + 2,
+                _ => return at + 1,
+            }
+        }
+    }
+
+    /// Reads the path in code that starts here, if one does; gives the token behind it.
+    fn read_path(&mut self, at: usize) -> usize {
+        let is_part = at > 0 && (self.is_separator(at - 1) || self.is(at - 1, '.'));
+        let Some(word) = self.word(at) else { return at + 1 };
+        if is_part {
+            return at + 1;
+        }
+        if !self.is_separator(at + 1) {
+            // A small letter may be that of a variable or a field: a function is one that is called.
+            let declared = at > 0 && matches!(self.word(at - 1), Some("fn" | "let" | "mod"));
+            if !declared && (word.starts_with(char::is_uppercase) || self.is(at + 1, '(')) {
+                let word = word.to_owned();
+                self.find(&[word], None, Kind::Word, at);
+            }
+            return at + 1;
+        }
+        let (mut end, mut path) = (at, Vec::new());
+        while let Some(word) = self.word(end) {
+            path.push(word.to_owned());
+            if !self.is_separator(end + 1) {
+                self.find(&path, None, Kind::Path, end);
+                return end + 1;
+            }
+            end += 2;
+        }
+        self.find(&path, None, Kind::Path, end.min(self.tokens.len() - 1));
+        end
+    }
+
+    /// Notes a path as it is written.
+    fn find(&mut self, written: &[String], name: Option<String>, kind: Kind, at: usize) {
+        let mut path = self.module.clone();
+        let mut left = written;
+        match written[0].as_str() {
+            "crate" => path.clear(),
+            "sinew" if self.module == ["main"] => path.clear(),
+            "self" if written.len() > 1 => {}
+            "super" => {
+                path.pop();
+            }
+            _ => {
+                let line = self.tokens[at].1;
+                path.extend(written.iter().cloned());
+                self.found.push(Import { path, rooted: false, module: self.module.clone(), name, kind, line });
+                return;
+            }
+        }
+        left = &left[1..];
+        while left.first().is_some_and(|segment| segment == "super") {
+            path.pop();
+            left = &left[1..];
+        }
+        path.extend(left.iter().filter(|segment| *segment != "self").cloned());
+        let line = self.tokens[at].1;
+        self.found.push(Import { path, rooted: true, module: self.module.clone(), name, kind, line });
+    }
 }

@@ -1,7 +1,10 @@
-//! The rooms of the house: who may import whom, and how long a file may be.
+//! The rooms of the house: who may import whom, how long a file may be, and that no files go round in a circle.
 
+mod circles;
 mod imports;
+mod tokens;
 
+use circles::{Circle, circles, module_of};
 use imports::{Import, imports};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,6 +29,10 @@ const TABLE: &[(&str, &[&str])] = &[
 /// A source file may have fewer lines than this.
 const LONGEST: usize = 400;
 
+/// Rooms with files that still import each other in a circle. It only ever gets shorter: a room without a circle may not
+/// stand here.
+const KNOWN: &[&str] = &["bake", "cli", "draw", "edit", "io", "render", "scene", "sim", "sketch", "solver", "ui"];
+
 /// Why a room may not import something; none if it may.
 fn violation(room: &str, import: &Import) -> Option<String> {
     let target = import.path.first()?;
@@ -49,17 +56,12 @@ fn is_room(name: &str) -> bool {
 fn violations(path: &Path, text: &str) -> Vec<String> {
     let module = module_of(path);
     let Some(room) = module.first() else { return Vec::new() };
-    imports(text, &module).iter().filter_map(|import| violation(room, import)).collect()
+    rooted(text, &module).iter().filter_map(|import| violation(room, import)).collect()
 }
 
-/// The path of a file's module: `io/scene.rs` is io::scene, `io/mod.rs` io, `main.rs` main, `lib.rs` the crate itself.
-fn module_of(path: &Path) -> Vec<String> {
-    let mut parts: Vec<String> =
-        path.with_extension("").iter().map(|part| part.to_string_lossy().into_owned()).collect();
-    if parts.last().is_some_and(|last| last == "mod" || last == "lib") {
-        parts.pop();
-    }
-    parts
+/// The paths of a source that say where in the crate they start.
+fn rooted(text: &str, module: &[String]) -> Vec<Import> {
+    imports(text, module, true).into_iter().filter(|import| import.rooted).collect()
 }
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
@@ -88,7 +90,7 @@ fn every_source() -> Vec<(PathBuf, String)> {
 #[test]
 fn every_room_imports_what_it_may() {
     let sources = every_source();
-    let imports: usize = sources.iter().map(|(path, text)| imports(text, &module_of(path)).len()).sum();
+    let imports: usize = sources.iter().map(|(path, text)| rooted(text, &module_of(path)).len()).sum();
     assert!(imports > 100, "only {imports} imports were found");
     let found: Vec<String> = sources
         .iter()
@@ -133,6 +135,23 @@ fn no_file_is_long() {
 }
 
 #[test]
+fn no_files_of_a_room_import_each_other_in_a_circle() {
+    let circles = circles(&every_source());
+    let (known, new): (Vec<_>, Vec<_>) = circles.iter().partition(|circle| KNOWN.contains(&&*circle.room));
+    let told = |circles: &[&Circle]| {
+        let told = circles
+            .iter()
+            .map(|circle| format!("{}, {} files:\n  {}\n", circle.room, circle.files.len(), circle.ties.join("\n  ")));
+        told.collect::<Vec<_>>().join("\n")
+    };
+    eprintln!("{}", told(&known));
+    assert!(new.is_empty(), "files import each other in a circle (a <- b: what a imports from b)\n{}", told(&new));
+    for room in KNOWN {
+        assert!(circles.iter().any(|circle| circle.room == *room), "{room} has no circle any more: take it off KNOWN");
+    }
+}
+
+#[test]
 fn violations_are_found_however_they_are_written() {
     let cases: &[(&str, &str, usize)] = &[
         ("solver/body.rs", "use crate::scene::Scene;", 1),
@@ -160,4 +179,98 @@ fn violations_are_found_however_they_are_written() {
     }
     let found = violations(Path::new("sim/runner.rs"), "\n\nuse crate::{\n    bake::bake,\n    ui::App,\n};\n");
     assert_eq!(found, ["line 5: sim may not import ui::App"]);
+}
+
+#[test]
+fn circles_are_found_however_they_are_written() {
+    /// Files with their text, and the files of each circle among them.
+    type Case = (&'static [(&'static str, &'static str)], &'static [&'static [&'static str]]);
+    let cases: &[Case] = &[
+        // Siblings, by `super::`, by `crate::` and in code.
+        (&[("io/a.rs", "use super::b::B;"), ("io/b.rs", "use crate::io::a::A;")], &[&["io/a.rs", "io/b.rs"]]),
+        (&[("io/a.rs", "fn f() { super::b::g() }"), ("io/b.rs", "type A = super::a::A;")], &[&["io/a.rs", "io/b.rs"]]),
+        (&[("io/a.rs", "use super::b::B;"), ("io/b.rs", "use std::fs;")], &[]),
+        (&[("io/a.rs", "use super::{b, c};"), ("io/b.rs", "use super::a;"), ("io/c.rs", "")], &[]),
+        (
+            &[("io/a.rs", "use super::b; fn f() { b::g() }"), ("io/b.rs", "use super::a::A;")],
+            &[&["io/a.rs", "io/b.rs"]],
+        ),
+        // Three in a row go round; a fourth that only looks on does not.
+        (
+            &[
+                ("io/a.rs", "use super::{b::B, d::D};"),
+                ("io/b.rs", "use super::c::{C as Other, self};"),
+                ("io/c.rs", "use self::super::a::A;"),
+                ("io/d.rs", ""),
+            ],
+            &[&["io/a.rs", "io/b.rs", "io/c.rs"]],
+        ),
+        // A parent that defines what its child uses, and uses its child: by a bare path, by `self::`, by a re-export.
+        (&[("io/mod.rs", "mod a; use a::A; struct M;"), ("io/a.rs", "use super::M;")], &[&["io/a.rs", "io/mod.rs"]]),
+        (
+            &[("io/mod.rs", "mod a; fn f() { self::a::f() }"), ("io/a.rs", "use super::M;")],
+            &[&["io/a.rs", "io/mod.rs"]],
+        ),
+        (&[("io/mod.rs", "mod a; fn f() { a::f() }"), ("io/a.rs", "use super::*;")], &[&["io/a.rs", "io/mod.rs"]]),
+        (&[("io/mod.rs", "pub use a::A; struct M(A);"), ("io/a.rs", "use super::M;")], &[&["io/a.rs", "io/mod.rs"]]),
+        (&[("io/mod.rs", "pub mod a; pub use a::{A, f}; struct M;"), ("io/a.rs", "use super::M;")], &[]),
+        (&[("io/a.rs", "mod b; use b::B;"), ("io/a/b.rs", "use super::A;")], &[&["io/a/b.rs", "io/a.rs"]]),
+        (&[("io/a.rs", "mod b; pub struct A;"), ("io/a/b.rs", "impl super::A {}")], &[]),
+        // What a parent re-exports is the sibling's that defines it, also through two parents and under a new name.
+        (&[("io/mod.rs", "pub use b::B;"), ("io/a.rs", "use super::B;"), ("io/b.rs", "")], &[]),
+        (
+            &[("io/mod.rs", "pub use b::B as C;"), ("io/a.rs", "use super::C;"), ("io/b.rs", "use super::a::A;")],
+            &[&["io/a.rs", "io/b.rs"]],
+        ),
+        (
+            &[
+                ("io/mod.rs", "pub use b::B;"),
+                ("io/a.rs", "use super::B;"),
+                ("io/b/mod.rs", "pub use c::B;"),
+                ("io/b/c.rs", "use crate::io::a;  type T = a::A;"),
+            ],
+            &[&["io/a.rs", "io/b/c.rs"]],
+        ),
+        // Two circles are two.
+        (
+            &[
+                ("io/a.rs", "use super::b::B;"),
+                ("io/b.rs", "use super::a::A; use super::c::C;"),
+                ("io/c.rs", "use super::d::D;"),
+                ("io/d.rs", "use super::c::C;"),
+            ],
+            &[&["io/a.rs", "io/b.rs"], &["io/c.rs", "io/d.rs"]],
+        ),
+        // What only tests use, comments, visibilities and variables tie nothing; a module written inside a file is the file.
+        (&[("io/a.rs", "use super::b::B;"), ("io/b.rs", "#[cfg(test)] mod tests { use super::super::a::A; }")], &[]),
+        (&[("io/a.rs", "use super::b::B;"), ("io/b.rs", "#[cfg(test)]\nuse super::a::{A, C};\nfn f() {}")], &[]),
+        (
+            &[("io/a.rs", "use super::b::B;"), ("io/b.rs", "#[cfg(test)] fn g() {} use super::a::A;")],
+            &[&["io/a.rs", "io/b.rs"]],
+        ),
+        (&[("io/a.rs", "mod tests;"), ("io/a/tests.rs", "use super::A;")], &[]),
+        (&[("io/a.rs", "use super::b::B;"), ("io/b.rs", "// super::a::A\nconst T: &str = \"super::a::A\";")], &[]),
+        (&[("io/mod.rs", "mod a; use a::A;"), ("io/a.rs", "pub(in crate::io) fn f() {}")], &[]),
+        (&[("io/mod.rs", "pub use a::a; fn f(a: u8) -> u8 { a }"), ("io/a.rs", "use super::M;")], &[]),
+        (&[("io/mod.rs", "pub use a::a; fn f() { a() }"), ("io/a.rs", "use super::M;")], &[&["io/a.rs", "io/mod.rs"]]),
+        (
+            &[("io/a.rs", "mod inner { use super::super::b::B; }"), ("io/b.rs", "use super::a::inner::I;")],
+            &[&["io/a.rs", "io/b.rs"]],
+        ),
+    ];
+    let house = |files: &[(&str, &str)]| {
+        let parent = (!files.iter().any(|(path, _)| *path == "io/mod.rs")).then_some(&("io/mod.rs", "mod a; mod b;"));
+        let sources = files.iter().chain(parent).map(|(path, text)| (PathBuf::from(path), (*text).to_owned()));
+        circles(&sources.collect::<Vec<_>>())
+    };
+    for (files, expected) in cases {
+        let found = house(files);
+        let found: Vec<Vec<&str>> = found
+            .iter()
+            .map(|circle| circle.files.iter().map(|file| file.to_str().expect("a path of letters")).collect())
+            .collect();
+        assert_eq!(found, *expected, "{files:?}");
+    }
+    let found = house(&[("io/a.rs", "use super::{b, c::C};\nfn f() { b::g(b::G) }"), ("io/b.rs", "use super::a::A;")]);
+    assert_eq!(found[0].ties, ["io/a.rs <- io/b.rs: G, g", "io/b.rs <- io/a.rs: A"]);
 }

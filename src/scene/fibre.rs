@@ -1,6 +1,7 @@
 //! Fibres: strokes or vertices, stiffness, rest shape.
 
-use super::{Extra, is_false};
+use super::Extra;
+use super::extra::is_false;
 use crate::sketch::{LiftOptions, Lifted, SketchError, Stroke, View, lift};
 use glam::DVec2;
 use schemars::JsonSchema;

@@ -8,150 +8,45 @@
 //! survives loading and saving here.
 
 mod assets;
+mod axis;
 mod body;
+mod document;
+mod extra;
 mod fibre;
+mod layer_shape;
+mod material;
 mod measure;
 mod naming;
 mod paint;
-mod support;
+mod panel;
+mod pin;
+mod region;
+mod room;
+mod shape;
+mod start;
+mod time;
 mod two_layer;
 mod validate;
-mod world;
 
 pub use assets::{Assets, ModelFile};
-pub use body::{
-    Body, BodyKind, BoxShape, Damping, Falloff, Impulse, Initial, IntegratorKind, Mass, Material, MeshShape, Placement,
-    Region, Rotation, Selector, Shape,
-};
+pub use axis::{Axis, Side};
+pub use body::{Body, BodyKind, IntegratorKind};
+pub use document::{MAX_PARTICLES, SCENE_VERSION, Scene, Units};
+pub use extra::Extra;
 pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
 };
+pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
+pub use material::{Damping, Falloff, Mass, Material};
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 pub use paint::{Dab, MAX_DABS, add_dab, painted};
-pub use support::{Axis, Distance, Easing, Keyframe, Motion, Pin, Ramp, Side, Turn};
-pub use two_layer::{
-    Ball, ClosedMesh, ContactKind, Drag, InnerOffset, PressureIn, RegionMass, Ring, Segment, TwoLayer, TwoLayerContact,
-    TwoLayerShape,
-};
+pub use panel::{HeightKey, Panel, PanelMotion};
+pub use pin::{Distance, Easing, Keyframe, Motion, Pin, Ramp, Turn};
+pub use region::{Region, Selector};
+pub use room::Room;
+pub use shape::{BoxShape, MeshShape, Placement, Rotation, Shape};
+pub use start::{Impulse, Initial};
+pub use time::{Automatic, Manual, Time, TimeStep};
+pub use two_layer::{ContactKind, Drag, PressureIn, RegionMass, TwoLayer, TwoLayerContact};
 pub use validate::SceneError;
 pub(crate) use validate::{brief, one_line};
-pub use world::{Automatic, HeightKey, Manual, Panel, PanelMotion, Room, Time, TimeStep};
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
-use std::collections::BTreeMap;
-
-/// Version of the scene format that this program reads and writes.
-pub const SCENE_VERSION: u32 = 1;
-
-/// More particles than this are refused (with the memory they would take) instead of exhausting the machine.
-pub const MAX_PARTICLES: usize = 2_000_000;
-
-/// JSON fields that this version does not know; kept through load and save.
-pub type Extra = BTreeMap<String, Value>;
-
-/// The system of units of a scene file. There is one, and the file says so.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum Units {
-    /// Metre, kilogram, second, newton, pascal; degrees for angles.
-    #[default]
-    #[serde(rename = "SI")]
-    Si,
-}
-
-/// A whole scene: the document that is edited, saved and baked into a simulated world.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Scene {
-    /// Version of the format; this program reads and writes version 1.
-    pub version: u32,
-    /// Units of every number in the file: "SI".
-    #[serde(default)]
-    pub units: Units,
-    /// Name a person reads.
-    #[serde(default)]
-    pub name: String,
-    /// What the scene shows, in a sentence or two.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub description: String,
-    /// Gravitational acceleration [m/s²], world axes.
-    #[serde(default = "earth_gravity")]
-    pub gravity: [f64; 3],
-    /// Floor, walls and ceiling.
-    #[serde(default)]
-    pub room: Room,
-    /// Rigid horizontal panels that fall on the bodies or are driven.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub panels: Vec<Panel>,
-    /// Frame rate, length and time step.
-    #[serde(default)]
-    pub time: Time,
-    /// The soft bodies.
-    #[serde(default)]
-    pub bodies: Vec<Body>,
-    /// The two-layer bodies.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub two_layer: Vec<TwoLayer>,
-    /// Quantities to read off the motion.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub measures: Vec<Measure>,
-    /// Unknown fields, kept.
-    #[serde(flatten)]
-    pub extra: Extra,
-}
-
-impl Default for Scene {
-    fn default() -> Self {
-        Self {
-            version: SCENE_VERSION,
-            units: Units::Si,
-            name: String::new(),
-            description: String::new(),
-            gravity: earth_gravity(),
-            room: Room::default(),
-            panels: Vec::new(),
-            time: Time::default(),
-            bodies: Vec::new(),
-            two_layer: Vec::new(),
-            measures: Vec::new(),
-            extra: Extra::new(),
-        }
-    }
-}
-
-impl Scene {
-    /// The body with this id.
-    pub fn body(&self, id: &str) -> Option<&Body> {
-        self.bodies.iter().find(|body| body.id == id)
-    }
-
-    /// The two-layer body with this id.
-    pub fn two_layer_body(&self, id: &str) -> Option<&TwoLayer> {
-        self.two_layer.iter().find(|body| body.id == id)
-    }
-
-    /// Whether another scene moves as this one does, bit for bit: they differ in what is hidden and in colours at most.
-    pub fn moves_like(&self, other: &Self) -> bool {
-        self.without_looks() == other.without_looks()
-    }
-
-    fn without_looks(&self) -> Self {
-        let mut scene = self.clone();
-        for body in &mut scene.bodies {
-            (body.hidden, body.color) = (false, None);
-            body.fibres.iter_mut().for_each(|fibre| (fibre.hidden, fibre.color) = (false, None));
-        }
-        scene.two_layer.iter_mut().for_each(|body| (body.hidden, body.color) = (false, None));
-        scene
-    }
-}
-
-/// For members that are left out of a file where they are false.
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
-fn is_false(value: &bool) -> bool {
-    !value
-}
-
-fn earth_gravity() -> [f64; 3] {
-    [0.0, -9.81, 0.0]
-}

@@ -1,0 +1,82 @@
+//! Materials: elasticity, mass, discretisation, damping.
+
+use super::Extra;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A homogeneous, isotropic elastic material and its discretisation. The fibres do the rest.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Material {
+    /// Young's modulus E [Pa].
+    pub young_modulus: f64,
+    /// Poisson's ratio nu, from 0 to 0.49.
+    #[serde(default = "default_poisson")]
+    pub poisson_ratio: f64,
+    /// Density or mass.
+    pub mass: Mass,
+    /// Support radius h of the smoothing kernel [m].
+    pub support_radius: f64,
+    /// Particle spacing over support radius, D / h.
+    #[serde(default = "default_spacing_ratio")]
+    pub spacing_ratio: f64,
+    /// What takes energy out of the motion.
+    #[serde(default)]
+    pub damping: Damping,
+    /// How a fibre's volume fraction falls off with the distance from its structure particles, out to h.
+    #[serde(default)]
+    pub volume_fraction_falloff: Falloff,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl Material {
+    /// Particle spacing D [m].
+    pub fn spacing(&self) -> f64 {
+        self.spacing_ratio * self.support_radius
+    }
+}
+
+/// Mass of a body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Mass {
+    /// Density [kg/m³] times the volume of the shape, shared evenly by its particles.
+    Density(f64),
+    /// Mass of each material particle [kg]; the fibre paper uses 4e-4.
+    PerParticle(f64),
+}
+
+/// Damping. Neither kind changes the rest state.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct Damping {
+    /// Radial damping between neighbouring particles [1/s]; keeps linear and angular momentum.
+    pub pair: f64,
+    /// Drag of the surrounding air, acceleration per velocity [1/s].
+    pub air: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// How a fibre's volume fraction falls off with distance d from its nearest structure particle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Falloff {
+    /// By the kernel, W(d) / W(0) (eq. 13).
+    #[default]
+    Kernel,
+    /// Linearly, 1 - d / h.
+    Linear,
+    /// Not at all within h.
+    Constant,
+}
+
+fn default_poisson() -> f64 {
+    0.33
+}
+
+fn default_spacing_ratio() -> f64 {
+    0.4
+}

@@ -1,0 +1,63 @@
+//! Panels that fall on the bodies or are driven.
+
+use super::Extra;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A rigid horizontal panel that moves up and down only and presses on what lies below it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Panel {
+    /// Stable identifier, unique among the panels.
+    pub id: String,
+    /// Name a person reads.
+    #[serde(default)]
+    pub name: String,
+    /// Height of its underside at the start [m], world Y.
+    pub height: f64,
+    /// Centre in the world's X and Z [m].
+    #[serde(default)]
+    pub center: [f64; 2],
+    /// Extent along X and Z [m].
+    pub size: [f64; 2],
+    /// Mass [kg]; it matters only when the panel falls.
+    #[serde(default = "one")]
+    pub mass: f64,
+    /// Coulomb friction coefficient of its underside.
+    #[serde(default = "default_friction")]
+    pub friction: f64,
+    /// How it moves.
+    pub motion: PanelMotion,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// How a panel moves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PanelMotion {
+    /// Falls under gravity from rest and is held up by what it lands on.
+    Falls,
+    /// Follows these heights, eased smoothly from one to the next; before the first and after the last it rests.
+    Driven(Vec<HeightKey>),
+}
+
+/// Height of a driven panel at one time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct HeightKey {
+    /// Time [s].
+    pub time: f64,
+    /// Height of the underside [m].
+    pub height: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn default_friction() -> f64 {
+    0.4
+}

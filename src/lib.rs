@@ -63,7 +63,7 @@
 //!         "material": {"young_modulus": 1e5, "mass": {"density": 1000}, "support_radius": 0.015}
 //!     }]
 //! }"#)?;
-//! let baked = bake(&scene, &sinew::scene::Assets::default(), &mut |_, _| {})?;
+//! let baked = bake(&scene, &sinew::scene::Assets::default())?;
 //! let mut runner = Runner::new(baked);
 //! runner.advance_frame();
 //! assert!(runner.world().bodies()[0].state().center().y < 0.05);
@@ -120,7 +120,7 @@
 //! # let scene = sinew::io::scene_from_json(r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{"id": "cube",
 //! #     "shape": {"box": {"size": [0.03, 0.03, 0.03]}},
 //! #     "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.015}}]}"#)?;
-//! let mut world = sinew::bake::bake(&scene, &sinew::scene::Assets::default(), &mut |_, _| {})?.world;
+//! let mut world = sinew::bake::bake(&scene, &sinew::scene::Assets::default())?.world;
 //! let body = world.body_mut(0).expect("the scene's first body");
 //! body.set_integrator(Box::new(SymplecticEuler::default()));
 //! body.add_force(Box::new(Wind(DVec3::X * 1e-3)));

@@ -111,7 +111,7 @@ fn a_ghost_without_fibres_is_that_scene_alone_bit_for_bit() {
     until(&worker, |_| true);
     assert!(worker.send(SimCommand::Ghost(Some(Arc::clone(&bare)))));
     until(&worker, |p| p.ghost.is_some());
-    let baked = sinew::bake::bake(&bare, &sinew::scene::Assets::default(), &mut |_, _| {}).expect("a scene that bakes");
+    let baked = sinew::bake::bake(&bare, &sinew::scene::Assets::default()).expect("a scene that bakes");
     let start = sinew::sim::Runner::new(baked);
     let strike = |body| SimCommand::Strike { body, impulse: DVec3::new(1e-3, 0.0, 0.0) };
     for round in 0..2 {
@@ -183,7 +183,7 @@ fn every_frame_is_recorded_though_its_picture_is_missed() {
 
 #[test]
 fn of_more_rows_than_are_kept_the_oldest_go() {
-    let baked = sinew::bake::bake(&scene(""), &sinew::scene::Assets::default(), &mut |_, _| {}).expect("it bakes");
+    let baked = sinew::bake::bake(&scene(""), &sinew::scene::Assets::default()).expect("it bakes");
     let mut runner = sinew::sim::Runner::new(baked);
     let mut series = sinew::sim::TimeSeries::new(runner.world(), 5);
     for _ in 0..8 {

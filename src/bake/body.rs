@@ -1,7 +1,7 @@
 //! One body of the scene: particles, forces, start, stable step.
 
 use super::limits::{Resistance, SolidParameter};
-use super::matter::Matter;
+use super::particle_sampling::ParticleSampling;
 use super::{BakeError, BakeStage, Note, fibres, supports};
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, BodyKind, Initial, IntegratorKind, Mass, Placement, Scene, TimeStep};
@@ -37,7 +37,7 @@ const REST_FORCE: f64 = 2e-7;
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
-    matter: &Matter<'_>,
+    sampling: &ParticleSampling<'_>,
     path: &str,
     notes: &mut Vec<Note>,
     progress: &mut dyn FnMut(&str, BakeStage),
@@ -49,7 +49,7 @@ pub(super) fn draft(
     let volume = spacing.powi(3);
 
     progress(name, BakeStage::Neighbours);
-    let Matter { sample, volume: shape_volume, size, .. } = matter;
+    let ParticleSampling { sample, volume: shape_volume, size, .. } = sampling;
     let neighbourhood = Neighbourhood::on_lattice(sample, kernel, volume)
         .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);
@@ -58,7 +58,7 @@ pub(super) fn draft(
     let embedder = Embedder::new(&sample.points, kernel);
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
-    let skin = matter.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of })).map(Arc::new);
+    let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of })).map(Arc::new);
 
     let mass = match material.mass {
         Mass::Density(density) => density * shape_volume / sample.points.len() as f64,

@@ -5,7 +5,7 @@ use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape, painted};
 use crate::sketch::{Placed, SketchError, SketchNote, structure_particles, trim};
 use crate::solver::body::FibreLine;
-use crate::solver::embedding::{Embedder, Stencil};
+use crate::solver::embedding::{Embedder, EmbeddingWeights};
 use crate::solver::forces::fibre::FibreRest;
 use crate::solver::forces::fibre::breaking::BreakLimits;
 use crate::solver::volume_fraction::volume_fractions;
@@ -24,14 +24,14 @@ pub struct PlacedFibre {
     /// Structure particles at rest, model frame [m].
     pub vertices: Vec<DVec3>,
     /// Their embedding.
-    pub stencils: Vec<Stencil>,
+    pub embedding: Vec<EmbeddingWeights>,
     /// Those that carry force; the others are drawn only.
     pub active: Range<usize>,
 }
 
 impl PlacedFibre {
     pub(super) fn line(&self) -> FibreLine {
-        FibreLine { id: self.id.clone(), vertices: self.stencils.clone() }
+        FibreLine { id: self.id.clone(), vertices: self.embedding.clone() }
     }
 }
 
@@ -89,7 +89,7 @@ impl Placing<'_> {
             .into_iter()
             .map(|point| Placed {
                 point,
-                embedded: self.embedder.is_embedded(point) && self.embedder.compact_stencil(point).is_some(),
+                embedded: self.embedder.is_embedded(point) && self.embedder.compact_weights(point).is_some(),
                 distance: self.embedder.distance(point) / material.support_radius,
             })
             .collect();
@@ -104,7 +104,7 @@ impl Placing<'_> {
     fn embed(&mut self, fibre: usize, mut vertices: Vec<DVec3>, path: &str) -> Option<PlacedFibre> {
         let total = vertices.len();
         let holds =
-            |at: DVec3| self.embedder.compact_stencil(at).is_some_and(|s| s.square_sum() <= GREATEST_SQUARE_SUM);
+            |at: DVec3| self.embedder.compact_weights(at).is_some_and(|w| w.square_sum() <= GREATEST_SQUARE_SUM);
         // A fibre that runs along the outside all its length has no end worth keeping: all of it slides.
         let first = vertices.iter().position(|&at| holds(at)).unwrap_or(0);
         let last = vertices.iter().rposition(|&at| holds(at)).unwrap_or(total - 1);
@@ -136,16 +136,16 @@ impl Placing<'_> {
             );
             self.note(path, true, text);
         }
-        let stencils = vertices.iter().map(|&at| self.embedder.compact_stencil(at).unwrap_or_default()).collect();
+        let embedding = vertices.iter().map(|&at| self.embedder.compact_weights(at).unwrap_or_default()).collect();
         let id = self.body.fibres[fibre].id.clone();
-        Some(PlacedFibre { fibre, id, vertices, stencils, active: first..last + 1 })
+        Some(PlacedFibre { fibre, id, vertices, embedding, active: first..last + 1 })
     }
 
     /// The nearest point on the way to the centroid of the particles around a vertex at which it may carry force; none
     /// where it already may.
     fn slide_in(&self, vertex: DVec3) -> Option<DVec3> {
         let holds =
-            |at: DVec3| self.embedder.compact_stencil(at).is_some_and(|s| s.square_sum() <= GREATEST_SQUARE_SUM);
+            |at: DVec3| self.embedder.compact_weights(at).is_some_and(|w| w.square_sum() <= GREATEST_SQUARE_SUM);
         if holds(vertex) {
             return None;
         }
@@ -221,10 +221,10 @@ pub(super) fn rods(
                 .iter()
                 .map(|&at| match fibre.rest_shape {
                     RestShape::Straight => None,
-                    RestShape::AsDrawn => embedder.turn_stencil(at),
+                    RestShape::AsDrawn => embedder.turn_weights(at),
                 })
                 .collect();
-            FibreRest::new(run.stencils[run.active.clone()].to_vec(), vertices, ea, ei, fibre.volume_fraction, turns)
+            FibreRest::new(run.embedding[run.active.clone()].to_vec(), vertices, ea, ei, fibre.volume_fraction, turns)
                 .on_line(line as u32, run.active.start as u32)
                 .breaking(limits(fibre))
         })

@@ -5,8 +5,8 @@ mod body;
 mod fibres;
 mod layer_model;
 mod limits;
-mod matter;
 mod measures;
+mod particle_sampling;
 mod supports;
 mod two_layer;
 
@@ -14,7 +14,7 @@ pub use fibres::PlacedFibre;
 
 use crate::scene::{Assets, PanelMotion, Scene, TimeStep};
 use crate::solver::body::Body;
-use crate::solver::meeting::stiffness_between;
+use crate::solver::body_contact::stiffness_between;
 use crate::solver::neighbourhood::TooThin;
 use crate::solver::panel::Panel;
 use crate::solver::world::{StepPlan, World};
@@ -269,7 +269,19 @@ pub struct Baked {
 ///
 /// # Errors
 /// [`BakeError`] with the pointer to what cannot be put together.
-pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeStage)) -> Result<Baked, BakeError> {
+pub fn bake(scene: &Scene, assets: &Assets) -> Result<Baked, BakeError> {
+    bake_with_progress(scene, assets, &mut |_, _| {})
+}
+
+/// [`bake`], and `progress` hears what is being worked on: the name of a body and the stage.
+///
+/// # Errors
+/// [`BakeError`] with the pointer to what cannot be put together.
+pub fn bake_with_progress(
+    scene: &Scene,
+    assets: &Assets,
+    progress: &mut dyn FnMut(&str, BakeStage),
+) -> Result<Baked, BakeError> {
     let mut notes = Vec::new();
     let panels: Vec<Panel> = scene.panels.iter().map(|drawn| panel(drawn, scene.room.floor)).collect();
     let mut drafts = Vec::new();
@@ -277,9 +289,9 @@ pub fn bake(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeS
         let path = format!("/bodies/{index}");
         let name = body.title();
         progress(name, BakeStage::Sampling);
-        let matter = matter::matter(body, assets, &path, &mut notes)?;
-        let body = matter.effective(body);
-        drafts.push(body::draft(scene, &body, &matter, &path, &mut notes, progress)?);
+        let sampling = particle_sampling::sample_particles(body, assets, &path, &mut notes)?;
+        let body = sampling.effective(body);
+        drafts.push(body::draft(scene, &body, &sampling, &path, &mut notes, progress)?);
     }
     for (index, body) in scene.two_layer.iter().enumerate() {
         let path = format!("/two_layer/{index}");
@@ -334,7 +346,7 @@ const MOST_STEPS: f64 = 1e6;
 /// Divides a frame so that no body steps beyond its share of the stable step. Bodies that share a panel step together;
 /// bodies that may meet share outer steps short enough for the contact between them.
 fn plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, BakeError> {
-    let (frame_seconds, wanted, meetings): (f64, Vec<u32>, u32) = match &scene.time.step {
+    let (frame_seconds, wanted, for_contact): (f64, Vec<u32>, u32) = match &scene.time.step {
         TimeStep::Automatic(automatic) => {
             let frame = scene.time.frame_seconds();
             let count = |stable: f64| (frame / (automatic.safety * stable)).ceil().max(1.0) as u32;
@@ -353,7 +365,7 @@ fn plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, BakeError> {
                 }
             }
             let wanted = drafts.iter().map(|draft| count(draft.parts.stable_dt)).collect();
-            (frame, wanted, count(stable_meeting(drafts)))
+            (frame, wanted, count(stable_contact_step(drafts)))
         }
         TimeStep::Manual(manual) => {
             let count = manual.substeps_per_frame;
@@ -361,16 +373,16 @@ fn plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, BakeError> {
         }
     };
     let outer_steps = match (scene.panels.is_empty(), drafts.len()) {
-        (false, _) => wanted.iter().copied().max().unwrap_or(1).max(meetings),
+        (false, _) => wanted.iter().copied().max().unwrap_or(1).max(for_contact),
         (true, 0 | 1) => 1,
-        (true, _) => meetings,
+        (true, _) => for_contact,
     };
     let substeps = wanted.iter().map(|count| count.div_ceil(outer_steps)).collect();
     Ok(StepPlan { frame_seconds, outer_steps, substeps })
 }
 
 /// Greatest outer step [s] that resolves the contact between any two bodies; infinite without any.
-fn stable_meeting(drafts: &[Draft]) -> f64 {
+fn stable_contact_step(drafts: &[Draft]) -> f64 {
     // A particle of a surface may carry several others.
     const CARRIED: f64 = 4.0;
     let lightest = |draft: &Draft| draft.parts.state.masses.iter().copied().fold(f64::INFINITY, f64::min);

@@ -6,7 +6,8 @@ use super::{BakeError, BakeStage, Note, limits, supports};
 use crate::scene::{Assets, ContactKind, Initial, PressureIn, Scene, TimeStep, TwoLayer};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::constraint::{Constraint, PrescribedMotion};
-use crate::solver::forces::{AirDrag, Contact, ContactLaw, DragSpring, Force, Gravity, Pressure};
+use crate::solver::embedding::EmbeddingWeights;
+use crate::solver::forces::{AirDrag, Contact, ContactLaw, Force, Grab, Gravity, Pressure};
 use crate::solver::layers::Layers;
 use crate::solver::modes::fastest_modes;
 use crate::solver::state::ParticleState;
@@ -99,7 +100,7 @@ pub(super) fn draft(
     Ok(Draft { parts, regions, fractions: Vec::new() })
 }
 
-/// All forces but contact, with the constants of `body`; it is dragged by the particles that are nearest at the start.
+/// All forces but contact, with the constants of `body`; it is grabbed by the particles that are nearest at the start.
 fn own_forces(
     scene: &Scene,
     body: &TwoLayer,
@@ -118,8 +119,8 @@ fn own_forces(
     }
     for drag in &body.drags {
         let target = DVec3::from_array(drag.target);
-        forces.push(Box::new(DragSpring {
-            particle: DragSpring::nearest(&start.positions[..model.outer], target),
+        forces.push(Box::new(Grab {
+            point: EmbeddingWeights::of_particle(nearest(&start.positions[..model.outer], target)),
             target,
             stiffness: body.mks,
             damping: body.mkd,
@@ -127,6 +128,12 @@ fn own_forces(
         }));
     }
     forces
+}
+
+/// Of the particles, the one nearest to a point.
+fn nearest(positions: &[DVec3], target: DVec3) -> u32 {
+    let distance = |i: &usize| positions[*i].distance_squared(target);
+    (0..positions.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0) as u32
 }
 
 fn contact_law(scene: &Scene, body: &TwoLayer) -> ContactLaw {
@@ -148,7 +155,7 @@ fn layers(scene: &Scene, body: &TwoLayer, model: &LayerModel, rest: &[DVec3]) ->
         springs: model.springs(body),
         outer_surface: model.surface(0, normal),
         inner_surface: model.has_inner_layer().then(|| model.surface(model.outer, normal)).flatten(),
-        drag: [body.mks, body.mkd],
+        grab: [body.mks, body.mkd],
         reset: match body.contact.law {
             ContactKind::Penalty => Vec::new(),
             ContactKind::PaperReset => room_planes(scene),
@@ -169,10 +176,10 @@ fn gas(body: &TwoLayer, layers: &Layers) -> Vec<Pressure> {
 }
 
 /// What a contact asks of the time step: the lightest outer particle touches something that does not give.
-fn touched(state: &ParticleState, outer: usize, law: &ContactLaw) -> DragSpring {
+fn touched(state: &ParticleState, outer: usize, law: &ContactLaw) -> Grab {
     let lightest = (0..outer).min_by(|&a, &b| state.masses[a].total_cmp(&state.masses[b])).unwrap_or(0);
-    DragSpring {
-        particle: lightest,
+    Grab {
+        point: EmbeddingWeights::of_particle(lightest as u32),
         target: state.positions[lightest],
         stiffness: law.stiffness,
         damping: law.damping.max(law.sticking),

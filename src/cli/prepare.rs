@@ -3,7 +3,7 @@
 use super::error::printable;
 use super::table::figures;
 use super::{CliError, Console};
-use crate::bake::{Baked, Note, bake};
+use crate::bake::{Baked, Note, bake_with_progress};
 use crate::io::{apply_sets, load_assets, load_scene, scene_from_json, unknown_fields};
 use crate::scene::{Scene, TimeStep};
 use crate::sim::Runner;
@@ -158,7 +158,7 @@ pub fn put_together(scene: &Scene, source: Option<&Path>, console: &mut Console)
     console.begin();
     let assets = load_assets(scene, folder_of(source), &mut |stage| console.stage(&stage));
     let baked = assets.map_err(CliError::from).and_then(|assets| {
-        bake(scene, &assets, &mut |body, stage| console.stage(&format!("{body}: {stage}")))
+        bake_with_progress(scene, &assets, &mut |body, stage| console.stage(&format!("{body}: {stage}")))
             .map_err(|error| CliError::Bake { scene: source_name(source), source: error })
     });
     console.end();

@@ -122,8 +122,7 @@ impl Plan<'_> {
             let mut assets = self.assets.clone();
             complete_assets(&mut assets, &scene, folder_of(Some(&self.args.scene)), &mut |_| {})?;
             let source = printable(&self.args.scene);
-            let baked = bake(&scene, &assets, &mut |_, _| {})
-                .map_err(|error| CliError::Bake { scene: source, source: error })?;
+            let baked = bake(&scene, &assets).map_err(|error| CliError::Bake { scene: source, source: error })?;
             Ok((scene, baked))
         };
         attempt().map_err(|error| CliError::Row { values: self.product.line(row), source: Box::new(error) })

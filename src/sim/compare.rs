@@ -34,7 +34,7 @@ impl Trial {
         scene.measures.clear();
         scene.bodies.iter_mut().for_each(|body| body.integrator = integrator);
         scene.two_layer.iter_mut().for_each(|body| body.integrator = integrator);
-        let mut world = bake(&scene, assets, &mut |_, _| {})?.world;
+        let mut world = bake(&scene, assets)?.world;
         for index in 0..world.bodies().len() {
             if let Some(body) = world.body_mut(index) {
                 body.set_guarded(false);

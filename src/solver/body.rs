@@ -4,11 +4,10 @@ pub(super) mod checkpoint;
 
 use super::constraint::Constraint;
 use super::dynamics::Dynamics;
-use super::embedding::Stencil;
+use super::embedding::EmbeddingWeights;
 use super::energy::Energies;
 use super::forces::fibre::breaking::FibreBreak;
-use super::forces::{ContactLaw, Force};
-use super::grab::Grab;
+use super::forces::{ContactLaw, Force, Grab};
 use super::integrators::Integrator;
 use super::layers::Layers;
 use super::skin::Skin;
@@ -78,7 +77,7 @@ pub struct FibreLine {
     /// Identifier of the scene's fibre.
     pub id: String,
     /// Embedded vertices, ends without force included.
-    pub vertices: Vec<Stencil>,
+    pub vertices: Vec<EmbeddingWeights>,
 }
 
 /// A body that was stopped because its motion could no longer be computed.
@@ -100,9 +99,10 @@ pub struct Divergence {
 pub struct Body {
     parts: BodyParts,
     grabs: Vec<Grab>,
-    held: Vec<DVec3>,
+    /// Forces from other bodies and panels [N], the same over an outer step.
+    external_forces: Vec<DVec3>,
     /// Elastic energy of contacts with other bodies and panels [J].
-    meeting_energy: f64,
+    contact_energy: f64,
     net: Vec<DVec3>,
     current: bool,
     guarded: bool,
@@ -118,8 +118,8 @@ impl Body {
         let n = parts.state.len();
         let mut body = Self {
             grabs: Vec::new(),
-            held: vec![DVec3::ZERO; n],
-            meeting_energy: 0.0,
+            external_forces: vec![DVec3::ZERO; n],
+            contact_energy: 0.0,
             net: Vec::new(),
             current: false,
             guarded: true,
@@ -129,7 +129,7 @@ impl Body {
             divergence: None,
             parts,
         };
-        body.settle(0.0);
+        body.update_net_forces(0.0);
         body
     }
 
@@ -169,22 +169,35 @@ impl Body {
         self.current = false;
     }
 
-    /// Pulls on the body, to be added, moved and taken away.
+    /// Grabs a point of the body and pulls it towards `target` [m]: by the paper's spring of a two-layer body, or
+    /// [`Grab::scaled`] for others.
+    pub fn grab(&mut self, point: EmbeddingWeights, target: DVec3) {
+        let grab = match &self.parts.layers {
+            Some(layers) => {
+                let [stiffness, damping] = layers.grab;
+                Grab { point, target, stiffness, damping, until: f64::INFINITY }
+            }
+            None => Grab::scaled(point, target, &self.parts.state, self.parts.dt),
+        };
+        self.grabs_mut().push(grab);
+    }
+
+    /// Grabs of the body, to be added, moved and taken away.
     pub fn grabs_mut(&mut self) -> &mut Vec<Grab> {
         self.current = false;
         &mut self.grabs
     }
 
-    /// Pulls on the body.
+    /// Grabs of the body.
     pub fn grabs(&self) -> &[Grab] {
         &self.grabs
     }
 
     /// The point of the skin's vertex, or of the particle where there is no skin; none if there is no such vertex.
-    pub fn point(&self, vertex: usize) -> Option<Stencil> {
+    pub fn point(&self, vertex: usize) -> Option<EmbeddingWeights> {
         match &self.parts.skin {
-            Some(skin) => skin.stencil(vertex),
-            None => (vertex < self.parts.state.len()).then(|| Stencil { weights: vec![(vertex as u32, 1.0)] }),
+            Some(skin) => skin.weights(vertex),
+            None => (vertex < self.parts.state.len()).then(|| EmbeddingWeights::of_particle(vertex as u32)),
         }
     }
 
@@ -228,23 +241,23 @@ impl Body {
 
     /// Net force on every particle [N], what other bodies add included, before constraints take their part.
     pub fn net_force(&self, i: usize) -> DVec3 {
-        self.net[i] + self.held[i]
+        self.net[i] + self.external_forces[i]
     }
 
     /// Forgets what other bodies and panels do to it, before that is found anew.
-    pub(super) fn begin_meeting(&mut self) {
-        self.held.fill(DVec3::ZERO);
-        self.meeting_energy = 0.0;
+    pub(super) fn clear_external_forces(&mut self) {
+        self.external_forces.fill(DVec3::ZERO);
+        self.contact_energy = 0.0;
     }
 
-    /// Holds a force [N] of another body or panel on a particle over the present outer step.
-    pub(super) fn hold(&mut self, i: usize, force: DVec3) {
-        self.held[i] += force;
+    /// Adds a force [N] of another body or panel on a particle, to act over the present outer step.
+    pub(super) fn add_external_force(&mut self, i: usize, force: DVec3) {
+        self.external_forces[i] += force;
     }
 
     /// Adds the body's share of the energy [J] of a contact with another body or panel.
-    pub(super) fn store(&mut self, energy: f64) {
-        self.meeting_energy += energy;
+    pub(super) fn add_contact_energy(&mut self, energy: f64) {
+        self.contact_energy += energy;
     }
 
     /// Whether the net forces are those of the present state.
@@ -254,11 +267,11 @@ impl Body {
 
     /// Gives the forces from other bodies as an impulse over `dt` [s].
     pub(super) fn kick(&mut self, dt: f64) {
-        if self.divergence.is_some() || self.held.iter().all(|force| *force == DVec3::ZERO) {
+        if self.divergence.is_some() || self.external_forces.iter().all(|force| *force == DVec3::ZERO) {
             return;
         }
         let masses = &self.parts.state.masses;
-        let change = self.held.iter().zip(masses).map(|(&force, &mass)| force * (dt / mass)).collect();
+        let change = self.external_forces.iter().zip(masses).map(|(&force, &mass)| force * (dt / mass)).collect();
         self.change_velocities(change);
     }
 
@@ -273,7 +286,7 @@ impl Body {
     }
 
     /// Remembers the present state as good.
-    pub(super) fn checkpoint(&mut self) {
+    pub(super) fn save_last_good(&mut self) {
         if self.divergence.is_none() {
             self.last_good.clone_from(&self.parts.state);
         }
@@ -290,7 +303,7 @@ impl Body {
             let mut dynamics = Dynamics {
                 forces: &mut self.parts.forces,
                 constraints: &self.parts.constraints,
-                grabs: &self.grabs,
+                grabs: &mut self.grabs,
                 net: &mut self.net,
                 current: &mut self.current,
                 evaluations: &mut self.evaluations,
@@ -312,14 +325,14 @@ impl Body {
     }
 
     /// Makes the net forces those of the present state, so that reactions can be read.
-    pub(super) fn settle(&mut self, time: f64) {
+    pub(super) fn update_net_forces(&mut self, time: f64) {
         if self.current || self.divergence.is_some() {
             return;
         }
         let mut dynamics = Dynamics {
             forces: &mut self.parts.forces,
             constraints: &self.parts.constraints,
-            grabs: &self.grabs,
+            grabs: &mut self.grabs,
             net: &mut self.net,
             current: &mut self.current,
             evaluations: &mut self.evaluations,
@@ -363,7 +376,7 @@ impl Body {
         for force in &self.parts.forces {
             force.add_energy(time, &self.parts.state, &mut energies);
         }
-        energies.contact += self.meeting_energy;
+        energies.contact += self.contact_energy;
         energies
     }
 

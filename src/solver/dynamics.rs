@@ -1,8 +1,7 @@
 //! What an integrator sees of a body: forces in, accelerations out.
 
 use super::constraint::Constraint;
-use super::forces::Force;
-use super::grab::Grab;
+use super::forces::{Force, Grab};
 use super::state::ParticleState;
 use glam::DVec3;
 
@@ -13,7 +12,7 @@ use glam::DVec3;
 pub struct Dynamics<'a> {
     pub(super) forces: &'a mut [Box<dyn Force>],
     pub(super) constraints: &'a [Constraint],
-    pub(super) grabs: &'a [Grab],
+    pub(super) grabs: &'a mut [Grab],
     pub(super) net: &'a mut Vec<DVec3>,
     pub(super) current: &'a mut bool,
     pub(super) evaluations: &'a mut u64,
@@ -38,8 +37,8 @@ impl Dynamics<'_> {
         for force in self.forces.iter_mut() {
             force.add_forces(time, state, self.net);
         }
-        for grab in self.grabs {
-            grab.add_forces(state, self.net);
+        for grab in self.grabs.iter_mut() {
+            grab.add_forces(time, state, self.net);
         }
         *self.current = false;
         *self.evaluations += 1;
@@ -65,8 +64,8 @@ impl Dynamics<'_> {
         for force in self.forces.iter_mut() {
             force.add_derivative(time, state, change, out);
         }
-        for grab in self.grabs {
-            grab.add_derivative(change, out);
+        for grab in self.grabs.iter_mut() {
+            grab.add_derivative(time, state, change, out);
         }
     }
 

@@ -11,12 +11,17 @@ use glam::{DMat3, DVec3};
 
 /// Weights of one embedded point.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Stencil {
+pub struct EmbeddingWeights {
     /// Material particles and their weights phi; the weights sum to one.
     pub weights: Vec<(u32, f64)>,
 }
 
-impl Stencil {
+impl EmbeddingWeights {
+    /// A particle itself.
+    pub fn of_particle(particle: u32) -> Self {
+        Self { weights: vec![(particle, 1.0)] }
+    }
+
     /// Position (or velocity) of the point.
     pub fn gather(&self, field: &[DVec3]) -> DVec3 {
         let mut sum = DVec3::ZERO;
@@ -41,7 +46,7 @@ impl Stencil {
 
 /// How a small turn of the material around a point is read off its particles (for the rest shape of curved fibres).
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct TurnStencil {
+pub struct TurnWeights {
     /// Particles with `om_k Z_k` [1/m]: the local gradient is `sum x_k (x) (om_k Z_k)`.
     pub weights: Vec<(u32, DVec3)>,
 }
@@ -89,14 +94,14 @@ impl<'a> Embedder<'a> {
     }
 
     /// Linear-reproducing weights at a point; none where the particles in reach lie on a plane or a line, or are too few.
-    pub fn stencil(&self, at: DVec3) -> Option<Stencil> {
+    pub fn weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
         self.weighted(at, &self.in_reach(at))
     }
 
     /// The same over the particles that count there alone: those of more than a negligible share of the heaviest weight.
     /// They are half of all in reach, which is what a fibre vertex costs at every step; linear fields are reproduced all
     /// the same. It changes abruptly from one point to the next, as a skin must not.
-    pub fn compact_stencil(&self, at: DVec3) -> Option<Stencil> {
+    pub fn compact_weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
         self.weighted(at, &self.that_count(at))
     }
 
@@ -114,7 +119,7 @@ impl<'a> Embedder<'a> {
         near
     }
 
-    fn weighted(&self, at: DVec3, near: &[(u32, f64)]) -> Option<Stencil> {
+    fn weighted(&self, at: DVec3, near: &[(u32, f64)]) -> Option<EmbeddingWeights> {
         let h = self.kernel.support_radius;
         // With p = (1, y), y = (X_k - X) / h: phi_k = W_k (1 - y_k . a) / (W - b . a), a = C^-1 b, where W, b, C are
         // the kernel's moments of order 0, 1, 2.
@@ -137,7 +142,7 @@ impl<'a> Embedder<'a> {
         }
         let a = spread.inverse() * mean;
         let weights = terms.iter().map(|&(k, w, y)| (k, w * (1.0 / w_sum - (y - mean).dot(a)))).collect();
-        Some(Stencil { weights })
+        Some(EmbeddingWeights { weights })
     }
 
     /// Where the particles around a point have their kernel-weighted centre [m].
@@ -154,7 +159,7 @@ impl<'a> Embedder<'a> {
 
     /// Weights by which the material's turn around a point is read: `om_k` positive and normalised, offsets centred by
     /// their mean, `Z_k = C^-1 Y_k`, so that a pure strain turns nothing. None where C is singular.
-    pub fn turn_stencil(&self, at: DVec3) -> Option<TurnStencil> {
+    pub fn turn_weights(&self, at: DVec3) -> Option<TurnWeights> {
         let near = self.that_count(at);
         let total: f64 = near.iter().map(|(_, w)| w).sum();
         let mean: DVec3 = near.iter().map(|&(k, w)| self.points[k as usize] * w).sum::<DVec3>() / total;
@@ -169,7 +174,7 @@ impl<'a> Embedder<'a> {
         let inverse = c.inverse();
         let weights =
             near.into_iter().map(|(k, w)| (k, inverse * (self.points[k as usize] - mean) * (w / total))).collect();
-        Some(TurnStencil { weights })
+        Some(TurnWeights { weights })
     }
 }
 
@@ -196,10 +201,10 @@ mod tests {
         let gradient = DMat3::from_cols_array(&[1.1, 0.2, -0.3, 0.05, 0.9, 0.4, -0.2, 0.1, 1.3]);
         let moved: Vec<DVec3> = points.iter().map(|&x| gradient * x + DVec3::new(0.3, -0.2, 0.1)).collect();
         for at in [DVec3::ZERO, DVec3::new(0.021, 0.036, 0.021), DVec3::new(0.003, -0.036, 0.011)] {
-            let stencil = embedder.stencil(at).unwrap();
-            assert!(stencil.gather(&points).distance(at) < 1e-15);
+            let weights = embedder.weights(at).unwrap();
+            assert!(weights.gather(&points).distance(at) < 1e-15);
             let expected = gradient * at + DVec3::new(0.3, -0.2, 0.1);
-            assert!(stencil.gather(&moved).distance(expected) < 1e-14);
+            assert!(weights.gather(&moved).distance(expected) < 1e-14);
         }
     }
 
@@ -207,7 +212,7 @@ mod tests {
     fn square_sums_grow_outside_the_hull_as_designed() {
         let points = particles();
         let embedder = Embedder::new(&points, Kernel::new(0.015));
-        let square_sum = |x: f64, y: f64, z: f64| embedder.stencil(DVec3::new(x, y, z)).unwrap().square_sum();
+        let square_sum = |x: f64, y: f64, z: f64| embedder.weights(DVec3::new(x, y, z)).unwrap().square_sum();
         // At the hull's corner, and half a spacing beyond it along one, two and three axes.
         let found = [
             square_sum(0.018, 0.033, 0.018),
@@ -228,7 +233,7 @@ mod tests {
         let strain = DMat3::from_cols_array(&[1.1, 0.03, 0.0, 0.03, 0.95, 0.02, 0.0, 0.02, 0.97]);
         let moved: Vec<DVec3> = points.iter().map(|&x| strain * x).collect();
         for at in [DVec3::ZERO, DVec3::new(0.02, 0.035, 0.0)] {
-            let turn = embedder.turn_stencil(at).unwrap();
+            let turn = embedder.turn_weights(at).unwrap();
             let mut gradient = DMat3::ZERO;
             for &(k, z) in &turn.weights {
                 gradient += crate::solver::neighbourhood::outer(moved[k as usize], z);
@@ -244,7 +249,7 @@ mod tests {
         let embedder = Embedder::new(&points, Kernel::new(0.015));
         assert!(embedder.is_embedded(DVec3::new(0.0, 0.036, 0.0)));
         assert!(!embedder.is_embedded(DVec3::new(0.0, 0.06, 0.0)));
-        assert!(embedder.stencil(DVec3::new(0.0, 0.06, 0.0)).is_none());
+        assert!(embedder.weights(DVec3::new(0.0, 0.06, 0.0)).is_none());
         assert!((embedder.distance(DVec3::new(0.0, 0.06, 0.0)) - 0.027).abs() < 1e-12);
     }
 }

@@ -18,8 +18,8 @@ pub struct Layers {
     pub outer_surface: Option<Surface>,
     /// Surface of the inner layer, where there is one.
     pub inner_surface: Option<Surface>,
-    /// MKS [N/m] and MKD [N s/m] of the spring by which the body is dragged.
-    pub drag: [f64; 2],
+    /// MKS [N/m] and MKD [N s/m] of the spring by which the body is grabbed.
+    pub grab: [f64; 2],
     /// Planes onto which particles are put back after each step (the paper's contact, for comparison only).
     pub reset: Vec<Plane>,
 }

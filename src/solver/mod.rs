@@ -5,17 +5,16 @@
 //! the other. State and forces are f64.
 
 pub mod body;
+pub mod body_contact;
 pub mod constraint;
 pub mod dynamics;
 pub mod embedding;
 pub mod energy;
 pub mod field;
 pub mod forces;
-pub mod grab;
 pub mod integrators;
 pub mod layers;
 pub mod measure;
-pub mod meeting;
 pub mod modes;
 pub mod neighbourhood;
 pub mod panel;

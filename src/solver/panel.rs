@@ -28,8 +28,8 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Adds the panel's push to what the body holds over the next step; returns the vertical force on the panel [N].
-    pub(super) fn press(&self, body: &mut Body) -> f64 {
+    /// Adds the panel's push to the external forces of a body; returns the vertical force on the panel [N].
+    pub(super) fn add_contact(&self, body: &mut Body) -> f64 {
         let law = ContactLaw { friction: self.friction, ..body.parts().contact };
         let reach = body.parts().reach;
         let mut lift = 0.0;
@@ -43,8 +43,8 @@ impl Panel {
             }
             let velocity = body.state().velocities[i] - DVec3::new(0.0, self.velocity, 0.0);
             let force = law.force(gap, DVec3::NEG_Y, velocity);
-            body.hold(i, force);
-            body.store(law.energy(gap));
+            body.add_external_force(i, force);
+            body.add_contact_energy(law.energy(gap));
             lift -= force.y;
         }
         lift

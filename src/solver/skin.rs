@@ -4,7 +4,7 @@
 //! follows every affine motion of the particles exactly. Lists are flat: 50 000 vertices are moved in a few
 //! milliseconds.
 
-use super::embedding::{Embedder, Stencil};
+use super::embedding::{Embedder, EmbeddingWeights};
 use crate::geometry::kernel::Kernel;
 use crate::geometry::linear_map::LinearMap;
 use crate::geometry::rig::{Rig, Shading};
@@ -78,28 +78,28 @@ impl Skin {
         };
         let mut done = 0;
         for chunk in shape.points.chunks(CHUNK) {
-            let tame = |stencil: &Stencil| stencil.square_sum() <= WILD;
+            let tame = |weights: &EmbeddingWeights| weights.square_sum() <= WILD;
             let first = &embedders[0];
-            let mut stencils: Vec<Option<Stencil>> = chunk.par_iter().map(|&at| first.stencil(at)).collect();
-            for (&at, stencil) in chunk.iter().zip(&mut stencils) {
+            let mut found: Vec<Option<EmbeddingWeights>> = chunk.par_iter().map(|&at| first.weights(at)).collect();
+            for (&at, weights) in chunk.iter().zip(&mut found) {
                 let mut wider = 1;
-                while !stencil.as_ref().is_some_and(tame) && wider <= TRIES {
+                while !weights.as_ref().is_some_and(tame) && wider <= TRIES {
                     if embedders.len() == wider {
                         radius *= GROWTH;
                         embedders.push(Embedder::new(particles, Kernel::new(radius)));
                     }
-                    let other = embedders[wider].stencil(at);
-                    let calmer = |a: &Stencil, b: &Stencil| a.square_sum() < b.square_sum();
+                    let other = embedders[wider].weights(at);
+                    let calmer = |a: &EmbeddingWeights, b: &EmbeddingWeights| a.square_sum() < b.square_sum();
                     if let Some(other) = other
-                        && stencil.as_ref().is_none_or(|one| calmer(&other, one))
+                        && weights.as_ref().is_none_or(|one| calmer(&other, one))
                     {
-                        *stencil = Some(other);
+                        *weights = Some(other);
                     }
                     wider += 1;
                 }
             }
-            for stencil in stencils {
-                for (particle, weight) in stencil?.weights {
+            for weights in found {
+                for (particle, weight) in weights?.weights {
                     skin.particles.push(particle);
                     skin.weights.push(weight);
                 }
@@ -148,11 +148,11 @@ impl Skin {
     }
 
     /// Particles and weights of one vertex; none if there is no such vertex.
-    pub fn stencil(&self, vertex: usize) -> Option<Stencil> {
+    pub fn weights(&self, vertex: usize) -> Option<EmbeddingWeights> {
         let p = *self.point_of.get(vertex)? as usize;
         let range = self.starts[p] as usize..self.starts[p + 1] as usize;
         let weights = self.particles[range.clone()].iter().copied().zip(self.weights[range].iter().copied()).collect();
-        Some(Stencil { weights })
+        Some(EmbeddingWeights { weights })
     }
 
     /// Vertex indices of the faces.

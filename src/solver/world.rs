@@ -5,8 +5,8 @@ mod checkpoint;
 pub use checkpoint::Checkpoint;
 
 use super::body::{Body, Divergence};
+use super::body_contact::add_body_contact;
 use super::measure::{MeasureValue, Quantity};
-use super::meeting::meet;
 use super::panel::Panel;
 use glam::DVec3;
 
@@ -15,7 +15,7 @@ use glam::DVec3;
 pub struct StepPlan {
     /// Simulated time of one frame [s].
     pub frame_seconds: f64,
-    /// Outer steps of a frame: bodies and panels meet once in each.
+    /// Outer steps of a frame: contact between bodies and with panels is evaluated once in each.
     pub outer_steps: u32,
     /// Steps of each body in an outer step.
     pub substeps: Vec<u32>,
@@ -54,7 +54,7 @@ pub struct World {
     plan: StepPlan,
     gravity: DVec3,
     /// Whether the forces between bodies and panels are those of the present state.
-    met: bool,
+    contact_current: bool,
     /// Force on every panel from below [N].
     lifts: Vec<f64>,
     /// Time at which frame 0 began [s]; not zero after an edit.
@@ -73,7 +73,7 @@ impl World {
             peaks: Vec::new(),
             plan,
             gravity,
-            met: false,
+            contact_current: false,
             since: 0.0,
             frame: 0,
         };
@@ -94,7 +94,7 @@ impl World {
 
     /// One body, to give it another integrator or one more force.
     pub fn body_mut(&mut self, index: usize) -> Option<&mut Body> {
-        self.met = false;
+        self.contact_current = false;
         self.bodies.get_mut(index)
     }
 
@@ -133,7 +133,7 @@ impl World {
     pub fn adopt(&mut self, before: &Self) {
         self.since = before.time();
         self.frame = 0;
-        self.met = false;
+        self.contact_current = false;
         for body in &mut self.bodies {
             if let Some(old) = before.bodies.iter().find(|old| old.parts().id == body.parts().id) {
                 body.adopt(old);
@@ -147,26 +147,26 @@ impl World {
         }
         let time = self.time();
         for body in &mut self.bodies {
-            body.settle(time);
+            body.update_net_forces(time);
         }
         self.peaks = self.measures();
     }
 
-    /// Forces between two things are evaluated together, equal and opposite.
-    fn meet(&mut self) {
+    /// Evaluates the contact between bodies and with panels: each pair of things together, equal and opposite.
+    fn evaluate_contact(&mut self) {
         for body in &mut self.bodies {
-            body.begin_meeting();
+            body.clear_external_forces();
         }
         for first in 0..self.bodies.len() {
             let (before, after) = self.bodies.split_at_mut(first + 1);
             for second in after {
-                meet(&mut before[first], second);
+                add_body_contact(&mut before[first], second);
             }
         }
         for (lift, panel) in self.lifts.iter_mut().zip(&self.panels) {
-            *lift = self.bodies.iter_mut().map(|body| panel.press(body)).sum();
+            *lift = self.bodies.iter_mut().map(|body| panel.add_contact(body)).sum();
         }
-        self.met = true;
+        self.contact_current = true;
     }
 
     /// Half a kick by the forces between bodies and panels over an outer step of `dt` [s].
@@ -182,13 +182,13 @@ impl World {
     /// Advances by one frame. A body that diverges stops in the state of the frame before; the others go on.
     pub fn advance_frame(&mut self) {
         for body in &mut self.bodies {
-            body.checkpoint();
+            body.save_last_good();
         }
         let outer_dt = self.plan.frame_seconds / f64::from(self.plan.outer_steps);
         for outer in 0..self.plan.outer_steps {
             let time = self.time_at(outer);
-            if !self.met {
-                self.meet();
+            if !self.contact_current {
+                self.evaluate_contact();
             }
             // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the contact
             // takes no energy.
@@ -206,13 +206,13 @@ impl World {
                     }
                 });
             }
-            self.meet();
+            self.evaluate_contact();
             self.half_kick(outer_dt);
         }
         self.frame += 1;
         let time = self.time();
         for body in &mut self.bodies {
-            body.settle(time);
+            body.update_net_forces(time);
         }
         for (probe, peak) in self.probes.iter().zip(&mut self.peaks) {
             if probe.peak {

@@ -24,7 +24,7 @@ fn main() {
 fn bar() -> (Scene, Snapshot) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/short_bar_soft.json");
     let scene = load_scene(&path).expect("the scene is there");
-    let baked = bake(&scene, &sinew::scene::Assets::default(), &mut |_, _| {}).expect("the scene bakes");
+    let baked = bake(&scene, &sinew::scene::Assets::default()).expect("the scene bakes");
     let snapshot = Runner::new(baked).snapshot();
     (scene, snapshot)
 }

@@ -49,7 +49,7 @@ fn block([x, y, z]: [u32; 3], rest_shape: &str) -> World {
         }]
     });
     let scene: Scene = serde_json::from_value(scene).expect("a scene");
-    bake(&scene, &Assets::default(), &mut |_, _| {}).expect("a world").world
+    bake(&scene, &Assets::default()).expect("a world").world
 }
 
 /// The forces of a block, and its particles slightly out of their places.
@@ -128,7 +128,7 @@ fn built_in_frame_kept(bencher: Bencher<'_, '_>) {
 
 fn built_in() -> World {
     let scene: Scene = serde_json::from_str(include_str!("../../scenes/short_bar_soft.json")).expect("a scene");
-    let mut world = bake(&scene, &Assets::default(), &mut |_, _| {}).expect("a world").world;
+    let mut world = bake(&scene, &Assets::default()).expect("a world").world;
     for _ in 0..10 {
         world.advance_frame();
     }
@@ -163,7 +163,7 @@ fn ball(subdivisions: u32, force: usize) -> (Box<dyn Force>, ParticleState) {
         "two_layer": [{"id": "ball", "shape": {"ball": {"subdivisions": subdivisions}}}]
     });
     let scene: Scene = serde_json::from_value(scene).expect("a scene");
-    let baked = bake(&scene, &Assets::default(), &mut |_, _| {}).expect("a world");
+    let baked = bake(&scene, &Assets::default()).expect("a world");
     let parts = baked.world.bodies()[0].parts();
     let mut state = parts.state.clone();
     for (x, v) in state.positions.iter_mut().zip(&mut state.velocities) {

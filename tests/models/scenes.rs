@@ -27,7 +27,7 @@ fn every_shipped_scene_with_a_mesh_runs() {
         let mut scene = load_scene(&folder.join(format!("{name}.json"))).unwrap_or_else(|error| panic!("{error}"));
         // A frame of a few steps only.
         scene.time.frames_per_second = 40_000.0;
-        let baked = bake(&scene, &assets(&scene, &folder).unwrap(), &mut |_, _| {}).unwrap();
+        let baked = bake(&scene, &assets(&scene, &folder).unwrap()).unwrap();
         assert!(baked.notes.iter().all(|note| !note.warning), "{name}: {:?}", baked.notes);
         let mut runner = Runner::new(baked);
         runner.advance_frame();
@@ -47,7 +47,7 @@ fn wanted_particles_decide_the_spacing_and_the_mass_is_the_meshs() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("cube.obj"), CUBE).unwrap();
     let scene = scene(r#"{"path": "cube.obj", "scale": 0.05, "particles": 512}"#, 1.0);
-    let baked = bake(&scene, &assets(&scene, folder.path()).unwrap(), &mut |_, _| {}).unwrap();
+    let baked = bake(&scene, &assets(&scene, folder.path()).unwrap()).unwrap();
     let body = &baked.world.bodies()[0];
     assert_eq!(body.state().len(), 512);
     assert!((body.state().mass() - 1.0).abs() < 1e-9);
@@ -65,7 +65,7 @@ fn missing_and_unusable_models_are_named() {
     let error = assets(&scene(r#"{"path": "sheet.obj"}"#, 0.01), folder.path()).unwrap_err();
     assert!(error.contains("sheet.obj: the surface encloses nothing"), "{error}");
 
-    let error = bake(&scene(r#"{"path": "none.obj"}"#, 0.01), &Assets::default(), &mut |_, _| {}).err();
+    let error = bake(&scene(r#"{"path": "none.obj"}"#, 0.01), &Assets::default()).err();
     assert!(matches!(error, Some(BakeError::NotLoaded { .. })));
 }
 
@@ -75,7 +75,7 @@ fn too_many_particles_and_too_thin_shapes_name_what_to_give() {
     fs::write(folder.path().join("cube.obj"), CUBE).unwrap();
     let baked = |shape: &str, radius: f64| {
         let scene = scene(shape, radius);
-        bake(&scene, &assets(&scene, folder.path()).unwrap(), &mut |_, _| {}).err().map(|error| error.to_string())
+        bake(&scene, &assets(&scene, folder.path()).unwrap()).err().map(|error| error.to_string())
     };
     let error = baked(r#"{"path": "cube.obj"}"#, 0.01).unwrap();
     assert!(error.starts_with("/bodies/0/material/support_radius: about 1.2e8 lattice points"), "{error}");

@@ -4,7 +4,7 @@ use crate::common::*;
 use glam::{DQuat, DVec3};
 use sinew::scene::{Body, BreakPast, Extra, Fibre, FibreSource, RestShape};
 use sinew::sim::Runner;
-use sinew::solver::embedding::Stencil;
+use sinew::solver::embedding::EmbeddingWeights;
 use sinew::solver::energy::Energies;
 use sinew::solver::forces::Force;
 use sinew::solver::forces::fibre::breaking::{BreakLimits, BreakPlace, FibreBreak};
@@ -18,7 +18,7 @@ const EI: f64 = 0.1;
 /// Six vertices along x at rest, then turned by these angles [degrees] at the inner ones and stretched along one edge.
 fn rod(limits: BreakLimits, turns: [f64; 4], stretched: Option<(usize, f64)>) -> (FibreForce, ParticleState) {
     let at: Vec<DVec3> = (0..6).map(|k| DVec3::X * EDGE * f64::from(k)).collect();
-    let vertices = (0..6).map(|k| Stencil { weights: vec![(k, 1.0)] }).collect();
+    let vertices = (0..6).map(|k| EmbeddingWeights { weights: vec![(k, 1.0)] }).collect();
     let rest = FibreRest::new(vertices, &at, 1e4, EI, 0.5, vec![None; 4]).on_line(2, 3).breaking(limits);
     let mut heading: f64 = 0.0;
     let mut positions = vec![DVec3::ZERO];

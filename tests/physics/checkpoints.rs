@@ -7,7 +7,6 @@ use sinew::scene::{Assets, IntegratorKind, Scene};
 use sinew::solver::dynamics::Dynamics;
 use sinew::solver::energy::Energies;
 use sinew::solver::forces::Force;
-use sinew::solver::grab::Grab;
 use sinew::solver::integrators::Integrator;
 use sinew::solver::snapshot::Snapshot;
 use sinew::solver::state::ParticleState;
@@ -39,7 +38,7 @@ const CROWD: &str = r#"{"version": 1, "room": {"floor": 0, "friction": 0.4},
     "measures": [{"name": "shear", "body": "bar", "kind": {"size": {"axis": "y"}}, "over_time": "peak"}]}"#;
 
 fn baked(scene: &Scene) -> World {
-    bake(scene, &Assets::default(), &mut |_, _| {}).unwrap().world
+    bake(scene, &Assets::default()).unwrap().world
 }
 
 fn bits(world: &World) -> Vec<u64> {
@@ -124,8 +123,7 @@ fn particles_too_dense_for_a_stencil_go_back_exactly() {
 fn pulls_go_back_with_the_body() {
     let mut world = baked(&scene_from_json(CROWD).unwrap());
     let body = world.body_mut(0).unwrap();
-    let grab = Grab::on(body, body.point(3).unwrap(), DVec3::new(0.1, 0.1, 0.0));
-    body.grabs_mut().push(grab);
+    body.grab(body.point(3).unwrap(), DVec3::new(0.1, 0.1, 0.0));
     goes_back_exactly(&world, 12);
 }
 

@@ -112,7 +112,7 @@ pub fn fibre(
 
 pub fn baked(scene: &Scene) -> Baked {
     scene.validate().expect("a valid scene");
-    bake(scene, &Assets::default(), &mut |_, _| {}).expect("a scene that bakes")
+    bake(scene, &Assets::default()).expect("a scene that bakes")
 }
 
 pub fn runner(scene: &Scene) -> Runner {

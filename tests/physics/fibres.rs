@@ -4,7 +4,7 @@ use crate::common::*;
 use glam::{DQuat, DVec3};
 use sinew::geometry::kernel::Kernel;
 use sinew::scene::{Axis, Distance, Falloff, MeasureKind, Motion, RestShape, Scene, Side};
-use sinew::solver::embedding::Stencil;
+use sinew::solver::embedding::EmbeddingWeights;
 use sinew::solver::energy::Energies;
 use sinew::solver::forces::Force;
 use sinew::solver::forces::fibre::{FibreForce, FibreRest};
@@ -39,7 +39,7 @@ fn four_fibres_stiffen_the_press_as_computed() {
 
 /// A fibre whose vertices are particles of their own, so that only its own energy is seen.
 fn bare_fibre(at: &[DVec3], ea: f64, ei: f64, fraction: f64) -> (FibreForce, ParticleState) {
-    let vertices = (0..at.len() as u32).map(|k| Stencil { weights: vec![(k, 1.0)] }).collect();
+    let vertices = (0..at.len() as u32).map(|k| EmbeddingWeights { weights: vec![(k, 1.0)] }).collect();
     let rest = FibreRest::new(vertices, at, ea, ei, fraction, vec![None; at.len() - 2]);
     let state =
         ParticleState { positions: at.to_vec(), velocities: vec![DVec3::ZERO; at.len()], masses: vec![1.0; at.len()] };

@@ -32,7 +32,7 @@ pub fn mirrored(mut scene: Scene) -> Scene {
 pub fn ran(scene: &Scene, seconds: f64) -> Runner {
     let mut runner = if scene.bodies.iter().any(|body| matches!(body.shape, sinew::scene::Shape::Mesh(_))) {
         let assets = load_assets(scene, &folder(), &mut |_| {}).unwrap();
-        Runner::new(bake(scene, &assets, &mut |_, _| {}).unwrap())
+        Runner::new(bake(scene, &assets).unwrap())
     } else {
         runner(scene)
     };

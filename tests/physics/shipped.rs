@@ -17,7 +17,7 @@ fn every_scene_bakes_without_a_warning() {
         let scene = load_scene(&path).unwrap();
         assert_eq!(unknown_fields(&scene), Vec::<String>::new(), "{}", path.display());
         let assets = load_assets(&scene, &folder(), &mut |_| {}).unwrap();
-        let baked = bake(&scene, &assets, &mut |_, _| {}).unwrap();
+        let baked = bake(&scene, &assets).unwrap();
         let warnings: Vec<String> = baked.notes.iter().filter(|note| note.warning).map(ToString::to_string).collect();
         // Two figures are there to show bodies that blow up.
         let blows_up = ["two_layer_figure_13.json", "two_layer_figure_14.json"].iter().any(|name| path.ends_with(name));

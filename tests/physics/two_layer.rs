@@ -8,7 +8,6 @@ use sinew::scene::Scene;
 use sinew::sim::Runner;
 use sinew::solver::body::Body;
 use sinew::solver::forces::springs::SpringKind;
-use sinew::solver::grab::Grab;
 
 /// A scene of two-layer bodies: the fields of each beside its id, b0, b1, ...; no gravity and no room unless given.
 pub fn two_layer(bodies: &[Value], rest: Value) -> Scene {
@@ -142,8 +141,7 @@ fn a_picked_point_is_held_by_the_weight_over_mks_and_let_go_falls_to_rest() {
             .max_by(|&a, &b| held.state().positions[a].y.total_cmp(&held.state().positions[b].y))
             .unwrap();
         let (point, target) = (held.point(top).unwrap(), DVec3::new(0.5, 4.0, 0.0));
-        let grab = Grab::on(held, point, target);
-        runner.body_mut(0).unwrap().grabs_mut().push(grab);
+        runner.body_mut(0).unwrap().grab(point, target);
         let go_on = |seconds: f64, runner: &mut Runner| {
             for _ in 0..runner.frames_for(seconds) {
                 runner.advance_frame();

@@ -5,8 +5,9 @@ use crate::common::baked;
 use crate::two_layer::{ball, ring, two_layer, with};
 use glam::DVec3;
 use serde_json::json;
+use sinew::solver::embedding::EmbeddingWeights;
 use sinew::solver::energy::Energies;
-use sinew::solver::forces::{DragSpring, Force};
+use sinew::solver::forces::{Force, Grab};
 use sinew::solver::state::ParticleState;
 
 fn wobble(k: usize, scale: f64) -> DVec3 {
@@ -33,7 +34,8 @@ fn body(index: usize, speed: f64) -> (Vec<Box<dyn Force>>, ParticleState) {
     }
     let mut forces = parts.forces.clone();
     let target = DVec3::new(3.0, 1.0, 0.0);
-    forces.push(Box::new(DragSpring { particle: 1, target, stiffness: 150.0, damping: 25.0, until: 1.0 }));
+    let point = EmbeddingWeights::of_particle(1);
+    forces.push(Box::new(Grab { point, target, stiffness: 150.0, damping: 25.0, until: 1.0 }));
     (forces, state)
 }
 

@@ -57,7 +57,7 @@ fn bake_with(scene: &Scene, model: &Model) -> Result<Baked, String> {
     let mut assets = Assets::default();
     let TwoLayerShape::Mesh(shape) = &scene.two_layer[0].shape else { panic!("a mesh") };
     assets.insert(shape, Arc::new(Solid::new(model).unwrap()));
-    bake(scene, &assets, &mut |_, _| {}).map_err(|error| error.to_string())
+    bake(scene, &assets).map_err(|error| error.to_string())
 }
 
 fn runner(scene: &Scene, model: &Model) -> Runner {
@@ -212,7 +212,7 @@ fn the_tube_comes_to_rest_on_the_floor_with_all_its_weight() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
     let scene = load_scene(&folder.join("two_layer_mesh.json")).unwrap();
     let assets = load_assets(&scene, &folder, &mut |_| {}).unwrap();
-    let runner = run(Runner::new(bake(&scene, &assets, &mut |_, _| {}).unwrap()), 30.0);
+    let runner = run(Runner::new(bake(&scene, &assets).unwrap()), 30.0);
     let body = first(&runner);
     let depths = body.state().positions.iter().map(|x| (-x.y).max(0.0));
     let (carried, weight) = (2000.0 * depths.sum::<f64>(), body.state().mass() * 9.81);
@@ -259,7 +259,7 @@ fn meshes_with_holes_and_meshes_that_are_not_there_are_refused() {
     let scene = two_layer(&[mesh(0.1)], json!({}));
     let message = bake_with(&scene, &open).err().unwrap();
     assert!(message.starts_with("/two_layer/0/shape/mesh/path: ") && message.contains("3 open edges"), "{message}");
-    let message = bake(&scene, &Assets::default(), &mut |_, _| {}).err().unwrap().to_string();
+    let message = bake(&scene, &Assets::default()).err().unwrap().to_string();
     assert!(message.starts_with("/two_layer/0/shape/mesh/path: the model was not loaded"), "{message}");
     let message = load_assets(&scene, Path::new("/"), &mut |_| {}).err().unwrap().to_string();
     assert!(message.starts_with("/two_layer/0/shape/mesh/path: "), "{message}");

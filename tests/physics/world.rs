@@ -203,10 +203,8 @@ fn other_bodies_go_on_when_one_diverges() {
 fn thin_shapes_are_refused_with_the_radius_that_helps() {
     let mut sheet = block([10, 1, 10], 2e5);
     sheet.id = "sheet".into();
-    let error = sinew::bake::bake(&in_space(sheet), &sinew::scene::Assets::default(), &mut |_, _| {})
-        .err()
-        .expect("an error")
-        .to_string();
+    let error =
+        sinew::bake::bake(&in_space(sheet), &sinew::scene::Assets::default()).err().expect("an error").to_string();
     assert!(error.contains("/bodies/0/material/support_radius") && error.contains("1.25 times"), "{error}");
 }
 
@@ -259,7 +257,7 @@ fn every_integrator_holds_at_its_automatic_step() {
 #[test]
 fn what_cannot_be_waited_for_or_measured_is_refused_by_name() {
     let refused = |scene: &Scene| {
-        let outcome = sinew::bake::bake(scene, &sinew::scene::Assets::default(), &mut |_, _| {});
+        let outcome = sinew::bake::bake(scene, &sinew::scene::Assets::default());
         outcome.err().expect("an error").to_string()
     };
     let mut slow = in_space(short_bar(5e7));

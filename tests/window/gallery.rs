@@ -50,7 +50,7 @@ fn every_example_opens_without_its_files_and_bakes() {
     for example in EXAMPLES {
         let document = Document::of_example(example).unwrap_or_else(|error| panic!("{}: {error}", example.name));
         assert!(document.path.is_none());
-        let baked = bake(&document.scene, &document.assets, &mut |_, _| {});
+        let baked = bake(&document.scene, &document.assets);
         assert!(baked.is_ok(), "{}: {:?}", example.name, baked.err());
     }
 }

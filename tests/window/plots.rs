@@ -114,7 +114,7 @@ fn the_table_is_that_of_the_command_line_with_every_frame() {
     let said = window.state().message().unwrap_or_default().to_owned();
     assert!(said.starts_with("Wrote ") && said.contains("fall.csv"), "{said}");
     let scene = scene_from_json(CUBE).expect("a scene");
-    let mut runner = Runner::new(bake(&scene, &Assets::default(), &mut |_, _| {}).expect("it bakes"));
+    let mut runner = Runner::new(bake(&scene, &Assets::default()).expect("it bakes"));
     let mut series = TimeSeries::new(runner.world(), usize::MAX);
     series.push(runner.world());
     while runner.world().time() + 1e-9 < window.state().published().status.time {

@@ -89,8 +89,7 @@ pub fn picture(example: &Example, folder: &Path) -> Result<Vec<u8>, CliError> {
 
 /// The bodies of a scene at some times, in order.
 fn run(scene: &Scene, assets: &Assets, times: &[f64], source: Option<&Path>) -> Result<Vec<Snapshot>, CliError> {
-    let baked = bake(scene, assets, &mut |_, _| {})
-        .map_err(|error| CliError::Bake { scene: source_name(source), source: error })?;
+    let baked = bake(scene, assets).map_err(|error| CliError::Bake { scene: source_name(source), source: error })?;
     let mut runner = Runner::new(baked);
     let mut states = Vec::new();
     for time in times {

@@ -1,7 +1,7 @@
 //! How the thread puts its world together from the document.
 
 use super::Loop;
-use crate::bake::{Baked, bake};
+use crate::bake::{Baked, bake_with_progress};
 use crate::scene::Scene;
 use crate::sim::Runner;
 use crate::sim::side_by_side::SideBySide;
@@ -56,7 +56,7 @@ impl Loop {
         scene.validate().map_err(|error| error.to_string())?;
         let mut shown = Instant::now();
         let assets = Arc::clone(&self.assets);
-        bake(scene, &assets, &mut |name, stage| {
+        bake_with_progress(scene, &assets, &mut |name, stage| {
             self.status.baking = Some(format!("{name}: {stage}"));
             // Only what takes long enough to be read is shown.
             if shown.elapsed() > Duration::from_millis(200) {

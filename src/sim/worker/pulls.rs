@@ -3,7 +3,7 @@
 use super::Loop;
 use crate::sim::{Runner, SimCommand};
 use crate::solver::body::Body;
-use crate::solver::grab::Grab;
+use crate::solver::forces::Grab;
 use glam::DVec3;
 
 impl Loop {
@@ -53,8 +53,7 @@ impl Loop {
         let mut found = false;
         for held in self.bodies_mut(body) {
             let Some(point) = held.point(vertex) else { continue };
-            let grab = Grab::on(held, point, target);
-            held.grabs_mut().push(grab);
+            held.grab(point, target);
             found = true;
         }
         self.grabbed = found.then_some(body).or(self.grabbed);

@@ -1,8 +1,7 @@
 //! What the motion of one body goes on from.
 
 use super::{Body, Divergence};
-use crate::solver::forces::{Force, MatrixForce};
-use crate::solver::grab::Grab;
+use crate::solver::forces::{Force, Grab, MatrixForce};
 use crate::solver::integrators::Integrator;
 use crate::solver::layers::Layers;
 use crate::solver::skin::Skin;
@@ -18,9 +17,9 @@ pub(in crate::solver) struct BodyCheckpoint {
     /// Forces of the last evaluation [N]: the next step may start from them.
     net: Vec<DVec3>,
     /// Forces from other bodies [N]; empty where there are none.
-    held: Vec<DVec3>,
+    external_forces: Vec<DVec3>,
     /// Energy of contacts with other bodies [J].
-    meeting_energy: f64,
+    contact_energy: f64,
     /// With their warm starts and what has broken in them.
     forces: Vec<Box<dyn Force>>,
     integrator: Box<dyn Integrator>,
@@ -37,7 +36,7 @@ impl BodyCheckpoint {
         let lists = size_of_val(&*self.positions)
             + size_of_val(&*self.velocities)
             + size_of_val(&*self.net)
-            + size_of_val(&*self.held);
+            + size_of_val(&*self.external_forces);
         let grabs: usize = self.grabs.iter().map(|grab| size_of_val(grab) + size_of_val(&*grab.point.weights)).sum();
         let forces: usize = self.forces.iter().map(|force| force.bytes() + size_of_val(force)).sum();
         size_of_val(self) + lists + grabs + forces + size_of_val(&*self.integrator)
@@ -46,14 +45,14 @@ impl BodyCheckpoint {
 
 impl Body {
     /// What the body goes on from.
-    pub(in crate::solver) fn keep(&self) -> BodyCheckpoint {
-        let pushed = self.held.iter().any(|force| *force != DVec3::ZERO);
+    pub(in crate::solver) fn checkpoint(&self) -> BodyCheckpoint {
+        let pushed = self.external_forces.iter().any(|force| *force != DVec3::ZERO);
         BodyCheckpoint {
             positions: self.parts.state.positions.clone(),
             velocities: self.parts.state.velocities.clone(),
             net: self.net.clone(),
-            held: if pushed { self.held.clone() } else { Vec::new() },
-            meeting_energy: self.meeting_energy,
+            external_forces: if pushed { self.external_forces.clone() } else { Vec::new() },
+            contact_energy: self.contact_energy,
             forces: self.parts.forces.clone(),
             integrator: self.parts.integrator.clone(),
             grabs: self.grabs.clone(),
@@ -70,12 +69,12 @@ impl Body {
         positions.clone_from(&kept.positions);
         velocities.clone_from(&kept.velocities);
         self.net.clone_from(&kept.net);
-        if kept.held.is_empty() {
-            self.held.fill(DVec3::ZERO);
+        if kept.external_forces.is_empty() {
+            self.external_forces.fill(DVec3::ZERO);
         } else {
-            self.held.clone_from(&kept.held);
+            self.external_forces.clone_from(&kept.external_forces);
         }
-        self.meeting_energy = kept.meeting_energy;
+        self.contact_energy = kept.contact_energy;
         self.parts.forces.clone_from(&kept.forces);
         self.parts.integrator.clone_from(&kept.integrator);
         self.grabs.clone_from(&kept.grabs);

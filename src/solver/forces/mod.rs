@@ -2,8 +2,8 @@
 
 mod air_drag;
 mod contact;
-mod drag_spring;
 pub mod fibre;
+mod grab;
 mod gravity;
 pub mod matrix;
 mod pair_damping;
@@ -12,8 +12,8 @@ pub mod springs;
 
 pub use air_drag::AirDrag;
 pub use contact::{Contact, ContactLaw, Plane};
-pub use drag_spring::DragSpring;
 pub use fibre::FibreForce;
+pub use grab::Grab;
 pub use gravity::Gravity;
 pub use matrix::{Elasticity, MatrixForce};
 pub use pair_damping::PairDamping;

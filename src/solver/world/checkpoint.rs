@@ -13,7 +13,7 @@ pub struct Checkpoint {
     /// Height [m] and velocity [m/s] of every panel.
     panels: Vec<[f64; 2]>,
     peaks: Vec<MeasureValue>,
-    met: bool,
+    contact_current: bool,
     lifts: Vec<f64>,
     since: f64,
     frame: u64,
@@ -32,10 +32,10 @@ impl World {
     /// What the world goes on from.
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint {
-            bodies: self.bodies.iter().map(Body::keep).collect(),
+            bodies: self.bodies.iter().map(Body::checkpoint).collect(),
             panels: self.panels.iter().map(|panel| [panel.height, panel.velocity]).collect(),
             peaks: self.peaks.clone(),
-            met: self.met,
+            contact_current: self.contact_current,
             lifts: self.lifts.clone(),
             since: self.since,
             frame: self.frame,
@@ -51,7 +51,7 @@ impl World {
             (panel.height, panel.velocity) = (*height, *velocity);
         }
         self.peaks.clone_from(&to.peaks);
-        self.met = to.met;
+        self.contact_current = to.contact_current;
         self.lifts.clone_from(&to.lifts);
         self.since = to.since;
         self.frame = to.frame;

@@ -136,24 +136,25 @@ fn total<S: Simd>(simd: S, lanes: f64x8<S>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solver::embedding::Stencil;
+    use crate::solver::embedding::EmbeddingWeights;
     use crate::solver::forces::fibre::strip::Strip;
     use fearless_simd::{Level, dispatch};
 
     /// Points over thirty particles: in a row, with gaps, at the end, out of order, none.
-    fn stencils() -> Vec<Stencil> {
+    fn stencils() -> Vec<EmbeddingWeights> {
         let picks: [&[u32]; 6] =
             [&[0, 1, 2, 3, 4, 5, 6, 7, 8, 9], &[10], &[7, 22, 9, 11, 12, 13, 14, 15, 16], &[27, 28, 29], &[], &[3, 29]];
         let weights = |picks: &&[u32]| picks.iter().map(|&k| (k, 0.3 + 0.1 * f64::from(k))).collect();
-        picks.iter().map(|picks| Stencil { weights: weights(picks) }).collect()
+        picks.iter().map(|picks| EmbeddingWeights { weights: weights(picks) }).collect()
     }
 
     /// Two fibres with their points' weights and minus twice these.
-    fn two_fibres(stencils: &[Stencil]) -> (Strip, Places, Band<2>) {
+    fn two_fibres(stencils: &[EmbeddingWeights]) -> (Strip, Places, Band<2>) {
         let (mut strip, mut points) = (Strip::default(), Points::default());
-        let mut add = |fibre: &[Stencil]| {
-            let around =
-                |(k, stencil): (usize, &Stencil)| stencil.weights.clone().into_iter().map(move |(p, _)| (k, p));
+        let mut add = |fibre: &[EmbeddingWeights]| {
+            let around = |(k, stencil): (usize, &EmbeddingWeights)| {
+                stencil.weights.clone().into_iter().map(move |(p, _)| (k, p))
+            };
             let places = strip.add(fibre.iter().enumerate().flat_map(around));
             for stencil in fibre {
                 points.add(&places, stencil.weights.iter().map(|&(k, w)| (k, [w, -2.0 * w])));

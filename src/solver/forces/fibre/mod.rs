@@ -20,7 +20,7 @@ pub use corner::curvature_binormal;
 pub use rest::{Bend, CurvedRest, FibreRest};
 
 use super::Force;
-use crate::solver::embedding::TurnStencil;
+use crate::solver::embedding::TurnWeights;
 use crate::solver::energy::Energies;
 use crate::solver::neighbourhood::outer;
 use crate::solver::rotation::{nearest_rotation, turn_stiffness};
@@ -300,7 +300,7 @@ impl FibreRest {
 }
 
 /// Turn of the material around a vertex and its stretch `R^T A`.
-fn turned(stencil: &TurnStencil, positions: &[DVec3], turn: &mut DQuat) -> (DMat3, DMat3) {
+fn turned(stencil: &TurnWeights, positions: &[DVec3], turn: &mut DQuat) -> (DMat3, DMat3) {
     // The weights sum to zero: taken against one particle, the sum stays exact far from the origin.
     let origin = stencil.weights.first().map_or(DVec3::ZERO, |&(k, _)| positions[k as usize]);
     let mut gradient = DMat3::ZERO;

@@ -2,14 +2,14 @@
 
 use super::breaking::BreakLimits;
 use super::corner::curvature_binormal;
-use crate::solver::embedding::{Stencil, TurnStencil};
+use crate::solver::embedding::{EmbeddingWeights, TurnWeights};
 use glam::DVec3;
 
 /// One fibre at rest, ready to be evaluated.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FibreRest {
     /// Its vertices (structure particles).
-    pub vertices: Vec<Stencil>,
+    pub vertices: Vec<EmbeddingWeights>,
     /// `l_f EA / l0` of every edge [N/m], and its rest length l0 [m].
     pub edges: Vec<(f64, f64)>,
     /// Bending of every inner vertex, the first one's at index 0.
@@ -37,7 +37,7 @@ pub struct CurvedRest {
     /// Curvature binormal kb0 at rest, model frame.
     pub binormal: DVec3,
     /// How the turn of the material is read.
-    pub turn: TurnStencil,
+    pub turn: TurnWeights,
 }
 
 impl FibreRest {
@@ -48,12 +48,12 @@ impl FibreRest {
     /// Ends carry no bending of their own, so the first and last inner vertex count for the half edge beyond them:
     /// `1 + l_end / L0`. A curved rest shape counts `((1 + c0) / 2)²`, which keeps EI the stiffness near it.
     pub fn new(
-        vertices: Vec<Stencil>,
+        vertices: Vec<EmbeddingWeights>,
         at: &[DVec3],
         ea: f64,
         ei: f64,
         fraction: f64,
-        turns: Vec<Option<TurnStencil>>,
+        turns: Vec<Option<TurnWeights>>,
     ) -> Self {
         let lengths: Vec<f64> = at.windows(2).map(|pair| pair[0].distance(pair[1])).collect();
         let inner = at.len().saturating_sub(2);

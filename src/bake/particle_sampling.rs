@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3};
 use std::borrow::Cow;
 
 /// A filled shape.
-pub(super) struct Matter<'a> {
+pub(super) struct ParticleSampling<'a> {
     /// The particles.
     pub(super) sample: LatticeSample,
     /// Volume of the shape [m³].
@@ -30,28 +30,28 @@ enum Source<'a> {
 /// Volume errors beyond this are said.
 const VOLUME_ERROR: f64 = 0.02;
 
-pub(super) fn matter<'a>(
+pub(super) fn sample_particles<'a>(
     body: &Body,
     assets: &'a Assets,
     path: &str,
     notes: &mut Vec<Note>,
-) -> Result<Matter<'a>, BakeError> {
-    let matter = match &body.shape {
+) -> Result<ParticleSampling<'a>, BakeError> {
+    let sampling = match &body.shape {
         Shape::Box(shape) => fill_box_shape(body, shape, path)?,
         Shape::Mesh(shape) => fill_mesh_shape(body, shape, assets, path, notes)?,
     };
-    matter.note_sampling(path, notes);
-    Ok(matter)
+    sampling.note_sampling(path, notes);
+    Ok(sampling)
 }
 
-fn fill_box_shape<'a>(body: &Body, shape: &BoxShape, path: &str) -> Result<Matter<'a>, BakeError> {
+fn fill_box_shape<'a>(body: &Body, shape: &BoxShape, path: &str) -> Result<ParticleSampling<'a>, BakeError> {
     let spacing = body.material.spacing();
     let solid = Cuboid { center: DVec3::from_array(shape.center), size: DVec3::from_array(shape.size) };
     let sample = fill_box(&solid, spacing, lattice_axes(&shape.lattice_rotation));
     if sample.points.is_empty() {
         return Err(BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing });
     }
-    Ok(Matter { sample, volume: solid.volume(), size: solid.size, source: Source::Box(solid) })
+    Ok(ParticleSampling { sample, volume: solid.volume(), size: solid.size, source: Source::Box(solid) })
 }
 
 fn lattice_axes(rotation: &Rotation) -> DMat3 {
@@ -65,7 +65,7 @@ fn fill_mesh_shape<'a>(
     assets: &'a Assets,
     path: &str,
     notes: &mut Vec<Note>,
-) -> Result<Matter<'a>, BakeError> {
+) -> Result<ParticleSampling<'a>, BakeError> {
     let at = format!("{path}/shape/mesh");
     let solid = assets.solid(shape).ok_or_else(|| BakeError::NotLoaded { path: format!("{at}/path") })?;
     let found = solid.report.findings();
@@ -95,7 +95,12 @@ fn fill_mesh_shape<'a>(
         },
     })?;
     note_filling(&filling, solid, body, shape, path, notes);
-    Ok(Matter { sample: filling.sample, volume: solid.volume, size: solid.size(), source: Source::Mesh(solid) })
+    Ok(ParticleSampling {
+        sample: filling.sample,
+        volume: solid.volume,
+        size: solid.size(),
+        source: Source::Mesh(solid),
+    })
 }
 
 fn note_filling(filling: &Filling, solid: &Solid, body: &Body, shape: &MeshShape, path: &str, notes: &mut Vec<Note>) {
@@ -144,7 +149,7 @@ fn note_filling(filling: &Filling, solid: &Solid, body: &Body, shape: &MeshShape
     }
 }
 
-impl Matter<'_> {
+impl ParticleSampling<'_> {
     /// The body with the support radius that its particles were given in the end.
     pub(super) fn effective<'b>(&self, body: &'b Body) -> Cow<'b, Body> {
         if matches!(self.source, Source::Box(_)) || self.sample.spacing == body.material.spacing() {

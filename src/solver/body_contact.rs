@@ -15,18 +15,19 @@ use glam::DVec3;
 /// Points nearer than this share of the distance to two faces count as between them.
 const SAME: f64 = 1e-9;
 
-/// Lets two bodies push on each other over the next outer step.
-pub(super) fn meet(a: &mut Body, b: &mut Body) {
+/// Adds to the external forces of two bodies what they push on each other with over the next outer step.
+pub(super) fn add_body_contact(a: &mut Body, b: &mut Body) {
     let law = together(&a.parts().contact, &b.parts().contact);
-    let Some(region) = overlap(a, b, law.radius) else { return };
-    match (shell(a), shell(b)) {
-        (None, None) => grains_on_grains(a, b, &law, &region),
-        (Some(Shell::Bare | Shell::Polygon(..)), None) | (None, Some(Shell::Bare | Shell::Polygon(..))) => {
-            grains_on_grains(a, b, &law, &region);
+    let Some(overlap) = bounds_overlap(a, b, law.radius) else { return };
+    match (outer_surface(a), outer_surface(b)) {
+        (None, None) => balls_on_balls(a, b, &law, &overlap),
+        (Some(OuterSurface::Bare | OuterSurface::Polygon(..)), None)
+        | (None, Some(OuterSurface::Bare | OuterSurface::Polygon(..))) => {
+            balls_on_balls(a, b, &law, &overlap);
         }
         _ => {
-            points_on_surface(a, b, &law, &region);
-            points_on_surface(b, a, &law, &region);
+            points_on_surface(a, b, &law, &overlap);
+            points_on_surface(b, a, &law, &overlap);
         }
     }
 }
@@ -49,31 +50,31 @@ fn together(a: &ContactLaw, b: &ContactLaw) -> ContactLaw {
 }
 
 /// A box along the world's axes.
-struct Region {
+struct Aabb {
     min: DVec3,
     max: DVec3,
 }
 
-impl Region {
-    fn holds(&self, x: DVec3) -> bool {
+impl Aabb {
+    fn contains(&self, x: DVec3) -> bool {
         x.cmpge(self.min).all() && x.cmple(self.max).all()
     }
 }
 
 /// Where the bounding boxes of two bodies overlap, when each is `reach` [m] larger than its particles.
-fn overlap(a: &Body, b: &Body, reach: f64) -> Option<Region> {
+fn bounds_overlap(a: &Body, b: &Body, reach: f64) -> Option<Aabb> {
     let bounds = |body: &Body| {
         let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (min, max) = body.state().positions.iter().fold(start, |(l, m), &x| (l.min(x), m.max(x)));
         (min - reach, max + reach)
     };
     let ((min_a, max_a), (min_b, max_b)) = (bounds(a), bounds(b));
-    let region = Region { min: min_a.max(min_b), max: max_a.min(max_b) };
-    region.min.cmple(region.max).all().then_some(region)
+    let overlap = Aabb { min: min_a.max(min_b), max: max_a.min(max_b) };
+    overlap.min.cmple(overlap.max).all().then_some(overlap)
 }
 
 /// What a two-layer body shows to others.
-enum Shell {
+enum OuterSurface {
     /// No surface: a segment.
     Bare,
     /// Edges in a plane.
@@ -82,24 +83,24 @@ enum Shell {
     Faces(std::sync::Arc<[[u32; 3]]>),
 }
 
-fn shell(body: &Body) -> Option<Shell> {
+fn outer_surface(body: &Body) -> Option<OuterSurface> {
     let layers = body.parts().layers.as_ref()?;
     Some(match &layers.outer_surface {
-        None => Shell::Bare,
-        Some(Surface::Polygon { edges, normal }) => Shell::Polygon(edges.clone(), *normal),
-        Some(Surface::Faces(faces)) => Shell::Faces(faces.clone()),
+        None => OuterSurface::Bare,
+        Some(Surface::Polygon { edges, normal }) => OuterSurface::Polygon(edges.clone(), *normal),
+        Some(Surface::Faces(faces)) => OuterSurface::Faces(faces.clone()),
     })
 }
 
-/// Particles of a body that touch others, in a region.
-fn touching(body: &Body, region: &Region) -> Vec<u32> {
+/// Particles of a body that touch others, in a overlap.
+fn touching(body: &Body, overlap: &Aabb) -> Vec<u32> {
     let count = body.parts().layers.as_ref().map_or(body.state().len(), |layers| layers.outer);
     let positions = &body.state().positions;
-    (0..count as u32).filter(|&i| region.holds(positions[i as usize])).collect()
+    (0..count as u32).filter(|&i| overlap.contains(positions[i as usize])).collect()
 }
 
-fn grains_on_grains(a: &mut Body, b: &mut Body, law: &ContactLaw, region: &Region) {
-    let (of_a, of_b) = (touching(a, region), touching(b, region));
+fn balls_on_balls(a: &mut Body, b: &mut Body, law: &ContactLaw, overlap: &Aabb) {
+    let (of_a, of_b) = (touching(a, overlap), touching(b, overlap));
     if of_a.is_empty() || of_b.is_empty() || law.radius <= 0.0 {
         return;
     }
@@ -113,15 +114,15 @@ fn grains_on_grains(a: &mut Body, b: &mut Body, law: &ContactLaw, region: &Regio
             let gap = line.length();
             let Some(normal) = line.try_normalize() else { continue };
             let force = law.force(gap, normal, a.state().velocities[i] - b.state().velocities[j]);
-            a.hold(i, force);
-            b.hold(j, -force);
+            a.add_external_force(i, force);
+            b.add_external_force(j, -force);
             share(a, b, law.energy(gap));
         }
     }
 }
 
 /// A place on a surface: what it hangs on, and which way is out.
-struct Foot<const N: usize> {
+struct ClosestPoint<const N: usize> {
     particles: [u32; N],
     weights: [f64; N],
     at: DVec3,
@@ -130,8 +131,8 @@ struct Foot<const N: usize> {
     outward: DVec3,
 }
 
-impl<const N: usize> Foot<N> {
-    /// The nearer of two feet; of equal ones both normals count.
+impl<const N: usize> ClosestPoint<N> {
+    /// The nearer of two places; of equal ones both normals count.
     fn nearer(best: Option<Self>, next: Self) -> Self {
         match best {
             Some(best) if best.distance_squared < next.distance_squared * (1.0 - SAME) => best,
@@ -144,27 +145,28 @@ impl<const N: usize> Foot<N> {
     }
 }
 
-fn points_on_surface(points: &mut Body, surface: &mut Body, law: &ContactLaw, region: &Region) {
-    let chosen = touching(points, region);
-    match shell(surface) {
-        Some(Shell::Faces(faces)) => {
+fn points_on_surface(points: &mut Body, surface: &mut Body, law: &ContactLaw, overlap: &Aabb) {
+    let chosen = touching(points, overlap);
+    match outer_surface(surface) {
+        Some(OuterSurface::Faces(faces)) => {
             for i in chosen {
-                let foot = nearest_on_faces(points.state().positions[i as usize], &surface.state().positions, &faces);
-                push(points, surface, law, i, foot);
+                let closest =
+                    nearest_on_faces(points.state().positions[i as usize], &surface.state().positions, &faces);
+                push(points, surface, law, i, closest);
             }
         }
-        Some(Shell::Polygon(edges, normal)) => {
+        Some(OuterSurface::Polygon(edges, normal)) => {
             // Two rings meet in their common plane only.
             let origin = surface.state().positions.first().copied().unwrap_or_default();
             let flat = |x: DVec3| (x - origin).dot(normal).abs() <= 1e-6 * surface.parts().reach;
             let flat_points = chosen.iter().all(|&i| flat(points.state().positions[i as usize]));
-            if !matches!(shell(points), Some(Shell::Polygon(..))) || !flat_points {
+            if !matches!(outer_surface(points), Some(OuterSurface::Polygon(..))) || !flat_points {
                 return;
             }
             for i in chosen {
                 let x = points.state().positions[i as usize];
-                let foot = nearest_on_edges(x, &surface.state().positions, &edges, normal);
-                push(points, surface, law, i, foot);
+                let closest = nearest_on_edges(x, &surface.state().positions, &edges, normal);
+                push(points, surface, law, i, closest);
             }
         }
         _ => {}
@@ -172,35 +174,41 @@ fn points_on_surface(points: &mut Body, surface: &mut Body, law: &ContactLaw, re
 }
 
 /// Pushes a point and the place on the surface that is nearest to it apart.
-fn push<const N: usize>(points: &mut Body, surface: &mut Body, law: &ContactLaw, i: u32, foot: Option<Foot<N>>) {
-    let Some(foot) = foot else { return };
+fn push<const N: usize>(
+    points: &mut Body,
+    surface: &mut Body,
+    law: &ContactLaw,
+    i: u32,
+    closest: Option<ClosestPoint<N>>,
+) {
+    let Some(closest) = closest else { return };
     let i = i as usize;
-    let line = points.state().positions[i] - foot.at;
-    let outside = line.dot(foot.outward) >= 0.0;
-    let distance = foot.distance_squared.sqrt();
-    let along = line.try_normalize().map_or(foot.outward.normalize_or_zero(), |n| if outside { n } else { -n });
+    let line = points.state().positions[i] - closest.at;
+    let outside = line.dot(closest.outward) >= 0.0;
+    let distance = closest.distance_squared.sqrt();
+    let along = line.try_normalize().map_or(closest.outward.normalize_or_zero(), |n| if outside { n } else { -n });
     let gap = if outside { distance } else { -distance };
     if gap >= law.radius {
         return;
     }
     let velocities = &surface.state().velocities;
-    let moving: DVec3 = foot.particles.iter().zip(foot.weights).map(|(&k, w)| w * velocities[k as usize]).sum();
+    let moving: DVec3 = closest.particles.iter().zip(closest.weights).map(|(&k, w)| w * velocities[k as usize]).sum();
     let force = law.force(gap, along, points.state().velocities[i] - moving);
-    points.hold(i, force);
-    for (&k, w) in foot.particles.iter().zip(foot.weights) {
-        surface.hold(k as usize, -w * force);
+    points.add_external_force(i, force);
+    for (&k, w) in closest.particles.iter().zip(closest.weights) {
+        surface.add_external_force(k as usize, -w * force);
     }
     share(points, surface, law.energy(gap));
 }
 
 /// The energy [J] of a contact is half the one's and half the other's.
 fn share(a: &mut Body, b: &mut Body, energy: f64) {
-    a.store(0.5 * energy);
-    b.store(0.5 * energy);
+    a.add_contact_energy(0.5 * energy);
+    b.add_contact_energy(0.5 * energy);
 }
 
-fn nearest_on_faces(x: DVec3, positions: &[DVec3], faces: &[[u32; 3]]) -> Option<Foot<3>> {
-    let mut best: Option<Foot<3>> = None;
+fn nearest_on_faces(x: DVec3, positions: &[DVec3], faces: &[[u32; 3]]) -> Option<ClosestPoint<3>> {
+    let mut best: Option<ClosestPoint<3>> = None;
     for face in faces {
         let [a, b, c] = face.map(|i| positions[i as usize]);
         // No point of the face is nearer than its first corner less its longest side.
@@ -213,21 +221,21 @@ fn nearest_on_faces(x: DVec3, positions: &[DVec3], faces: &[[u32; 3]]) -> Option
         let weights = closest_on_triangle(x, [a, b, c]);
         let at = weights[0] * a + weights[1] * b + weights[2] * c;
         let outward = (b - a).cross(c - a).normalize_or_zero();
-        let foot = Foot { particles: *face, weights, at, distance_squared: x.distance_squared(at), outward };
-        best = Some(Foot::nearer(best, foot));
+        let closest = ClosestPoint { particles: *face, weights, at, distance_squared: x.distance_squared(at), outward };
+        best = Some(ClosestPoint::nearer(best, closest));
     }
     best
 }
 
-fn nearest_on_edges(x: DVec3, positions: &[DVec3], edges: &[[u32; 2]], normal: DVec3) -> Option<Foot<2>> {
+fn nearest_on_edges(x: DVec3, positions: &[DVec3], edges: &[[u32; 2]], normal: DVec3) -> Option<ClosestPoint<2>> {
     let mut best = None;
     for edge in edges {
         let [a, b] = edge.map(|i| positions[i as usize]);
         let weights = closest_on_segment(x, [a, b]);
         let at = weights[0] * a + weights[1] * b;
         let outward = (b - a).cross(normal).normalize_or_zero();
-        let foot = Foot { particles: *edge, weights, at, distance_squared: x.distance_squared(at), outward };
-        best = Some(Foot::nearer(best, foot));
+        let closest = ClosestPoint { particles: *edge, weights, at, distance_squared: x.distance_squared(at), outward };
+        best = Some(ClosestPoint::nearer(best, closest));
     }
     best
 }

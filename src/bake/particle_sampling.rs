@@ -1,7 +1,7 @@
 //! From a shape to the particles that fill it and the surface that is drawn of it.
 
 use super::{BakeError, Note};
-use crate::geometry::fill::{FEW, FillError, Filling, Fineness, fill, two_layer_spacing};
+use crate::geometry::fill::{FEW, FillError, FillResolution, Filling, fill, two_layer_spacing};
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box};
 use crate::geometry::mesh::box_surface;
@@ -75,7 +75,7 @@ fn fill_mesh_shape<'a>(
         warning: finding.warning,
     }));
     let ratio = body.material.spacing_ratio;
-    let fineness = shape.particles.map_or(Fineness::Spacing(body.material.spacing()), Fineness::Particles);
+    let fineness = shape.particles.map_or(FillResolution::Spacing(body.material.spacing()), FillResolution::Particles);
     let filling = fill(solid, fineness, ratio.recip(), MAX_PARTICLES).map_err(|error| match error {
         FillError::TooMany { wanted, limit } => {
             let spacing = body.material.spacing() * 1.01 * (wanted / limit).cbrt();

@@ -3,7 +3,7 @@
 use super::error::printable;
 use super::table::{Align, Table, figures};
 use super::{CliError, Console, Outcome};
-use crate::geometry::fill::{FillError, Fineness, fill};
+use crate::geometry::fill::{FillError, FillResolution, fill};
 use crate::geometry::solid::Solid;
 use crate::io::{IoError, load_model};
 use crate::scene::{Axis, MAX_PARTICLES, ModelFile, one_line};
@@ -17,8 +17,8 @@ pub struct ModelOptions {
     #[arg(long, value_name = "M", default_value_t = 1.0, value_parser = positive)]
     scale: f64,
     /// Of a model: the file's axis that points up
-    #[arg(long, value_enum, default_value_t = Up::Y)]
-    up: Up,
+    #[arg(long, value_enum, default_value_t = UpOption::Y)]
+    up: UpOption,
     /// Of a model: fill it at this support radius [m]
     #[arg(long, value_name = "M", value_parser = positive, conflicts_with = "particles")]
     support_radius: Option<f64>,
@@ -28,7 +28,7 @@ pub struct ModelOptions {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Up {
+enum UpOption {
     X,
     Y,
     Z,
@@ -53,9 +53,9 @@ const USUAL: [u32; 3] = [500, 2000, 8000];
 /// A file that cannot be read or whose surface has no inside.
 pub fn check_model(path: &Path, options: &ModelOptions, console: &mut Console) -> Result<Outcome, CliError> {
     let up = match options.up {
-        Up::X => Axis::X,
-        Up::Y => Axis::Y,
-        Up::Z => Axis::Z,
+        UpOption::X => Axis::X,
+        UpOption::Y => Axis::Y,
+        UpOption::Z => Axis::Z,
     };
     let file = ModelFile { path: "", scale: options.scale, up };
     console.begin();
@@ -67,9 +67,9 @@ pub fn check_model(path: &Path, options: &ModelOptions, console: &mut Console) -
     let solid = Solid::new(&model).map_err(refused)?;
     console.stage(&"filling it with particles");
     let asked = match (options.support_radius, options.particles) {
-        (Some(radius), _) => vec![Fineness::Spacing(radius / REACH)],
-        (None, Some(count)) => vec![Fineness::Particles(count)],
-        (None, None) => USUAL.map(Fineness::Particles).to_vec(),
+        (Some(radius), _) => vec![FillResolution::Spacing(radius / REACH)],
+        (None, Some(count)) => vec![FillResolution::Particles(count)],
+        (None, None) => USUAL.map(FillResolution::Particles).to_vec(),
     };
     let particles = particles(&solid, &asked);
     console.end();
@@ -104,7 +104,7 @@ fn parts(solid: &Solid) -> Table {
     table
 }
 
-fn particles(solid: &Solid, asked: &[Fineness]) -> Table {
+fn particles(solid: &Solid, asked: &[FillResolution]) -> Table {
     let mut table = Table::new([
         ("particles", Align::Right),
         ("support radius [m]", Align::Right),
@@ -127,8 +127,8 @@ fn particles(solid: &Solid, asked: &[Fineness]) -> Table {
             ],
             Err(error) => {
                 let wanted = match fineness {
-                    Fineness::Particles(count) => [count.to_string(), "-".to_owned()],
-                    Fineness::Spacing(spacing) => ["-".to_owned(), figures(REACH * spacing)],
+                    FillResolution::Particles(count) => [count.to_string(), "-".to_owned()],
+                    FillResolution::Spacing(spacing) => ["-".to_owned(), figures(REACH * spacing)],
                 };
                 let [count, radius] = wanted;
                 let dash = || "-".to_owned();

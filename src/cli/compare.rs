@@ -1,7 +1,7 @@
 //! `sinew compare`: a scene under several integrators, each with several steps.
 
 use super::error::printable;
-use super::order_plot::{Line, order_plot};
+use super::order_plot::{PlotLine, order_plot};
 use super::prepare::{Sets, Threads, folder_of, load, put_together};
 use super::table::{Align, Table, figures};
 use super::{CliError, Console, Outcome, output};
@@ -116,9 +116,9 @@ fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
     console.end();
 
     let size = references.size();
-    let lines: Vec<Line> = args.integrators.iter().map(|&integrator| line(integrator, &runs, size)).collect();
+    let lines: Vec<PlotLine> = args.integrators.iter().map(|&integrator| line(integrator, &runs, size)).collect();
     let orders = (args.order || args.plot.is_some()).then(|| {
-        let of = |(&integrator, line): (&IntegratorKind, &Line)| Order { integrator, order: line.order };
+        let of = |(&integrator, line): (&IntegratorKind, &PlotLine)| Order { integrator, order: line.order };
         args.integrators.iter().zip(&lines).map(of).collect()
     });
     let name = if scene.name.is_empty() { source } else { scene.name.clone() };
@@ -208,11 +208,11 @@ fn one(
 }
 
 /// The errors of an integrator over its steps, and the order that they show.
-fn line(integrator: IntegratorKind, runs: &[Run], size: f64) -> Line {
+fn line(integrator: IntegratorKind, runs: &[Run], size: f64) -> PlotLine {
     let own = runs.iter().filter(|run| run.integrator == integrator);
     let errors = own.filter_map(|run| run.position_error.map(|error| (run.dt, error)));
     let Convergence { order, points, .. } = Convergence::of(integrator, errors, size);
-    Line { name: word(integrator), order, points }
+    PlotLine { name: word(integrator), order, points }
 }
 
 fn table(report: &CompareReport) -> String {

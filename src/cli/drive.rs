@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 /// Why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
+pub enum RunEnd {
     /// All the time that was asked for has been simulated.
     Time,
     /// Everything came to rest.
@@ -21,7 +21,7 @@ pub struct Drive {
     /// Time spent stepping, and nothing else [s].
     pub wall_seconds: f64,
     /// Why it ended.
-    pub end: End,
+    pub end: RunEnd,
 }
 
 /// Advances `runner` by at most `frames` frames; `each` sees it before the first and after every frame.
@@ -36,18 +36,18 @@ pub fn drive(
 ) -> Result<Drive, CliError> {
     let mut stepping = Duration::ZERO;
     each(runner)?;
-    let mut end = End::Time;
+    let mut end = RunEnd::Time;
     while runner.world().frame() < frames {
         let begun = Instant::now();
         runner.advance_frame();
         stepping += begun.elapsed();
         each(runner)?;
         if runner.all_stopped() {
-            end = End::Stopped;
+            end = RunEnd::Stopped;
             break;
         }
         if until_rest && runner.at_rest() {
-            end = End::Rest;
+            end = RunEnd::Rest;
             break;
         }
     }

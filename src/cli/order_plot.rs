@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 
 /// Errors of one integrator.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct PlotLine {
     /// Name of the integrator.
     pub name: String,
     /// Order of convergence.
@@ -28,10 +28,10 @@ const BOTTOM: f64 = 420.0;
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
 
 /// The plot of these lines.
-pub fn order_plot(title: &str, lines: &[Line]) -> String {
+pub fn order_plot(title: &str, lines: &[PlotLine]) -> String {
     let points = || lines.iter().flat_map(|line| &line.points);
-    let x = Axis::over(points().map(|point| point.0), LEFT, RIGHT);
-    let y = Axis::over(points().map(|point| point.1), BOTTOM, TOP);
+    let x = PlotAxis::over(points().map(|point| point.0), LEFT, RIGHT);
+    let y = PlotAxis::over(points().map(|point| point.1), BOTTOM, TOP);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\" \
          viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"sans-serif\" font-size=\"13\">\n\
@@ -60,7 +60,7 @@ pub fn order_plot(title: &str, lines: &[Line]) -> String {
     svg
 }
 
-fn draw(svg: &mut String, index: usize, line: &Line, x: &Axis, y: &Axis) {
+fn draw(svg: &mut String, index: usize, line: &PlotLine, x: &PlotAxis, y: &PlotAxis) {
     let colour = COLOURS[index % COLOURS.len()];
     let places: Vec<(f64, f64)> = line.points.iter().map(|&(dt, error)| (x.at(dt), y.at(error))).collect();
     let path: Vec<String> = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
@@ -81,13 +81,13 @@ fn draw(svg: &mut String, index: usize, line: &Line, x: &Axis, y: &Axis) {
 }
 
 /// A logarithmic axis of whole decades.
-struct Axis {
+struct PlotAxis {
     decades: RangeInclusive<i32>,
     start: f64,
     end: f64,
 }
 
-impl Axis {
+impl PlotAxis {
     fn over(values: impl Iterator<Item = f64>, start: f64, end: f64) -> Self {
         let powers: Vec<f64> = values.map(f64::log10).filter(|power| power.is_finite()).collect();
         let least = powers.iter().copied().reduce(f64::min).unwrap_or(0.0).floor() as i32;
@@ -128,8 +128,8 @@ mod tests {
 
     #[test]
     fn a_plot_is_drawn_whatever_there_is_to_draw() {
-        let line = Line { name: "a<b".into(), order: Some(1.0), points: vec![(1e-3, 1e-5), (1e-2, 1e-4)] };
-        let bare = Line { name: "none".into(), order: None, points: Vec::new() };
+        let line = PlotLine { name: "a<b".into(), order: Some(1.0), points: vec![(1e-3, 1e-5), (1e-2, 1e-4)] };
+        let bare = PlotLine { name: "none".into(), order: None, points: Vec::new() };
         for lines in [vec![], vec![bare.clone()], vec![line, bare]] {
             let svg = order_plot("Title & more", &lines);
             assert!(svg.starts_with("<svg") && svg.ends_with("</svg>\n") && !svg.contains("NaN"), "{svg}");

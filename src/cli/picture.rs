@@ -14,7 +14,7 @@ use std::str::FromStr;
 pub struct Look {
     /// From where
     #[arg(long, value_name = "VIEW", default_value_t, value_enum)]
-    view: View,
+    view: Viewpoint,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value_t)]
     size: PixelSize,
@@ -26,7 +26,7 @@ pub struct Look {
     particles: bool,
     /// Cut bodies open across X, Y or Z at so many metres: `x=0.01` takes away what lies beyond, `-x=0.01` what lies before
     #[arg(long, value_name = "AXIS=M", allow_hyphen_values = true)]
-    slice: Option<Cut>,
+    slice: Option<SliceOption>,
     /// Colours
     #[arg(long, value_name = "THEME", default_value_t, value_enum)]
     theme: ThemeName,
@@ -34,7 +34,7 @@ pub struct Look {
 
 /// Points of view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum View {
+enum Viewpoint {
     /// From the front, parallel: X right, Y up
     Front,
     /// From the side, parallel: Z right, Y up
@@ -88,9 +88,9 @@ impl FromStr for PixelSize {
 
 /// Where bodies are cut open.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Cut(Slice);
+struct SliceOption(Slice);
 
-impl FromStr for Cut {
+impl FromStr for SliceOption {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -113,18 +113,18 @@ impl FromStr for Cut {
 }
 
 #[cfg(feature = "render")]
-pub use drawn::Studio;
+pub use drawn::SceneRenderer;
 #[cfg(not(feature = "render"))]
-pub use undrawn::Studio;
+pub use undrawn::SceneRenderer;
 
 #[cfg(feature = "render")]
 mod drawn {
-    use super::{CliError, Look, Scene, Snapshot, ThemeName, View};
+    use super::{CliError, Look, Scene, Snapshot, ThemeName, Viewpoint};
     use crate::draw::{Bounds, Display, Subject, Theme, draw};
     use crate::render::{Camera, Facing, Offscreen};
 
     /// Makes pictures of a scene, all from the same point of view.
-    pub struct Studio {
+    pub struct SceneRenderer {
         offscreen: Offscreen,
         camera: Camera,
         display: Display,
@@ -133,17 +133,17 @@ mod drawn {
         bounds: Option<Bounds>,
     }
 
-    impl Studio {
+    impl SceneRenderer {
         /// Opens a driver, and looks at the scene as it starts.
         ///
         /// # Errors
         /// [`CliError::Render`] where there is no driver, or none for pictures of this size.
         pub fn open(look: &Look, scene: &Scene, start: &Snapshot) -> Result<Self, CliError> {
             let camera = match look.view {
-                View::Front => Camera::facing(Facing::Front),
-                View::Side => Camera::facing(Facing::Side),
-                View::Top => Camera::facing(Facing::Top),
-                View::Persp => Camera::perspective(),
+                Viewpoint::Front => Camera::facing(Facing::Front),
+                Viewpoint::Side => Camera::facing(Facing::Side),
+                Viewpoint::Top => Camera::facing(Facing::Top),
+                Viewpoint::Persp => Camera::perspective(),
             };
             let display = match (look.x_ray, look.particles) {
                 (true, _) => Display::x_ray(),
@@ -157,9 +157,9 @@ mod drawn {
             };
             let [width, height] = look.size.0.map(f64::from);
             let offscreen = Offscreen::new(look.size.0)?;
-            let mut studio = Self { offscreen, camera, display, theme, aspect: width / height, bounds: None };
-            studio.take_in(scene, start);
-            Ok(studio)
+            let mut renderer = Self { offscreen, camera, display, theme, aspect: width / height, bounds: None };
+            renderer.take_in(scene, start);
+            Ok(renderer)
         }
 
         /// Steps back far enough to see this state too, beside all that was to be seen before.
@@ -190,9 +190,9 @@ mod undrawn {
     use super::{CliError, Look, Scene, Snapshot};
 
     /// Makes no pictures: the program was built without them.
-    pub enum Studio {}
+    pub enum SceneRenderer {}
 
-    impl Studio {
+    impl SceneRenderer {
         /// Says so.
         ///
         /// # Errors
@@ -222,11 +222,11 @@ mod tests {
 
     #[test]
     fn a_cut_is_an_axis_a_place_and_a_side() {
-        let cut = |axis, at, flipped| Ok(Cut(Slice { axis, at, flipped }));
+        let cut = |axis, at, flipped| Ok(SliceOption(Slice { axis, at, flipped }));
         assert_eq!("x=0.01".parse(), cut(Axis::X, 0.01, false));
         assert_eq!("-Y=-2e-3".parse(), cut(Axis::Y, -2e-3, true));
         for bad in ["", "x", "w=1", "x=", "x=nan", "x=0.01m", "=1"] {
-            assert!(bad.parse::<Cut>().is_err(), "{bad}");
+            assert!(bad.parse::<SliceOption>().is_err(), "{bad}");
         }
     }
 

@@ -1,7 +1,7 @@
 //! `sinew render`: a picture of a scene at some time.
 
 use super::drive::drive;
-use super::picture::{Look, Studio};
+use super::picture::{Look, SceneRenderer};
 use super::prepare::{Sets, Threads, frames_to, load, notes, put_together, seconds, tell};
 use super::{CliError, Console, Outcome, output};
 use crate::sim::Runner;
@@ -42,7 +42,7 @@ fn render(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
     output::check(args.scene.as_ref(), &[("--out", Some(&args.out))])?;
 
     let mut runner = Runner::new(baked);
-    let mut studio = Studio::open(&args.look, &scene, &runner.snapshot())?;
+    let mut renderer = SceneRenderer::open(&args.look, &scene, &runner.snapshot())?;
     let frames = frames_to(args.at, &runner, console);
     console.begin();
     let ran = drive(&mut runner, frames, false, &mut |runner| {
@@ -57,8 +57,8 @@ fn render(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
     }
     // What moved on from where it started is in the picture as well.
     let snapshot = runner.snapshot();
-    studio.take_in(&scene, &snapshot);
-    output::write_bytes(&args.out, &studio.picture(&scene, &snapshot)?)?;
+    renderer.take_in(&scene, &snapshot);
+    output::write_bytes(&args.out, &renderer.picture(&scene, &snapshot)?)?;
     console.print(&output::wrote("picture", &args.out))?;
     Ok(if divergence.is_some() { Outcome::Diverged } else { Outcome::Done })
 }

@@ -1,7 +1,7 @@
 //! `sinew simulate`: one run of a scene, and what it shows.
 
-use super::drive::{Drive, End, drive};
-use super::picture::{Look, Studio};
+use super::drive::{Drive, RunEnd, drive};
+use super::picture::{Look, SceneRenderer};
 use super::prepare::{Sets, Span, Threads, frames_to, load, notes, put_together, source_name, tell, word};
 use super::summary::summary;
 use super::table::figures;
@@ -67,12 +67,12 @@ fn simulate(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError>
     output::check(args.scene.as_ref(), &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
 
     let mut runner = Runner::new(baked);
-    let mut records = Records::new(args, &scene, &runner)?;
-    let ran = watch(args, &scene, &mut runner, &mut records, console)?;
+    let mut outputs = FrameOutputs::new(args, &scene, &runner)?;
+    let ran = watch(args, &scene, &mut runner, &mut outputs, console)?;
     let lines = notes.iter().map(|note| format!("{}: {note}", word(note))).collect();
     let report = Report::new(&scene, &runner, ran.wall_seconds, lines);
     let mut text = summary(&report, runner.world(), &source);
-    text += &records.finish(args, &report, console)?;
+    text += &outputs.finish(args, &report, console)?;
     console.print(&text)?;
     Ok(if runner.world().divergence().is_some() { Outcome::Diverged } else { Outcome::Done })
 }
@@ -82,7 +82,7 @@ fn watch(
     args: &Simulate,
     scene: &Scene,
     runner: &mut Runner,
-    records: &mut Records,
+    outputs: &mut FrameOutputs,
     console: &mut Console,
 ) -> Result<Drive, CliError> {
     let limit = args.span.limit(scene);
@@ -98,11 +98,11 @@ fn watch(
             }
         }
         console.progress(runner.world().frame(), frames, pieces);
-        records.push(scene, runner)
+        outputs.push(scene, runner)
     });
     console.end();
     let ran = ran?;
-    if args.span.until_rest && ran.end == End::Time {
+    if args.span.until_rest && ran.end == RunEnd::Time {
         let limit = figures(limit);
         console.warn(&format!(
             "not everything has come to rest after {limit} s; give more --seconds, or the material damping"
@@ -112,20 +112,21 @@ fn watch(
 }
 
 /// What is kept of every frame.
-struct Records {
+struct FrameOutputs {
     series: Option<TimeSeries>,
     shapes: Option<FrameFolder>,
-    pictures: Option<(Studio, FrameFolder)>,
+    pictures: Option<(SceneRenderer, FrameFolder)>,
 }
 
-impl Records {
+impl FrameOutputs {
     fn new(args: &Simulate, scene: &Scene, runner: &Runner) -> Result<Self, CliError> {
         // A driver may be missing: that is found out before a folder is made.
-        let studio = args.png.as_ref().map(|_| Studio::open(&args.look, scene, &runner.snapshot())).transpose()?;
+        let renderer =
+            args.png.as_ref().map(|_| SceneRenderer::open(&args.look, scene, &runner.snapshot())).transpose()?;
         let series = args.series.as_ref().map(|_| TimeSeries::new(runner.world(), usize::MAX));
         let folder = |path: Option<&PathBuf>, extension| path.map(|path| FrameFolder::create(path, extension));
         let shapes = folder(args.out.as_ref(), "obj").transpose()?;
-        let pictures = studio.zip(folder(args.png.as_ref(), "png").transpose()?);
+        let pictures = renderer.zip(folder(args.png.as_ref(), "png").transpose()?);
         Ok(Self { series, shapes, pictures })
     }
 
@@ -136,8 +137,8 @@ impl Records {
         if let Some(shapes) = &mut self.shapes {
             shapes.push(|out| write_obj(out, &runner.snapshot()))?;
         }
-        if let Some((studio, pictures)) = &mut self.pictures {
-            let picture = studio.picture(scene, &runner.snapshot())?;
+        if let Some((renderer, pictures)) = &mut self.pictures {
+            let picture = renderer.picture(scene, &runner.snapshot())?;
             pictures.push(|out| out.write_all(&picture))?;
         }
         Ok(())

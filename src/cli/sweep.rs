@@ -1,6 +1,6 @@
 //! `sinew sweep`: a scene once for every combination of some values.
 
-use super::drive::{End, drive};
+use super::drive::{RunEnd, drive};
 use super::error::printable;
 use super::parallel::in_parallel;
 use super::prepare::{Sets, Span, Threads, folder_of, load, notes, with_frame_rate, with_sets, word};
@@ -58,7 +58,7 @@ struct Row {
     #[serde(skip)]
     readings: Vec<MeasureReport>,
     #[serde(skip)]
-    end: End,
+    end: RunEnd,
 }
 
 /// Runs every combination, writes the report and prints a table.
@@ -174,7 +174,7 @@ fn tell_all(rows: &[Vec<Note>], console: &mut Console) {
 }
 
 fn warn_of_restless(args: &Sweep, rows: &[Row], console: &mut Console) {
-    let restless = rows.iter().filter(|row| row.end == End::Time).count();
+    let restless = rows.iter().filter(|row| row.end == RunEnd::Time).count();
     if args.span.until_rest && restless > 0 {
         let all = rows.len();
         console.warn(&format!(

@@ -1,7 +1,7 @@
 //! A scene and a snapshot of its world become a draw list.
 
-use super::fibre::Shape;
-use super::list::{DrawList, Faces, Hung, Mesh, PickId, PickKind, Surface};
+use super::fibre::FibreShape;
+use super::list::{DrawList, Faces, Mesh, PickId, PickKind, SkinnedFaces, SurfaceStyle};
 use super::options::{Display, SkinStyle};
 use super::surroundings;
 use super::{Bounds, Colour, Theme, colour_map};
@@ -36,7 +36,7 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
     let mut hue = 0;
     for (index, body) in snapshot.bodies.iter().enumerate() {
         let number = display.first_body + index;
-        let pen = Pen { index: index as u32, spacing: spacing(scene, number, body), display, theme };
+        let drawer = BodyDrawer { index: index as u32, spacing: spacing(scene, number, body), display, theme };
         let looks = Looks::of(scene, number);
         if looks.hidden {
             hue += body.fibres.len();
@@ -46,14 +46,14 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
         let values = values.filter(|(_, values)| values.len() == body.particles.len());
         let tensions = snapshot.tension.as_ref();
         let tensions = tensions.and_then(|tension| Some((tension.range, tension.bodies.get(index)?.as_slice())));
-        pen.body(body, &looks, Values { field: values, tensions }, &mut list, &mut hue);
+        drawer.body(body, &looks, Values { field: values, tensions }, &mut list, &mut hue);
         if let (true, Some(body)) = (display.strokes, scene.bodies.get(number)) {
             surroundings::strokes(body, &mut list);
         }
     }
     let ghosts = ghost.iter().flat_map(|ghost| ghost.bodies.iter().enumerate());
     for (_, body) in ghosts.filter(|(index, _)| !Looks::of(scene, display.first_body + index).hidden) {
-        let mesh = skin_mesh(&list, body, Surface::Faint);
+        let mesh = skin_mesh(&list, body, SurfaceStyle::Faint);
         list.meshes.extend(mesh.map(|mesh| Mesh { colour: theme.ghost, casts_shadow: false, ..mesh }));
     }
     surroundings::panels(scene, snapshot, &mut list);
@@ -73,13 +73,13 @@ fn spacing(scene: &Scene, index: usize, body: &BodySnapshot) -> f64 {
 }
 
 /// The skin of a body as a mesh that nothing picks; none where it has none or is no longer made of numbers.
-fn skin_mesh(list: &DrawList, body: &BodySnapshot, surface: Surface) -> Option<Mesh> {
+fn skin_mesh(list: &DrawList, body: &BodySnapshot, surface: SurfaceStyle) -> Option<Mesh> {
     let rig = body.rig()?;
     if rig.triangles.is_empty() || body.particles.iter().any(|point| !point.is_finite()) {
         return None;
     }
     let particles = body.particles.iter().map(|&point| list.local(point)).collect();
-    let faces = Faces::Hung(Hung { rig: Arc::clone(rig), particles });
+    let faces = Faces::Skinned(SkinnedFaces { rig: Arc::clone(rig), particles });
     Some(Mesh { faces, colour: list.theme.skin, tints: Vec::new(), surface, casts_shadow: true, pick: 0 })
 }
 
@@ -115,14 +115,14 @@ struct Values<'a> {
 }
 
 /// Draws one body.
-pub(super) struct Pen<'a> {
+pub(super) struct BodyDrawer<'a> {
     pub(super) index: u32,
     pub(super) spacing: f64,
     pub(super) display: &'a Display,
     pub(super) theme: &'a Theme,
 }
 
-impl Pen<'_> {
+impl BodyDrawer<'_> {
     fn body(
         &self,
         body: &BodySnapshot,
@@ -134,7 +134,7 @@ impl Pen<'_> {
         let mut has_skin = false;
         // Colours that stand for values can be told from each other only where nothing shines through them.
         let clear = self.display.skin == SkinStyle::XRay && field.is_none();
-        let surface = if clear { Surface::XRay } else { Surface::Solid };
+        let surface = if clear { SurfaceStyle::XRay } else { SurfaceStyle::Solid };
         if let (true, Some(mut mesh)) = (self.display.skin != SkinStyle::Hidden, skin_mesh(list, body, surface)) {
             mesh.pick = self.number(PickKind::Skin, 1, list);
             mesh.colour = self.tint().or(looks.color.map(Colour::from_rgb)).unwrap_or(mesh.colour);
@@ -151,7 +151,7 @@ impl Pen<'_> {
             if !own.is_some_and(|own| own.hidden) {
                 let tensions = tensions.and_then(|(range, fibres)| Some((range, fibres.get(index)?.as_slice())));
                 let breaks = body.breaks.iter().filter(|at| at.fibre as usize == index).map(|at| at.place).collect();
-                let shape = Shape { vertices: &fibre.vertices, breaks, tensions, colour };
+                let shape = FibreShape { vertices: &fibre.vertices, breaks, tensions, colour };
                 self.fibre(index as u32, &shape, [has_skin, clear], list);
             }
         }
@@ -203,10 +203,10 @@ mod tests {
     #[test]
     fn an_opaque_skin_hides_its_fibres_and_a_clear_one_shows_them() {
         let list = drawn(&snapshot(), &Display::default());
-        assert_eq!((list.meshes.len(), list.meshes[0].surface), (1, Surface::Solid));
+        assert_eq!((list.meshes.len(), list.meshes[0].surface), (1, SurfaceStyle::Solid));
         assert_eq!(picked(&list, list.meshes[0].pick), Some(PickKind::Skin));
         let list = drawn(&snapshot(), &Display::x_ray());
-        assert_eq!(list.meshes.iter().filter(|mesh| mesh.surface == Surface::XRay).count(), 1);
+        assert_eq!(list.meshes.iter().filter(|mesh| mesh.surface == SurfaceStyle::XRay).count(), 1);
         let fibres: Vec<&Mesh> =
             list.meshes.iter().filter(|mesh| picked(&list, mesh.pick) == Some(PickKind::Fibre)).collect();
         assert_eq!(fibres.len(), 2);
@@ -315,7 +315,7 @@ mod tests {
         let (scene, snapshot) = (Scene::default(), snapshot());
         let subject = Subject { scene: &scene, snapshot: &snapshot, ghost: Some(&snapshot) };
         let list = draw(&subject, &Display::default(), &Theme::dark());
-        let ghost = list.meshes.iter().find(|mesh| mesh.surface == Surface::Faint).unwrap();
+        let ghost = list.meshes.iter().find(|mesh| mesh.surface == SurfaceStyle::Faint).unwrap();
         assert_eq!((ghost.colour.alpha, ghost.pick, ghost.casts_shadow), (0.25, 0, false));
     }
 }

@@ -1,7 +1,7 @@
 //! Fibres as tubes, in their own colours or by what they carry, with the places where they are broken.
 
-use super::build::{Pen, THROUGH};
-use super::list::{DrawList, Faces, Line, Mesh, PickId, PickKind, Points, Size, Surface};
+use super::build::{BodyDrawer, THROUGH};
+use super::list::{DrawList, Faces, Line, Mesh, PickId, PickKind, Points, Size, SurfaceStyle};
 use super::tube::{Tube, tube};
 use super::{Colour, colour_map};
 use crate::solver::snapshot::BreakPlace;
@@ -21,7 +21,7 @@ const MOST_GAP: f32 = 0.7;
 const BREAK_THROUGH: f32 = 0.7;
 
 /// What there is to draw of a fibre.
-pub(super) struct Shape<'a> {
+pub(super) struct FibreShape<'a> {
     /// Structure particles [m].
     pub(super) vertices: &'a [DVec3],
     /// Where it is broken.
@@ -32,7 +32,7 @@ pub(super) struct Shape<'a> {
     pub(super) colour: Colour,
 }
 
-impl Shape<'_> {
+impl FibreShape<'_> {
     /// The vertices of its unbroken parts. Parts that a vertex has come apart at share it, those that an edge has do not.
     fn parts(&self) -> Vec<Range<usize>> {
         let mut cuts: Vec<(usize, usize)> = self
@@ -96,8 +96,8 @@ impl Shape<'_> {
     }
 }
 
-impl Pen<'_> {
-    pub(super) fn fibre(&self, index: u32, shape: &Shape<'_>, [has_skin, clear]: [bool; 2], list: &mut DrawList) {
+impl BodyDrawer<'_> {
+    pub(super) fn fibre(&self, index: u32, shape: &FibreShape<'_>, [has_skin, clear]: [bool; 2], list: &mut DrawList) {
         let selected = self.display.selected.contains(&[self.index, index]);
         // Inside an opaque skin that nothing cuts open there is nothing to see of them but ends that stick out.
         let tubes = self.display.fibres && (!has_skin || clear || self.display.slice.is_some());
@@ -113,7 +113,7 @@ impl Pen<'_> {
                     faces: Faces::Free(vertices, indices),
                     colour: shape.colour,
                     tints: shape.tints(&along, part.start),
-                    surface: Surface::Solid,
+                    surface: SurfaceStyle::Solid,
                     casts_shadow: !has_skin,
                     pick: *pick.get_or_insert_with(|| list.picks.register(id, 1)),
                 });
@@ -133,7 +133,7 @@ impl Pen<'_> {
     }
 
     /// Marks the places where a fibre is broken, faintly where something is in front.
-    fn breaks(&self, shape: &Shape<'_>, list: &mut DrawList) {
+    fn breaks(&self, shape: &FibreShape<'_>, list: &mut DrawList) {
         let centres: Vec<Vec3> = shape.broken_at().into_iter().map(|point| list.local(point)).collect();
         if !centres.is_empty() {
             let size = Size::Metres((BREAK_RADIUS * self.spacing) as f32);
@@ -147,8 +147,8 @@ impl Pen<'_> {
 mod tests {
     use super::*;
 
-    fn shape<'a>(vertices: &'a [DVec3], breaks: &[BreakPlace], tensions: Option<(f64, &'a [f64])>) -> Shape<'a> {
-        Shape { vertices, breaks: breaks.to_vec(), tensions, colour: Colour::hex(0x80_8080) }
+    fn shape<'a>(vertices: &'a [DVec3], breaks: &[BreakPlace], tensions: Option<(f64, &'a [f64])>) -> FibreShape<'a> {
+        FibreShape { vertices, breaks: breaks.to_vec(), tensions, colour: Colour::hex(0x80_8080) }
     }
 
     #[test]

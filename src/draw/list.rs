@@ -23,7 +23,7 @@ pub struct DrawList {
     pub labels: Vec<Label>,
     /// What lies below everything.
     pub ground: Ground,
-    /// Where surfaces that hang on particles are cut open; everything else is as it is given.
+    /// Where surfaces skinned to particles are cut open; everything else is as it is given.
     pub slice: Option<Slice>,
     /// Colours and lights.
     pub theme: Theme,
@@ -40,16 +40,16 @@ pub struct Vertex {
     pub normal: Vec3,
 }
 
-/// A surface that hangs on particles: whoever draws it moves its vertices.
+/// A surface skinned to particles: whoever draws it moves its vertices.
 #[derive(Clone, Debug)]
-pub struct Hung {
-    /// How it hangs on them.
+pub struct SkinnedFaces {
+    /// How it is skinned to them.
     pub rig: Arc<Rig>,
     /// Where they are [m], about the list's origin.
     pub particles: Vec<Vec3>,
 }
 
-impl PartialEq for Hung {
+impl PartialEq for SkinnedFaces {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.rig, &other.rig) && self.particles == other.particles
     }
@@ -61,7 +61,7 @@ pub enum Faces {
     /// Vertices, and three indices a triangle.
     Free(Vec<Vertex>, Vec<u32>),
     /// The skin of a body.
-    Hung(Hung),
+    Skinned(SkinnedFaces),
 }
 
 impl Faces {
@@ -69,15 +69,15 @@ impl Faces {
     pub fn vertex_count(&self) -> usize {
         match self {
             Self::Free(vertices, _) => vertices.len(),
-            Self::Hung(hung) => hung.rig.vertices.len(),
+            Self::Skinned(skinned) => skinned.rig.vertices.len(),
         }
     }
 
-    /// Vertices and indices, worked out here where they hang on particles.
+    /// Vertices and indices, worked out here where they are skinned to particles.
     pub fn worked_out(&self) -> (Cow<'_, [Vertex]>, Cow<'_, [u32]>) {
         match self {
             Self::Free(vertices, indices) => (Cow::Borrowed(vertices), Cow::Borrowed(indices)),
-            Self::Hung(Hung { rig, particles }) => {
+            Self::Skinned(SkinnedFaces { rig, particles }) => {
                 let positions = rig.vertices.apply(&rig.points.apply(particles));
                 let normals = rig.normals(&positions);
                 let vertex = |(position, normal)| Vertex { position, normal };
@@ -100,7 +100,7 @@ pub struct Mesh {
     /// Colours of the vertices in place of that, sRGB, 0 to 255; none at all for a mesh in one colour.
     pub tints: Vec<[u8; 3]>,
     /// What light does to it.
-    pub surface: Surface,
+    pub surface: SurfaceStyle,
     /// Whether it darkens the floor.
     pub casts_shadow: bool,
     /// What a pick of it gives, as [`DrawList::register`] numbered it; zero for what cannot be picked.
@@ -109,7 +109,7 @@ pub struct Mesh {
 
 /// What light does to a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Surface {
+pub enum SurfaceStyle {
     /// Lit and opaque.
     Solid,
     /// See-through in its middle and denser towards its outline; what lies inside shows and is picked first.

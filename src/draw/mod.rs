@@ -21,7 +21,8 @@ pub use bounds::Bounds;
 pub use build::{Subject, draw};
 pub use colour::Colour;
 pub use list::{
-    DrawList, Faces, Ground, Hung, Label, Line, Mesh, PickId, PickKind, Picks, Points, Size, Surface, Vertex,
+    DrawList, Faces, Ground, Label, Line, Mesh, PickId, PickKind, Picks, Points, Size, SkinnedFaces, SurfaceStyle,
+    Vertex,
 };
 pub use options::{Display, SkinStyle};
 pub use slice::Slice;

@@ -1,6 +1,6 @@
 //! What a body is made of: material particles as balls, springs as lines; what a cut shows of a field.
 
-use super::build::{Pen, THROUGH};
+use super::build::{BodyDrawer, THROUGH};
 use super::list::{DrawList, Line, PickKind, Points, Size};
 use super::options::SkinStyle;
 use super::{Colour, colour_map};
@@ -18,7 +18,7 @@ const CUT_LAYER: f64 = 1.25;
 /// Springs [pixels].
 const SPRING_WIDTH: f32 = 1.5;
 
-impl Pen<'_> {
+impl BodyDrawer<'_> {
     /// What is to be seen of it, and of a field over its range.
     pub(super) fn particles(
         &self,

@@ -1,6 +1,6 @@
 //! What is around the bodies: ground, room, panels, and the strokes in the planes in which they were drawn.
 
-use super::list::{DrawList, Faces, Ground, Line, Mesh, PickId, PickKind, Points, Size, Surface, Vertex};
+use super::list::{DrawList, Faces, Ground, Line, Mesh, PickId, PickKind, Points, Size, SurfaceStyle, Vertex};
 use super::options::Display;
 use super::{Bounds, Colour};
 use crate::geometry::lattice::Cuboid;
@@ -62,7 +62,14 @@ pub(super) fn panels(scene: &Scene, snapshot: &Snapshot, list: &mut DrawList) {
         let (vertices, indices) = faceted(list, &box_surface(&shape, width.max(depth)));
         let colour = list.theme.panel;
         let faces = Faces::Free(vertices, indices);
-        list.meshes.push(Mesh { faces, colour, tints: Vec::new(), surface: Surface::Solid, casts_shadow: true, pick });
+        list.meshes.push(Mesh {
+            faces,
+            colour,
+            tints: Vec::new(),
+            surface: SurfaceStyle::Solid,
+            casts_shadow: true,
+            pick,
+        });
     }
 }
 
@@ -118,7 +125,7 @@ pub(super) fn walls(scene: &Scene, list: &mut DrawList) {
             faces,
             colour,
             tints: Vec::new(),
-            surface: Surface::Faint,
+            surface: SurfaceStyle::Faint,
             casts_shadow: false,
             pick: 0,
         });

@@ -23,7 +23,7 @@ pub struct Tube {
 }
 
 /// A point of the curve and where along the points it is.
-type Place = (Vec3, f32);
+type CurvePoint = (Vec3, f32);
 
 /// A tube of `radius` [m] with rounded ends along a smooth curve through the points. Nothing for fewer than two points
 /// that differ.
@@ -76,7 +76,7 @@ pub fn tube(points: &[Vec3], radius: f32) -> Tube {
 }
 
 /// The curve without what lies within `radius` of its ends, but for the ends themselves.
-fn without_ends(curve: Vec<Place>, radius: f32) -> Vec<Place> {
+fn without_ends(curve: Vec<CurvePoint>, radius: f32) -> Vec<CurvePoint> {
     let (Some(&first), Some(&last)) = (curve.first(), curve.last()) else { return curve };
     let far = |point: Vec3| point.distance(first.0) > radius && point.distance(last.0) > radius;
     let inner = curve.into_iter().filter(|(point, _)| far(*point));
@@ -96,9 +96,9 @@ fn indices(rings: u32) -> Vec<u32> {
 }
 
 /// A Catmull-Rom curve through the points that differ from the one before.
-fn smooth(points: &[Vec3]) -> Vec<Place> {
+fn smooth(points: &[Vec3]) -> Vec<CurvePoint> {
     let numbered = points.iter().enumerate().map(|(k, &point)| (point, k as f32));
-    let mut points: Vec<Place> = numbered.filter(|(point, _)| point.is_finite()).collect();
+    let mut points: Vec<CurvePoint> = numbered.filter(|(point, _)| point.is_finite()).collect();
     points.dedup_by(|a, b| a.0.distance_squared(b.0) == 0.0);
     if points.len() < 2 {
         return points;

@@ -21,15 +21,15 @@ impl Command {
                 let index = fibres.iter().position(|old| old.id == *fibre);
                 fibres.remove(index.ok_or_else(|| format!("there is no fibre \"{fibre}\""))?);
             }
-            Self::SetName { item, name } => part(scene, item)?.name.clone_from(name),
+            Self::SetName { item, name } => item_fields(scene, item)?.name.clone_from(name),
             Self::SetHidden { items, hidden } => {
                 for item in items {
-                    *part(scene, item)?.hidden = *hidden;
+                    *item_fields(scene, item)?.hidden = *hidden;
                 }
             }
             Self::SetColor { items, color } => {
                 for item in items {
-                    *part(scene, item)?.color = *color;
+                    *item_fields(scene, item)?.color = *color;
                 }
             }
             Self::SetPaint { body, paint } => body_of(scene, body)?.paint.clone_from(paint),
@@ -64,26 +64,26 @@ impl Command {
 }
 
 /// What bodies of either kind and fibres have in common.
-struct Part<'a> {
+struct ItemFields<'a> {
     name: &'a mut String,
     hidden: &'a mut bool,
     color: &'a mut Option<[u8; 3]>,
 }
 
-fn part<'a>(scene: &'a mut Scene, item: &Item) -> Result<Part<'a>, String> {
+fn item_fields<'a>(scene: &'a mut Scene, item: &Item) -> Result<ItemFields<'a>, String> {
     let id = match item {
         Item::Fibre { body, fibre } => {
             let Fibre { name, hidden, color, .. } = fibre_of(scene, body, fibre)?;
-            return Ok(Part { name, hidden, color });
+            return Ok(ItemFields { name, hidden, color });
         }
         Item::Body(id) => id,
     };
     if let Some(index) = two_layer_index(scene, id) {
         let TwoLayer { name, hidden, color, .. } = &mut scene.two_layer[index];
-        return Ok(Part { name, hidden, color });
+        return Ok(ItemFields { name, hidden, color });
     }
     let Body { name, hidden, color, .. } = body_of(scene, id)?;
-    Ok(Part { name, hidden, color })
+    Ok(ItemFields { name, hidden, color })
 }
 
 fn body_of<'a>(scene: &'a mut Scene, id: &str) -> Result<&'a mut Body, String> {

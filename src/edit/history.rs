@@ -18,7 +18,7 @@ pub enum EditError {
 
 /// A step of the history: what it is called and the document before it (undo) or after it (redo).
 #[derive(Clone, Debug)]
-struct Step {
+struct HistoryEntry {
     name: String,
     scene: Arc<Scene>,
     gesture: Option<u64>,
@@ -33,10 +33,10 @@ pub struct Editor {
     scene: Arc<Scene>,
     /// What its file holds; none where that is something else, or there is no file.
     saved: Option<Arc<Scene>>,
-    undo: Vec<Step>,
-    redo: Vec<Step>,
+    undo: Vec<HistoryEntry>,
+    redo: Vec<HistoryEntry>,
     /// What could be done again before the gesture that made the last change, in case that is given up.
-    lost: Vec<Step>,
+    lost: Vec<HistoryEntry>,
 }
 
 impl Editor {
@@ -77,7 +77,7 @@ impl Editor {
             return Ok(());
         }
         self.lost = lost;
-        self.undo.push(Step { name, scene: before, gesture });
+        self.undo.push(HistoryEntry { name, scene: before, gesture });
         if self.undo.len() > DEPTH {
             self.undo.remove(0);
         }
@@ -112,7 +112,7 @@ impl Editor {
     pub fn undo(&mut self) -> bool {
         let Some(step) = self.undo.pop() else { return false };
         let after = std::mem::replace(&mut self.scene, Arc::clone(&step.scene));
-        self.redo.push(Step { scene: after, gesture: None, ..step });
+        self.redo.push(HistoryEntry { scene: after, gesture: None, ..step });
         true
     }
 
@@ -120,7 +120,7 @@ impl Editor {
     pub fn redo(&mut self) -> bool {
         let Some(step) = self.redo.pop() else { return false };
         let before = std::mem::replace(&mut self.scene, Arc::clone(&step.scene));
-        self.undo.push(Step { scene: before, gesture: None, ..step });
+        self.undo.push(HistoryEntry { scene: before, gesture: None, ..step });
         true
     }
 

@@ -13,7 +13,7 @@ use thiserror::Error;
 
 /// How fine to fill.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fineness {
+pub enum FillResolution {
     /// Spacing of the lattice [m], kept to a few per cent.
     Spacing(f64),
     /// Number of particles, from which the spacing follows.
@@ -105,7 +105,7 @@ const FINER_TRIES: i32 = 24;
 
 /// A lattice: its spacing [m] and the position of one of its points [m].
 #[derive(Clone, Copy, Debug)]
-struct Lattice {
+struct LatticePlacement {
     spacing: f64,
     origin: DVec3,
 }
@@ -115,10 +115,10 @@ struct Lattice {
 ///
 /// # Errors
 /// [`FillError`].
-pub fn fill(solid: &Solid, fineness: Fineness, reach: f64, limit: usize) -> Result<Filling, FillError> {
+pub fn fill(solid: &Solid, fineness: FillResolution, reach: f64, limit: usize) -> Result<Filling, FillError> {
     let spacing = match fineness {
-        Fineness::Spacing(spacing) => spacing,
-        Fineness::Particles(count) => (solid.volume / f64::from(count.max(1))).cbrt(),
+        FillResolution::Spacing(spacing) => spacing,
+        FillResolution::Particles(count) => (solid.volume / f64::from(count.max(1))).cbrt(),
     };
     let particles = solid.volume / spacing.powi(3);
     let in_box = (solid.size() / spacing + 1.0).element_product();
@@ -128,15 +128,15 @@ pub fn fill(solid: &Solid, fineness: Fineness, reach: f64, limit: usize) -> Resu
             return Err(FillError::TooMany { wanted, limit });
         }
     }
-    let cost = |count: usize, lattice: &Lattice| {
+    let cost = |count: usize, lattice: &LatticePlacement| {
         let volume_error = count as f64 * lattice.spacing.powi(3) / solid.volume - 1.0;
         let off = match fineness {
-            Fineness::Spacing(spacing) => CHANGE * (lattice.spacing / spacing - 1.0),
-            Fineness::Particles(wanted) => count as f64 / f64::from(wanted) - 1.0,
+            FillResolution::Spacing(spacing) => CHANGE * (lattice.spacing / spacing - 1.0),
+            FillResolution::Particles(wanted) => count as f64 / f64::from(wanted) - 1.0,
         };
         volume_error.abs() + off.abs()
     };
-    let mut candidates: Vec<(f64, Lattice)> = Vec::new();
+    let mut candidates: Vec<(f64, LatticePlacement)> = Vec::new();
     for k in 0..=2 * STEPS {
         // 0, +1, -1, +2, -2, ... steps away.
         let steps = if k % 2 == 0 { -(k / 2) } else { k / 2 + 1 };
@@ -208,22 +208,25 @@ pub fn two_layer_spacing(solid: &Solid, spacing: f64, reach: f64, limit: f64) ->
     })
 }
 
-fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (u32, Lattice) {
+fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (u32, LatticePlacement) {
     let shift = DVec3::from_array(quarters.map(|q| f64::from(q) / f64::from(SHIFTS)));
     let askew = quarters.iter().filter(|&&q| 2 * q % SHIFTS != 0).count() as u32;
-    (askew, Lattice { spacing, origin: 0.5 * (solid.min + solid.max) + spacing * shift })
+    (askew, LatticePlacement { spacing, origin: 0.5 * (solid.min + solid.max) + spacing * shift })
 }
 
 /// Layers of the lattice that can touch a solid, along each axis.
-fn layers(solid: &Solid, lattice: &Lattice) -> [IVec3; 2] {
+fn layers(solid: &Solid, lattice: &LatticePlacement) -> [IVec3; 2] {
     let first = ((solid.min - lattice.origin) / lattice.spacing).floor().as_ivec3();
     let last = ((solid.max - lattice.origin) / lattice.spacing).ceil().as_ivec3();
     [first, last]
 }
 
 /// Points of a row's stretches, as lattice indices along x.
-fn cells_along(stretches: &[[f64; 2]], lattice: &Lattice) -> impl Iterator<Item = std::ops::RangeInclusive<i32>> {
-    let Lattice { spacing, origin } = *lattice;
+fn cells_along(
+    stretches: &[[f64; 2]],
+    lattice: &LatticePlacement,
+) -> impl Iterator<Item = std::ops::RangeInclusive<i32>> {
+    let LatticePlacement { spacing, origin } = *lattice;
     stretches.iter().map(move |[from, to]| {
         let at = |cell: i32| origin.x + spacing * f64::from(cell);
         let mut first = ((from - origin.x) / spacing).ceil() as i32;
@@ -236,7 +239,7 @@ fn cells_along(stretches: &[[f64; 2]], lattice: &Lattice) -> impl Iterator<Item 
 }
 
 /// Positions of a lattice of this spacing: how many points fall inside, along how many axes it lies askew, the lattice.
-fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, u32, Lattice)> {
+fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, u32, LatticePlacement)> {
     // Rows through a surface with holes cost more: they are tried at half spacings only.
     let (shifts, quarters) = if solid.report.closed { (SHIFTS, 1) } else { (SHIFTS / 2, 2) };
     (0..shifts * shifts)
@@ -250,7 +253,7 @@ fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, u32, Lattice)> {
             let origin = lattices[0].1.origin;
             for z in first.z..=last.z {
                 for y in first.y..=last.y {
-                    let row = solid.row(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
+                    let row = solid.scanline(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
                     for (count, (_, lattice)) in counts.iter_mut().zip(&lattices) {
                         *count += cells_along(&row, lattice).map(Iterator::count).sum::<usize>();
                     }
@@ -261,15 +264,15 @@ fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, u32, Lattice)> {
         .collect()
 }
 
-fn collect(solid: &Solid, lattice: Lattice) -> LatticeSample {
+fn collect(solid: &Solid, lattice: LatticePlacement) -> LatticeSample {
     let [first, last] = layers(solid, &lattice);
-    let Lattice { spacing, origin } = lattice;
+    let LatticePlacement { spacing, origin } = lattice;
     let rows: Vec<Vec<IVec3>> = (first.z..=last.z)
         .into_par_iter()
         .map(|z| {
             let mut cells = Vec::new();
             for y in first.y..=last.y {
-                let row = solid.row(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
+                let row = solid.scanline(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
                 cells.extend(cells_along(&row, &lattice).flatten().map(|x| IVec3::new(x, y, z)));
             }
             cells

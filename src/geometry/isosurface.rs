@@ -3,13 +3,13 @@
 //! Naive surface nets: one vertex a cell that the surface passes through, one quad an edge that it cuts. Vertices are
 //! then brought onto the surface and spread evenly over it, so that the mesh shows nothing of the grid.
 
-use super::model::{Model, Piece};
+use super::model::{MeshData, Model};
 use glam::{DVec3, IVec3};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// A signed distance: negative inside, with a slope near one around its zero.
-pub type Field<'a> = dyn Fn(DVec3) -> f64 + Sync + 'a;
+pub type ScalarField<'a> = dyn Fn(DVec3) -> f64 + Sync + 'a;
 
 /// Cells along the side of a block that is skipped as one where the surface is far.
 const BLOCK: i32 = 8;
@@ -25,7 +25,7 @@ const PACE: f64 = 0.6;
 
 /// Meshes the zero of a field within the box from `min` to `max` [m], on a grid of cells of `cell` [m]. Features must be
 /// at least two cells wide. Normals are the field's.
-pub fn isosurface(field: &Field<'_>, min: DVec3, max: DVec3, cell: f64) -> Model {
+pub fn isosurface(field: &ScalarField<'_>, min: DVec3, max: DVec3, cell: f64) -> Model {
     let mut net = Net::new(field, min, max, cell);
     for _ in 0..SPREADING {
         net.spread(field, cell);
@@ -34,7 +34,7 @@ pub fn isosurface(field: &Field<'_>, min: DVec3, max: DVec3, cell: f64) -> Model
     let normals = net.vertices.par_iter().map(|&at| slope(field, at, 1e-3 * cell).normalize_or(DVec3::Y).as_vec3());
     let normals = normals.collect();
     let mut model = Model::default();
-    model.add(Piece { positions: net.vertices, normals, triangles, ..Piece::default() });
+    model.add(MeshData { positions: net.vertices, normals, triangles, ..MeshData::default() });
     model
 }
 
@@ -44,7 +44,7 @@ struct Net {
 }
 
 impl Net {
-    fn new(field: &Field<'_>, min: DVec3, max: DVec3, cell: f64) -> Self {
+    fn new(field: &ScalarField<'_>, min: DVec3, max: DVec3, cell: f64) -> Self {
         let corner = |at: IVec3| min + cell * at.as_dvec3();
         let values = Self::sample(field, min, max, cell);
         // Corners in a fixed order, so that vertices are numbered the same in every run.
@@ -83,7 +83,7 @@ impl Net {
     }
 
     /// Values at the corners of all blocks that the surface may pass through.
-    fn sample(field: &Field<'_>, min: DVec3, max: DVec3, cell: f64) -> HashMap<IVec3, f64> {
+    fn sample(field: &ScalarField<'_>, min: DVec3, max: DVec3, cell: f64) -> HashMap<IVec3, f64> {
         let blocks = ((max - min) / (cell * f64::from(BLOCK))).ceil().as_ivec3();
         let reach = 0.5 * f64::from(BLOCK + 1) * cell * 3.0_f64.sqrt() * STEEPEST;
         let found: Vec<Vec<(IVec3, f64)>> = (0..blocks.element_product())
@@ -103,7 +103,7 @@ impl Net {
     }
 
     /// Moves every vertex towards the mean of its neighbours, then back onto the surface.
-    fn spread(&mut self, field: &Field<'_>, cell: f64) {
+    fn spread(&mut self, field: &ScalarField<'_>, cell: f64) {
         let mut sums = vec![(DVec3::ZERO, 0.0); self.vertices.len()];
         for quad in &self.quads {
             for k in 0..4 {
@@ -202,7 +202,7 @@ fn sheets(value: impl Fn(usize) -> Option<f64>) -> Vec<Vec<(usize, f64)>> {
 }
 
 /// Slope of a field by central differences.
-fn slope(field: &Field<'_>, at: DVec3, step: f64) -> DVec3 {
+fn slope(field: &ScalarField<'_>, at: DVec3, step: f64) -> DVec3 {
     let along = |axis: DVec3| (field(at + step * axis) - field(at - step * axis)) / (2.0 * step);
     DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z))
 }

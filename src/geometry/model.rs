@@ -29,7 +29,7 @@ pub struct Part {
 
 /// The axis of a file that points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Up {
+pub enum UpAxis {
     /// X: as in some scanners' files.
     X,
     /// Y: as here, in Maya, Houdini and glTF.
@@ -39,7 +39,7 @@ pub enum Up {
     Z,
 }
 
-impl Up {
+impl UpAxis {
     /// A vector of the file in the frame with Y up: a rotation, so that nothing is mirrored.
     pub fn stand_up(self, v: DVec3) -> DVec3 {
         match self {
@@ -52,7 +52,7 @@ impl Up {
 
 /// One more mesh for a model, as importers find them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Piece {
+pub struct MeshData {
     /// Name; may be empty.
     pub name: String,
     /// Vertex positions.
@@ -70,7 +70,7 @@ const WHITE: [f32; 4] = [1.0; 4];
 
 impl Model {
     /// Adds a piece. Faces that refer to vertices that are not there are left out: their number is returned.
-    pub fn add(&mut self, piece: Piece) -> usize {
+    pub fn add(&mut self, piece: MeshData) -> usize {
         let base = self.positions.len() as u32;
         let count = piece.positions.len();
         let first = self.triangles.len();
@@ -84,7 +84,7 @@ impl Model {
     }
 
     /// Turns the file's up axis to Y and its unit into metres (`scale` metres a unit).
-    pub fn stand_up(&mut self, up: Up, scale: f64) {
+    pub fn stand_up(&mut self, up: UpAxis, scale: f64) {
         for position in &mut self.positions {
             *position = scale * up.stand_up(*position);
         }
@@ -135,13 +135,13 @@ fn fill_up<T: Copy>(all: &mut Vec<T>, mut new: Vec<T>, before: usize, count: usi
 mod tests {
     use super::*;
 
-    fn piece(name: &str, colours: Vec<[f32; 4]>) -> Piece {
-        Piece {
+    fn piece(name: &str, colours: Vec<[f32; 4]>) -> MeshData {
+        MeshData {
             name: name.to_owned(),
             positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
             colours,
             triangles: vec![[0, 1, 2], [0, 1, 3]],
-            ..Piece::default()
+            ..MeshData::default()
         }
     }
 
@@ -159,12 +159,12 @@ mod tests {
 
     #[test]
     fn standing_up_turns_without_mirroring() {
-        for up in [Up::X, Up::Y, Up::Z] {
+        for up in [UpAxis::X, UpAxis::Y, UpAxis::Z] {
             let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z].map(|v| up.stand_up(v));
             assert!((x.cross(y) - z).length() < 1e-15, "{up:?}");
         }
-        assert_eq!(Up::X.stand_up(DVec3::X), DVec3::Y);
-        assert_eq!(Up::Z.stand_up(DVec3::Z), DVec3::Y);
+        assert_eq!(UpAxis::X.stand_up(DVec3::X), DVec3::Y);
+        assert_eq!(UpAxis::Z.stand_up(DVec3::Z), DVec3::Y);
     }
 
     #[test]

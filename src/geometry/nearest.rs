@@ -8,7 +8,7 @@ use std::collections::HashMap;
 /// Triangles that can be asked for their nearest point. Faces must share the points at which they meet, and turn
 /// counter-clockwise seen from outside.
 #[derive(Clone, Debug)]
-pub struct Surface {
+pub struct SurfaceIndex {
     points: Vec<DVec3>,
     faces: Vec<[u32; 3]>,
     bvh: Bvh,
@@ -28,7 +28,7 @@ pub struct Nearest {
     pub face: u32,
 }
 
-impl Surface {
+impl SurfaceIndex {
     /// Sorts the faces for asking.
     pub fn new(points: Vec<DVec3>, faces: Vec<[u32; 3]>) -> Self {
         let bvh = Bvh::new(&points, &faces);
@@ -116,9 +116,9 @@ mod tests {
     use crate::geometry::lattice::Cuboid;
     use crate::geometry::mesh::box_surface;
 
-    fn cube(edge: f64) -> Surface {
+    fn cube(edge: f64) -> SurfaceIndex {
         let mesh = box_surface(&Cuboid { center: DVec3::ZERO, size: DVec3::splat(2.0) }, edge);
-        Surface::new(mesh.positions, mesh.triangles)
+        SurfaceIndex::new(mesh.positions, mesh.triangles)
     }
 
     #[test]
@@ -154,6 +154,6 @@ mod tests {
                 assert!((found.point.abs().max_element() - 1.0).abs() < 1e-12);
             }
         }
-        assert!(Surface::new(Vec::new(), Vec::new()).nearest(DVec3::ZERO).is_none());
+        assert!(SurfaceIndex::new(Vec::new(), Vec::new()).nearest(DVec3::ZERO).is_none());
     }
 }

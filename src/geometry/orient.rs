@@ -26,7 +26,7 @@ pub struct Orientation {
 
 /// One connected piece of surface.
 #[derive(Clone, Debug)]
-struct Piece {
+struct Component {
     faces: Vec<u32>,
     min: DVec3,
     max: DVec3,
@@ -109,7 +109,7 @@ fn agree(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges) -> Orientation {
     found
 }
 
-fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool]) -> Vec<Piece> {
+fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool]) -> Vec<Component> {
     let mut groups = Groups::new(faces.len());
     for edge in edges.iter() {
         for half in &edge[1..] {
@@ -117,7 +117,7 @@ fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool])
         }
     }
     let (labels, count) = groups.labels();
-    let empty = Piece { faces: Vec::new(), min: DVec3::INFINITY, max: DVec3::NEG_INFINITY, volume: 0.0 };
+    let empty = Component { faces: Vec::new(), min: DVec3::INFINITY, max: DVec3::NEG_INFINITY, volume: 0.0 };
     let mut pieces = vec![empty; count];
     for (face, &label) in labels.iter().enumerate() {
         let piece = &mut pieces[label as usize];
@@ -146,7 +146,7 @@ fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool])
 fn contains(
     points: &[DVec3],
     faces: &[[u32; 3]],
-    pieces: &[Piece],
+    pieces: &[Component],
     outer: usize,
     inner: usize,
     budget: &mut usize,

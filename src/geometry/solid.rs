@@ -4,9 +4,9 @@ use super::bvh::Bvh;
 use super::crossing::crossing_pairs;
 use super::edges::{Edges, count_loops};
 use super::model::Model;
+use super::model_report::{ModelReport, Refusal};
 use super::orient::{area, orientation};
-use super::report::{Refusal, Report};
-use super::rows::{OpenRow, inside_stretches, open_row};
+use super::scanline::{OpenScanline, inside_stretches, open_scanline};
 use super::weld::Welded;
 use super::winding::{Far, Winding, far_fields};
 use glam::DVec3;
@@ -20,7 +20,7 @@ pub struct Solid {
     /// Points and oriented faces of its surface.
     pub surface: Welded,
     /// What was found and done.
-    pub report: Report,
+    pub report: ModelReport,
     /// Least corner of the surface [m].
     pub min: DVec3,
     /// Greatest corner of the surface [m].
@@ -59,7 +59,7 @@ impl Solid {
     /// # Errors
     /// [`Refusal`] where nothing can be filled.
     pub fn new(model: &Model) -> Result<Self, Refusal> {
-        let mut report = Report::default();
+        let mut report = ModelReport::default();
         let model = without_lost(model, &mut report);
         if model.triangles.is_empty() {
             return Err(Refusal::NoFaces { lost_faces: report.lost_faces });
@@ -103,18 +103,18 @@ impl Solid {
     }
 
     /// Stretches of the row through (y, z) along x that lie inside [m].
-    pub fn row(&self, y: f64, z: f64) -> Vec<[f64; 2]> {
+    pub fn scanline(&self, y: f64, z: f64) -> Vec<[f64; 2]> {
         if self.report.closed {
             inside_stretches(&self.surface.points, &self.surface.faces, &self.bvh, y, z)
         } else {
-            self.open_row(y, z).inside
+            self.open_scanline(y, z).inside
         }
     }
 
-    fn open_row(&self, y: f64, z: f64) -> OpenRow {
+    fn open_scanline(&self, y: f64, z: f64) -> OpenScanline {
         let surface = (self.surface.points.as_slice(), self.surface.faces.as_slice(), &self.bvh);
         let step = self.size().length() / LOOKS;
-        open_row(surface, &self.winding(), [self.min.x, self.max.x], step, [y, z])
+        open_scanline(surface, &self.winding(), [self.min.x, self.max.x], step, [y, z])
     }
 
     /// Queries of the winding number of a surface with holes. That of a closed surface follows from its rows.
@@ -124,7 +124,7 @@ impl Solid {
 
     /// Whether a point lies inside.
     pub fn contains(&self, point: DVec3) -> bool {
-        self.row(point.y, point.z).iter().any(|[from, to]| (*from..=*to).contains(&point.x))
+        self.scanline(point.y, point.z).iter().any(|[from, to]| (*from..=*to).contains(&point.x))
     }
 
     /// Extents [m].
@@ -133,11 +133,11 @@ impl Solid {
     }
 
     fn measure(&mut self) -> Result<(), Refusal> {
-        let Report { open_edges, holes, .. } = self.report;
+        let ModelReport { open_edges, holes, .. } = self.report;
         let diagonal = self.size().length();
         if !self.report.closed {
             let [volume, doubtful] = self.count_rows(SAMPLES, |y, z| {
-                let row = self.open_row(y, z);
+                let row = self.open_scanline(y, z);
                 [row.inside.iter().map(|[from, to]| to - from).sum(), row.doubtful]
             });
             let doubtful = if volume > 0.0 { doubtful / volume } else { 1.0 };
@@ -146,7 +146,7 @@ impl Solid {
                 return Err(Refusal::TooOpen { open_edges, holes, doubtful });
             }
         } else if self.report.crossings + self.report.nested_pieces + self.report.crowded_edges > 0 {
-            let length = |y, z| [self.row(y, z).iter().map(|[from, to]| to - from).sum(), 0.0];
+            let length = |y, z| [self.scanline(y, z).iter().map(|[from, to]| to - from).sum(), 0.0];
             [self.volume, _] = self.count_rows(FINE_SAMPLES, length);
         } else {
             self.volume = signed_volume(&self.surface, self.min);
@@ -174,7 +174,7 @@ impl Solid {
     }
 }
 
-fn without_lost(model: &Model, report: &mut Report) -> Model {
+fn without_lost(model: &Model, report: &mut ModelReport) -> Model {
     let usable: Vec<bool> = model.positions.iter().map(|p| p.is_finite() && p.abs().max_element() <= LARGEST).collect();
     let keep = |t: &[u32; 3]| t.iter().all(|&i| usable[i as usize]);
     report.lost_vertices = usable.iter().filter(|&&usable| !usable).count();
@@ -184,7 +184,7 @@ fn without_lost(model: &Model, report: &mut Report) -> Model {
 
 /// Leaves one of faces that are there several times. Faces on the same corners that look opposite ways cancel, unless
 /// the whole model is made of such pairs: then it is one surface, drawn from both sides.
-fn drop_duplicates(surface: &mut Welded, report: &mut Report) {
+fn drop_duplicates(surface: &mut Welded, report: &mut ModelReport) {
     let before = surface.faces.len();
     let mut faces = std::mem::take(&mut surface.faces);
     let key = |&[a, b, c]: &[u32; 3]| [a, b.min(c), b.max(c)];
@@ -204,7 +204,7 @@ fn drop_duplicates(surface: &mut Welded, report: &mut Report) {
 }
 
 /// Welds the two sides of gaps that are too narrow to be meant, if that closes any.
-fn close_gaps(surface: &mut Welded, distance: f64, report: &mut Report) {
+fn close_gaps(surface: &mut Welded, distance: f64, report: &mut ModelReport) {
     let edges = Edges::new(&surface.faces);
     let open = edges.open().count();
     if open == 0 || distance <= 0.0 {

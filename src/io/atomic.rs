@@ -29,10 +29,10 @@ pub fn write_atomically(path: &Path, content: impl FnOnce(&mut dyn Write) -> io:
 /// [`IoError::Write`] within [`IoError::InFile`], as writing would give it.
 pub fn check_writable(path: &Path) -> Result<PathBuf, IoError> {
     let probe = || {
-        let place = Place::of(path)?;
-        place.temporary_file()?.close()?;
-        let name = place.target.file_name().unwrap_or_default();
-        Ok(fs::canonicalize(place.folder())?.join(name))
+        let target = WriteTarget::of(path)?;
+        target.temporary_file()?.close()?;
+        let name = target.path.file_name().unwrap_or_default();
+        Ok(fs::canonicalize(target.folder())?.join(name))
     };
     probe().map_err(|error| IoError::Write(error).within(path))
 }
@@ -40,8 +40,8 @@ pub fn check_writable(path: &Path) -> Result<PathBuf, IoError> {
 /// Removes temporary files in the folder of a path that writers left behind when they were killed. Those that are being
 /// written stay. What cannot be removed stays too: that is no reason to refuse a save.
 pub(super) fn sweep(path: &Path) {
-    let Ok(place) = Place::of(path) else { return };
-    for entry in fs::read_dir(place.folder()).into_iter().flatten().flatten() {
+    let Ok(target) = WriteTarget::of(path) else { return };
+    for entry in fs::read_dir(target.folder()).into_iter().flatten().flatten() {
         let name = entry.file_name();
         let name = name.to_string_lossy();
         let is_ours = name.starts_with(PREFIX) && name.ends_with(SUFFIX);
@@ -75,27 +75,27 @@ const PREFIX: &str = ".sinew-";
 const SUFFIX: &str = ".tmp";
 
 /// Where a file is going to be.
-struct Place {
-    target: PathBuf,
+struct WriteTarget {
+    path: PathBuf,
     old: Option<Metadata>,
 }
 
-impl Place {
+impl WriteTarget {
     fn of(path: &Path) -> io::Result<Self> {
         // Renaming over a link would replace the link and leave the file that it names as it was.
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        let old = fs::metadata(&target).ok();
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let old = fs::metadata(&path).ok();
         if old.as_ref().is_some_and(|old| !old.is_file()) {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a regular file"));
         }
-        if target.file_name().is_none() {
+        if path.file_name().is_none() {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not the path of a file"));
         }
-        Ok(Self { target, old })
+        Ok(Self { path, old })
     }
 
     fn folder(&self) -> &Path {
-        match self.target.parent() {
+        match self.path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         }
@@ -121,19 +121,19 @@ impl Place {
 }
 
 fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let place = Place::of(path)?;
-    let mut file = place.temporary_file()?;
+    let target = WriteTarget::of(path)?;
+    let mut file = target.temporary_file()?;
     let mut buffer = BufWriter::new(file.as_file_mut());
     content(&mut buffer)?;
     buffer.flush()?;
     drop(buffer);
-    if let Some(old) = &place.old {
+    if let Some(old) = &target.old {
         file.as_file().set_permissions(old.permissions())?;
     }
     file.as_file().sync_all()?;
-    file.persist(&place.target).map_err(|error| error.error)?;
+    file.persist(&target.path).map_err(|error| error.error)?;
     // The rename itself is on the disk once the folder is. Not every system can open a folder: then it is on its own.
-    if let Ok(folder) = File::open(place.folder()) {
+    if let Ok(folder) = File::open(target.folder()) {
         folder.sync_all().ok();
     }
     Ok(())

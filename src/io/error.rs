@@ -1,6 +1,6 @@
 //! What can go wrong with a file, each as one line that says what, where and what to do.
 
-use crate::geometry::report::Refusal;
+use crate::geometry::model_report::Refusal;
 use crate::scene::{SceneError, one_line};
 use std::io;
 use std::path::{Path, PathBuf};

@@ -3,7 +3,7 @@
 use super::IoError;
 use super::json::parse;
 use super::scene::{check_version, scene_from_value};
-use super::schema::{Node, closest, unknown_fields_of};
+use super::schema::{SchemaNode, closest, unknown_fields_of};
 use crate::scene::{Scene, SceneError, brief, one_line};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
@@ -48,29 +48,29 @@ pub fn set_pointer(value: &mut Value, pointer: &str, json_text: &str) -> Result<
     match unknown_fields_of(value).iter().find(|path| touches(path, pointer)) {
         Some(path) => {
             let parent = path.rsplit_once('/').map_or("", |(parent, _)| parent);
-            Err(no_such(path, parent, &node_at(parent).map(Node::members).unwrap_or_default()))
+            Err(no_such(path, parent, &node_at(parent).map(SchemaNode::members).unwrap_or_default()))
         }
         None => Ok(()),
     }
 }
 
 /// What may stand at a pointer.
-pub(super) fn node_at(pointer: &str) -> Option<Node> {
+pub(super) fn node_at(pointer: &str) -> Option<SchemaNode> {
     let tokens: Vec<_> = tokens(pointer).collect();
-    Node::at(tokens.iter().map(AsRef::as_ref))
+    SchemaNode::at(tokens.iter().map(AsRef::as_ref))
 }
 
 /// The place that a pointer names, made where it may be and is not yet.
 fn place<'v>(root: &'v mut Value, pointer: &str) -> Result<&'v mut Value, IoError> {
     let mut here = root;
-    let mut node = Node::at([]);
+    let mut node = SchemaNode::at([]);
     let mut path = String::new();
     let count = tokens(pointer).count();
     for (index, token) in tokens(pointer).enumerate() {
         let last = index + 1 == count;
         let next = node.and_then(|node| node.child(&token));
         let may_make = next.is_some_and(|next| last || next.is_list());
-        if last && may_make && node.is_some_and(Node::is_choice) {
+        if last && may_make && node.is_some_and(SchemaNode::is_choice) {
             *here = Value::Object(Map::new());
         }
         here = match here {

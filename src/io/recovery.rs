@@ -39,7 +39,7 @@ pub struct Origin {
 /// The place of one open document among those that can be recovered. Dropped without [`Self::clear`], as by a panic, it
 /// leaves what was written there.
 #[derive(Debug)]
-pub struct Recovery {
+pub struct RecoveryFile {
     document: PathBuf,
     lock: PathBuf,
     /// Locked for as long as it is open.
@@ -48,7 +48,7 @@ pub struct Recovery {
 
 /// A document that a program left behind.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Recoverable {
+pub struct RecoverableDocument {
     /// Its name.
     pub name: String,
     /// Where it belongs.
@@ -60,7 +60,7 @@ pub struct Recoverable {
 
 /// What is written.
 #[derive(Serialize)]
-struct Kept<'a> {
+struct WrittenContent<'a> {
     original: Option<&'a str>,
     folder: Option<&'a str>,
     doubtful: bool,
@@ -72,7 +72,7 @@ struct Kept<'a> {
 
 /// What is read: the scene is looked at in a second step, with its own errors.
 #[derive(Deserialize)]
-struct Found {
+struct ReadContent {
     original: Option<PathBuf>,
     folder: Option<PathBuf>,
     #[serde(default)]
@@ -83,7 +83,7 @@ struct Found {
     scene: Value,
 }
 
-impl Recovery {
+impl RecoveryFile {
     /// Takes a place for a document in a folder, which is made if it is missing.
     ///
     /// # Errors
@@ -106,7 +106,7 @@ impl Recovery {
         let file = origin.file.as_deref().and_then(|file| absolute(file).ok());
         let here = Path::new(".");
         let folder = absolute(if origin.folder.as_os_str().is_empty() { here } else { &origin.folder }).ok();
-        let kept = Kept {
+        let kept = WrittenContent {
             original: file.as_deref().and_then(Path::to_str),
             folder: folder.as_deref().and_then(Path::to_str),
             doubtful: origin.doubtful,
@@ -126,7 +126,7 @@ impl Recovery {
     }
 }
 
-impl Drop for Recovery {
+impl Drop for RecoveryFile {
     fn drop(&mut self) {
         // What cannot be removed is found free of its lock, and removed, at the next start.
         fs::remove_file(&self.lock).ok();
@@ -135,7 +135,7 @@ impl Drop for Recovery {
 
 /// Documents that were left behind in a folder, the newest first; none of a folder that is not there. Those that are
 /// open in another window are not among them, nor are files that cannot be read.
-pub fn recoverable(folder: &Path) -> Vec<Recoverable> {
+pub fn recoverable_documents(folder: &Path) -> Vec<RecoverableDocument> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let path = entry.path();
@@ -152,7 +152,7 @@ pub fn recoverable(folder: &Path) -> Vec<Recoverable> {
     found
 }
 
-impl Recoverable {
+impl RecoverableDocument {
     /// The document.
     ///
     /// # Errors
@@ -218,9 +218,9 @@ fn removed(path: &Path) -> Result<(), IoError> {
     }
 }
 
-fn looked_at(document: &Path) -> Option<Recoverable> {
+fn looked_at(document: &Path) -> Option<RecoverableDocument> {
     let found = read(document).ok()?;
-    Some(Recoverable {
+    Some(RecoverableDocument {
         name: found.scene.get("name").and_then(Value::as_str).unwrap_or_default().to_owned(),
         origin: Origin {
             file: found.original,
@@ -233,7 +233,7 @@ fn looked_at(document: &Path) -> Option<Recoverable> {
     })
 }
 
-fn read(document: &Path) -> Result<Found, IoError> {
+fn read(document: &Path) -> Result<ReadContent, IoError> {
     let bytes = read_bytes(document, MAX_SCENE_BYTES)?;
     let text = String::from_utf8(bytes).map_err(|error| IoError::NotUtf8 { at: error.utf8_error().valid_up_to() })?;
     serde_json::from_value(parse(&text)?).map_err(|error| {

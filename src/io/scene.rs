@@ -4,7 +4,7 @@ use super::atomic::sweep;
 use super::json::{parse, pointer_of};
 use super::pointer::node_at;
 use super::read::read_bytes;
-use super::schema::{Node, closest, unknown_fields_of};
+use super::schema::{SchemaNode, closest, unknown_fields_of};
 use super::{IoError, write_atomically};
 use crate::scene::{SCENE_VERSION, Scene, SceneError, brief, one_line};
 use serde_json::Value;
@@ -83,7 +83,7 @@ fn missing_field(message: &str) -> Option<&str> {
 
 /// What to do about a missing member: often it is there, misspelt.
 fn add_field(value: &Value, path: &str, field: &str) -> String {
-    let described = node_at(path).and_then(|node| node.child(field)).map_or("", Node::description);
+    let described = node_at(path).and_then(|node| node.child(field)).map_or("", SchemaNode::description);
     let add = if described.is_empty() { "add it".to_owned() } else { format!("add it: {described}") };
     let unknown = unknown_fields_of(value);
     let here = unknown.iter().filter_map(|other| other.strip_prefix(path)?.strip_prefix('/'));
@@ -95,7 +95,7 @@ fn add_field(value: &Value, path: &str, field: &str) -> String {
 
 /// What the schema says belongs at a place.
 fn describe(path: &str) -> String {
-    match node_at(path).map_or("", Node::description) {
+    match node_at(path).map_or("", SchemaNode::description) {
         "" => "see `sinew schema`".to_owned(),
         // The first paragraph says what it is; a message is one line.
         text => {

@@ -20,11 +20,11 @@ pub fn unknown_fields(scene: &Scene) -> Vec<String> {
 /// [`unknown_fields`] of a value tree.
 pub(super) fn unknown_fields_of(value: &Value) -> Vec<String> {
     let mut found = Vec::new();
-    collect_unknown(Node(&SCHEMA), value, "", &mut found);
+    collect_unknown(SchemaNode(&SCHEMA), value, "", &mut found);
     found
 }
 
-fn collect_unknown(node: Node, value: &Value, path: &str, found: &mut Vec<String>) {
+fn collect_unknown(node: SchemaNode, value: &Value, path: &str, found: &mut Vec<String>) {
     match value {
         Value::Object(members) => {
             for (name, member) in members {
@@ -48,9 +48,9 @@ fn collect_unknown(node: Node, value: &Value, path: &str, found: &mut Vec<String
 
 /// A part of the schema: what may stand at one place of a scene file.
 #[derive(Clone, Copy)]
-pub(super) struct Node(&'static Value);
+pub(super) struct SchemaNode(&'static Value);
 
-impl Node {
+impl SchemaNode {
     /// What may stand at the place that these pointer tokens lead to.
     pub(super) fn at<'a>(tokens: impl IntoIterator<Item = &'a str>) -> Option<Self> {
         tokens.into_iter().try_fold(Self(&SCHEMA), Self::child)

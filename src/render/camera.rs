@@ -85,7 +85,7 @@ pub struct Ray {
 
 /// A point as it is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
+pub struct Projected {
     /// Where [pixels].
     pub pixel: DVec2,
     /// How far from the eye along its line of view [m]; in a parallel view, from the plane through the target.
@@ -160,11 +160,11 @@ impl Camera {
     }
 
     /// Where a point [m] is seen in a picture of `size` [pixels]; none behind the eye.
-    pub fn project(&self, point: DVec3, size: DVec2) -> Option<Seen> {
+    pub fn project(&self, point: DVec3, size: DVec2) -> Option<Projected> {
         let view = self.view_from_local(DVec3::ZERO).transform_point3(point);
         let clip = self.clip_from_view(size.x / size.y) * view.extend(1.0);
         (clip.w > 0.0)
-            .then(|| Seen { pixel: (DVec2::new(clip.x, -clip.y) / clip.w + 1.0) * 0.5 * size, depth: -view.z })
+            .then(|| Projected { pixel: (DVec2::new(clip.x, -clip.y) / clip.w + 1.0) * 0.5 * size, depth: -view.z })
     }
 
     /// The line of sight through a pixel of a picture of `size` [pixels].
@@ -184,7 +184,7 @@ impl Camera {
         }
     }
 
-    /// The point [m] that is seen at a pixel at a depth as [`Seen`] gives it.
+    /// The point [m] that is seen at a pixel at a depth as [`Projected`] gives it.
     pub fn point_at(&self, pixel: DVec2, depth: f64, size: DVec2) -> DVec3 {
         let backward = self.world_from_view().z_axis;
         let ray = self.ray(pixel, size);

@@ -2,8 +2,8 @@
 
 use super::renderer::Renderer;
 use super::shadow::Caster;
-use super::skinning::Hide;
-use crate::draw::{Colour, DrawList, Faces, Ground, Line, Points, Size, Surface, Theme};
+use super::skinning::GpuSkin;
+use crate::draw::{Colour, DrawList, Faces, Ground, Line, Points, Size, SurfaceStyle, Theme};
 use glam::{DVec3, Vec3};
 use std::ops::Range;
 
@@ -34,7 +34,7 @@ pub struct Content {
     pub(super) segments: Store,
     pub(super) meshes: Vec<MeshDraw>,
     /// Skins that the graphics processor moves.
-    pub(super) hides: Vec<Hide>,
+    pub(super) skins: Vec<GpuSkin>,
     pub(super) casters: Option<[Caster; 2]>,
     /// Light that is hidden on the floor.
     pub(super) shade: wgpu::TextureView,
@@ -42,12 +42,12 @@ pub struct Content {
 
 /// A mesh in the buffers.
 pub(super) struct MeshDraw {
-    /// Which of [`Content::hides`] it is; none for a mesh in the common buffers.
-    pub(super) hide: Option<usize>,
+    /// Which of [`Content::skins`] it is; none for a mesh in the common buffers.
+    pub(super) skin: Option<usize>,
     /// Row of its first vertex's colour.
     pub(super) tints: u32,
     pub(super) indices: Range<u32>,
-    pub(super) surface: Surface,
+    pub(super) surface: SurfaceStyle,
     pub(super) casts_shadow: bool,
     pub(super) picked: bool,
     /// Whether it is cut open.
@@ -69,7 +69,7 @@ impl Content {
             points: Store::new(device, "points", wgpu::BufferUsages::VERTEX),
             segments: Store::new(device, "segments", wgpu::BufferUsages::VERTEX),
             meshes: Vec::new(),
-            hides: Vec::new(),
+            skins: Vec::new(),
             casters: None,
             shade,
         }
@@ -82,27 +82,27 @@ impl Content {
         let (mut vertices, mut indices, mut items) = (Vec::new(), Vec::new(), Vec::new());
         self.meshes.clear();
         // A skin that was there before stays in the graphics processor's memory.
-        let mut known = std::mem::take(&mut self.hides);
+        let mut known = std::mem::take(&mut self.skins);
         for mesh in &list.meshes {
-            let hide = match (&mesh.faces, renderer.skinning()) {
-                (Faces::Hung(hung), Some(skinning)) => {
-                    self.hides.push(match known.iter().position(|hide| hide.is_of(hung)) {
+            let skin = match (&mesh.faces, renderer.skinning()) {
+                (Faces::Skinned(skinned), Some(skinning)) => {
+                    self.skins.push(match known.iter().position(|skin| skin.is_of(skinned)) {
                         Some(place) => known.swap_remove(place),
-                        None => Hide::new(device, skinning, hung),
+                        None => GpuSkin::new(device, skinning, skinned),
                     });
-                    Some(self.hides.len() - 1)
+                    Some(self.skins.len() - 1)
                 }
                 _ => None,
             };
-            let range = match hide {
-                Some(hide) => 0..self.hides[hide].index_count(),
+            let range = match skin {
+                Some(skin) => 0..self.skins[skin].index_count(),
                 None => push_mesh(&mut vertices, &mut indices, &mesh.faces),
             };
             push(&mut items, mesh.colour.linear());
-            let cut = list.slice.is_some() && matches!(mesh.faces, Faces::Hung(_));
+            let cut = list.slice.is_some() && matches!(mesh.faces, Faces::Skinned(_));
             items.extend([mesh.pick, u32::from(cut)]);
             self.meshes.push(MeshDraw {
-                hide,
+                skin,
                 tints: 0,
                 indices: range,
                 surface: mesh.surface,
@@ -125,7 +125,7 @@ impl Content {
         self.items.write(device, queue, &items, ITEM_WORDS);
         self.points.write(device, queue, &points, POINT_WORDS);
         self.segments.write(device, queue, &segments, SEGMENT_WORDS);
-        self.hang(renderer, &list);
+        self.move_skins(renderer, &list);
         self.list = list;
         renderer.draw_shadow(self);
     }
@@ -136,7 +136,7 @@ impl Content {
         let mut words = vec![0; common];
         let mut first = 0;
         for (mesh, drawn) in list.meshes.iter().zip(&mut self.meshes) {
-            if drawn.hide.is_none() {
+            if drawn.skin.is_none() {
                 let count = mesh.faces.vertex_count();
                 for (slot, tint) in words[first..first + count].iter_mut().zip(&mesh.tints) {
                     *slot = word(tint);
@@ -149,7 +149,7 @@ impl Content {
         }
         let plain = words.len();
         for (mesh, drawn) in list.meshes.iter().zip(&mut self.meshes) {
-            if drawn.hide.is_some() && mesh.tints.is_empty() {
+            if drawn.skin.is_some() && mesh.tints.is_empty() {
                 drawn.tints = plain as u32;
                 words.resize(words.len().max(plain + mesh.faces.vertex_count()), 0);
             }
@@ -158,17 +158,17 @@ impl Content {
     }
 
     /// Moves the vertices of skins to where their particles are.
-    fn hang(&self, renderer: &Renderer, list: &DrawList) {
-        let Some(skinning) = renderer.skinning().filter(|_| !self.hides.is_empty()) else { return };
+    fn move_skins(&self, renderer: &Renderer, list: &DrawList) {
+        let Some(skinning) = renderer.skinning().filter(|_| !self.skins.is_empty()) else { return };
         let descriptor = wgpu::CommandEncoderDescriptor { label: Some("skins") };
         let mut encoder = renderer.device().create_command_encoder(&descriptor);
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-        let hung = list.meshes.iter().filter_map(|mesh| match &mesh.faces {
-            Faces::Hung(hung) => Some(hung),
+        let skinned = list.meshes.iter().filter_map(|mesh| match &mesh.faces {
+            Faces::Skinned(skinned) => Some(skinned),
             Faces::Free(..) => None,
         });
-        for (hide, hung) in self.hides.iter().zip(hung) {
-            hide.hang(renderer.queue(), &mut pass, skinning, hung);
+        for (skin, skinned) in self.skins.iter().zip(skinned) {
+            skin.deform(renderer.queue(), &mut pass, skinning, skinned);
         }
         drop(pass);
         renderer.queue().submit([encoder.finish()]);
@@ -176,8 +176,8 @@ impl Content {
 
     /// Buffers of a mesh's vertices and indices.
     pub(super) fn buffers(&self, mesh: &MeshDraw) -> [&wgpu::Buffer; 2] {
-        match mesh.hide.and_then(|hide| self.hides.get(hide)) {
-            Some(hide) => [&hide.vertices, &hide.indices],
+        match mesh.skin.and_then(|skin| self.skins.get(skin)) {
+            Some(skin) => [&skin.vertices, &skin.indices],
             None => [&self.vertices.buffer, &self.indices.buffer],
         }
     }

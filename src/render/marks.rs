@@ -26,32 +26,32 @@ pub(super) fn write(
     size: [u32; 2],
     pixels_per_point: f32,
 ) {
-    let mut pen = Pen { words: Vec::new(), scale: pixels_per_point };
+    let mut marks = MarksBuilder { words: Vec::new(), scale: pixels_per_point };
     let extent = Vec2::from_array(size.map(|extent| extent as f32));
     let roomy = extent.min_element() >= SMALLEST * pixels_per_point;
     if list.ground.axes && roomy {
-        pen.axes(list, camera, extent);
+        marks.axes(list, camera, extent);
     }
     if list.ground.grid && roomy {
-        pen.bar(list, camera, extent);
+        marks.bar(list, camera, extent);
     }
     for label in &list.labels {
         let point = list.origin + label.at.as_dvec3();
         if let Some(seen) = camera.project(point, DVec2::from_array(size.map(f64::from))) {
             let at = Vec2::new(seen.pixel.x as f32, extent.y - seen.pixel.y as f32);
-            pen.text(&label.text, at + Vec2::splat(6.0 * pixels_per_point), label.colour);
+            marks.text(&label.text, at + Vec2::splat(6.0 * pixels_per_point), label.colour);
         }
     }
-    store.write(renderer.device(), renderer.queue(), &pen.words, SEGMENT_WORDS);
+    store.write(renderer.device(), renderer.queue(), &marks.words, SEGMENT_WORDS);
 }
 
 /// Draws in pixels from the lower left corner.
-struct Pen {
+struct MarksBuilder {
     words: Vec<u32>,
     scale: f32,
 }
 
-impl Pen {
+impl MarksBuilder {
     fn line(&mut self, points: &[Vec2], width: f32, colour: Colour) {
         let points: Vec<Vec3> = points.iter().map(|point| point.extend(0.0)).collect();
         push_line(&mut self.words, &Line { points, width, colour, through: 0.0, pick: 0 }, ON_SCREEN);

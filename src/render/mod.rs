@@ -32,7 +32,7 @@ mod uniforms;
 mod viewport;
 
 pub use blit::Blit;
-pub use camera::{Camera, Facing, Projection, Ray, Seen};
+pub use camera::{Camera, Facing, Projected, Projection, Ray};
 pub use content::Content;
 pub use device::{NoDriver, open_device};
 pub use offscreen::{Offscreen, Picture, RenderError};

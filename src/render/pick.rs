@@ -4,9 +4,9 @@ use super::camera::Camera;
 use super::content::{Content, MeshDraw};
 use super::pipelines::{DEPTH_FORMAT, PICK_FORMAT};
 use super::renderer::{Renderer, draw_meshes, instances};
-use super::uniforms::Frame;
+use super::uniforms::FrameUniforms;
 use super::viewport::{Viewport, depth_attachment, target};
-use crate::draw::{PickId, PickKind, Picks, Surface};
+use crate::draw::{PickId, PickKind, Picks, SurfaceStyle};
 use bytemuck::bytes_of;
 use glam::{DVec2, DVec3};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -55,7 +55,8 @@ impl Renderer {
         let size = DVec2::from_array(viewport.size().map(f64::from));
         let frame = self.frame_buffer();
         let window = window(pixel, side, size);
-        let uniforms = Frame::new(&content.list, None, camera, viewport.size(), viewport.pixels_per_point(), window);
+        let uniforms =
+            FrameUniforms::new(&content.list, None, camera, viewport.size(), viewport.pixels_per_point(), window);
         self.queue().write_buffer(&frame, 0, bytes_of(&uniforms));
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let kept = drawn | wgpu::TextureUsages::COPY_SRC;
@@ -112,15 +113,15 @@ impl Renderer {
         });
         pass.set_bind_group(0, &group, &[]);
         // What can be seen through lies in the far half of the depths: behind all that cannot.
-        let picked = |surface: Surface| move |mesh: &MeshDraw| mesh.picked && mesh.surface == surface;
+        let picked = |surface: SurfaceStyle| move |mesh: &MeshDraw| mesh.picked && mesh.surface == surface;
         pass.set_viewport(0.0, 0.0, side, side, 0.0, 0.5);
-        let inside = |surface: Surface| move |mesh: &MeshDraw| mesh.cut && mesh.surface == surface;
-        draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, picked(Surface::XRay));
-        draw_meshes(&mut pass, &self.pipelines.pick_inside, content, inside(Surface::XRay));
-        draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, picked(Surface::Faint));
+        let inside = |surface: SurfaceStyle| move |mesh: &MeshDraw| mesh.cut && mesh.surface == surface;
+        draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, picked(SurfaceStyle::XRay));
+        draw_meshes(&mut pass, &self.pipelines.pick_inside, content, inside(SurfaceStyle::XRay));
+        draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, picked(SurfaceStyle::Faint));
         pass.set_viewport(0.0, 0.0, side, side, 0.5, 1.0);
-        draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, |mesh| mesh.surface == Surface::Solid);
-        draw_meshes(&mut pass, &self.pipelines.pick_inside, content, inside(Surface::Solid));
+        draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, |mesh| mesh.surface == SurfaceStyle::Solid);
+        draw_meshes(&mut pass, &self.pipelines.pick_inside, content, inside(SurfaceStyle::Solid));
         instances(&mut pass, &self.pipelines.pick_points, &content.points);
         instances(&mut pass, &self.pipelines.pick_lines, &content.segments);
     }

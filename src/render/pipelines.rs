@@ -10,24 +10,34 @@ pub(super) const SHADE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Uno
 
 const WORD: usize = 4;
 
-/// How something meets what was drawn before.
+/// How fragments meet what was drawn before: the fixed-function part of a pipeline.
 #[derive(Clone, Copy)]
-struct Meets {
-    depth: CompareFunction,
-    writes: bool,
+struct RenderState {
+    depth_compare: CompareFunction,
+    depth_write: bool,
     blend: bool,
     /// Edges by samples, where there are some, in place of blending: right whatever is drawn behind later.
-    covers: bool,
+    alpha_to_coverage: bool,
     cull: Option<Face>,
 }
 
-const OPAQUE: Meets =
-    Meets { depth: CompareFunction::GreaterEqual, writes: true, blend: false, covers: false, cull: Some(Face::Back) };
-const CLEAR: Meets =
-    Meets { depth: CompareFunction::GreaterEqual, writes: false, blend: true, covers: false, cull: None };
+const OPAQUE: RenderState = RenderState {
+    depth_compare: CompareFunction::GreaterEqual,
+    depth_write: true,
+    blend: false,
+    alpha_to_coverage: false,
+    cull: Some(Face::Back),
+};
+const CLEAR: RenderState = RenderState {
+    depth_compare: CompareFunction::GreaterEqual,
+    depth_write: false,
+    blend: true,
+    alpha_to_coverage: false,
+    cull: None,
+};
 /// Where something is in front: depth is reversed.
-const BEHIND: Meets = Meets { depth: CompareFunction::Less, ..CLEAR };
-const ANYWHERE: Meets = Meets { depth: CompareFunction::Always, ..CLEAR };
+const BEHIND: RenderState = RenderState { depth_compare: CompareFunction::Less, ..CLEAR };
+const ANYWHERE: RenderState = RenderState { depth_compare: CompareFunction::Always, ..CLEAR };
 
 /// Pipelines that draw into the same kind of target.
 pub(super) struct Pipelines {
@@ -120,72 +130,88 @@ impl Pipelines {
         .map(|(label, source)| module(label, source));
         let frame = layout("frame", &layouts.frame);
         let caster = layout("caster", &layouts.caster);
-        let picture = Maker { device, layout: &frame, colour: Some(format), depth: true, samples };
-        let pick = Maker { colour: Some(PICK_FORMAT), samples: 1, ..picture };
-        let cast = Maker { layout: &caster, colour: None, samples: 1, ..picture };
-        let shades = Maker {
+        let picture = PipelineBuilder { device, layout: &frame, colour: Some(format), depth: true, samples };
+        let pick = PipelineBuilder { colour: Some(PICK_FORMAT), samples: 1, ..picture };
+        let cast = PipelineBuilder { layout: &caster, colour: None, samples: 1, ..picture };
+        let shades = PipelineBuilder {
             layout: &layout("shade", &layouts.shade),
             colour: Some(SHADE_FORMAT),
             depth: false,
             samples: 1,
             ..picture
         };
-        let inside = Meets { cull: Some(Face::Front), ..OPAQUE };
-        let solid_pick = Meets { blend: false, ..OPAQUE };
-        let lowest = Meets { depth: CompareFunction::Less, writes: true, blend: false, covers: false, cull: None };
+        let inside = RenderState { cull: Some(Face::Front), ..OPAQUE };
+        let solid_pick = RenderState { blend: false, ..OPAQUE };
+        let lowest = RenderState {
+            depth_compare: CompareFunction::Less,
+            depth_write: true,
+            blend: false,
+            alpha_to_coverage: false,
+            cull: None,
+        };
         Self {
-            background: picture.make(&background, ["vs_background", "fs_background"], Rows::None, ANYWHERE),
-            paper: picture.make(&ground, ["vs_ground", "fs_ground"], Rows::None, ANYWHERE),
-            floor: picture.make(&ground, ["vs_ground", "fs_ground"], Rows::None, Meets { writes: true, ..CLEAR }),
-            grid: picture.make(&ground, ["vs_ground", "fs_ground"], Rows::None, CLEAR),
-            solid: picture.make(&mesh, ["vs_mesh", "fs_solid"], Rows::Mesh, OPAQUE),
-            inside: picture.make(&mesh, ["vs_mesh", "fs_inside"], Rows::Mesh, inside),
-            x_ray_back: picture.make(
+            background: picture.build(&background, ["vs_background", "fs_background"], VertexInput::None, ANYWHERE),
+            paper: picture.build(&ground, ["vs_ground", "fs_ground"], VertexInput::None, ANYWHERE),
+            floor: picture.build(
+                &ground,
+                ["vs_ground", "fs_ground"],
+                VertexInput::None,
+                RenderState { depth_write: true, ..CLEAR },
+            ),
+            grid: picture.build(&ground, ["vs_ground", "fs_ground"], VertexInput::None, CLEAR),
+            solid: picture.build(&mesh, ["vs_mesh", "fs_solid"], VertexInput::Mesh, OPAQUE),
+            inside: picture.build(&mesh, ["vs_mesh", "fs_inside"], VertexInput::Mesh, inside),
+            x_ray_back: picture.build(
                 &mesh,
                 ["vs_mesh", "fs_x_ray"],
-                Rows::Mesh,
-                Meets { cull: Some(Face::Front), ..CLEAR },
+                VertexInput::Mesh,
+                RenderState { cull: Some(Face::Front), ..CLEAR },
             ),
-            x_ray_front: picture.make(
+            x_ray_front: picture.build(
                 &mesh,
                 ["vs_mesh", "fs_x_ray"],
-                Rows::Mesh,
-                Meets { cull: Some(Face::Back), ..CLEAR },
+                VertexInput::Mesh,
+                RenderState { cull: Some(Face::Back), ..CLEAR },
             ),
-            faint: picture.make(&mesh, ["vs_mesh", "fs_faint"], Rows::Mesh, CLEAR),
-            points: picture.make(
+            faint: picture.build(&mesh, ["vs_mesh", "fs_faint"], VertexInput::Mesh, CLEAR),
+            points: picture.build(
                 &point,
                 ["vs_point", "fs_point"],
-                Rows::Points,
-                Meets { writes: true, covers: true, ..CLEAR },
+                VertexInput::Points,
+                RenderState { depth_write: true, alpha_to_coverage: true, ..CLEAR },
             ),
-            points_through: picture.make(&point, ["vs_point", "fs_point_through"], Rows::Points, BEHIND),
-            lines: picture.make(&line, ["vs_line", "fs_line"], Rows::Segments, CLEAR),
-            lines_through: picture.make(&line, ["vs_line", "fs_line_through"], Rows::Segments, BEHIND),
-            pick_mesh: pick.make(&mesh, ["vs_mesh", "fs_mesh_pick"], Rows::Mesh, solid_pick),
-            pick_inside: pick.make(&mesh, ["vs_mesh", "fs_mesh_pick"], Rows::Mesh, inside),
-            pick_points: pick.make(
+            points_through: picture.build(&point, ["vs_point", "fs_point_through"], VertexInput::Points, BEHIND),
+            lines: picture.build(&line, ["vs_line", "fs_line"], VertexInput::Segments, CLEAR),
+            lines_through: picture.build(&line, ["vs_line", "fs_line_through"], VertexInput::Segments, BEHIND),
+            pick_mesh: pick.build(&mesh, ["vs_mesh", "fs_mesh_pick"], VertexInput::Mesh, solid_pick),
+            pick_inside: pick.build(&mesh, ["vs_mesh", "fs_mesh_pick"], VertexInput::Mesh, inside),
+            pick_points: pick.build(
                 &point,
                 ["vs_point", "fs_point_pick"],
-                Rows::Points,
-                Meets { cull: None, ..solid_pick },
+                VertexInput::Points,
+                RenderState { cull: None, ..solid_pick },
             ),
-            pick_lines: pick.make(
+            pick_lines: pick.build(
                 &line,
                 ["vs_line", "fs_line_pick"],
-                Rows::Segments,
-                Meets { cull: None, ..solid_pick },
+                VertexInput::Segments,
+                RenderState { cull: None, ..solid_pick },
             ),
-            cast_mesh: cast.make(&shadow, ["vs_cast_mesh", ""], Rows::Vertices, lowest),
-            cast_points: cast.make(&shadow, ["vs_cast_point", ""], Rows::Points, lowest),
-            shade: shades.make(&shade, ["vs_shade", "fs_shade"], Rows::None, Meets { blend: false, ..ANYWHERE }),
+            cast_mesh: cast.build(&shadow, ["vs_cast_mesh", ""], VertexInput::Vertices, lowest),
+            cast_points: cast.build(&shadow, ["vs_cast_point", ""], VertexInput::Points, lowest),
+            shade: shades.build(
+                &shade,
+                ["vs_shade", "fs_shade"],
+                VertexInput::None,
+                RenderState { blend: false, ..ANYWHERE },
+            ),
         }
     }
 }
 
 /// What a vertex shader reads.
 #[derive(Clone, Copy)]
-enum Rows {
+enum VertexInput {
     None,
     Mesh,
     /// A mesh without what is told of it as a whole.
@@ -203,7 +229,7 @@ const SEGMENT: [wgpu::VertexAttribute; 8] = wgpu::vertex_attr_array![
     0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x4, 5 => Float32x2, 6 => Uint32, 7 => Uint32
 ];
 
-impl Rows {
+impl VertexInput {
     fn layouts(self) -> Vec<Option<wgpu::VertexBufferLayout<'static>>> {
         let rows = |words: usize, step_mode, attributes: &'static [wgpu::VertexAttribute]| {
             debug_assert!(
@@ -235,7 +261,7 @@ impl Rows {
 
 /// What pipelines for the same targets have in common.
 #[derive(Clone, Copy)]
-struct Maker<'a> {
+struct PipelineBuilder<'a> {
     device: &'a wgpu::Device,
     layout: &'a wgpu::PipelineLayout,
     colour: Option<wgpu::TextureFormat>,
@@ -243,13 +269,19 @@ struct Maker<'a> {
     samples: u32,
 }
 
-impl Maker<'_> {
-    fn make(&self, module: &wgpu::ShaderModule, entries: [&str; 2], rows: Rows, meets: Meets) -> wgpu::RenderPipeline {
+impl PipelineBuilder<'_> {
+    fn build(
+        &self,
+        module: &wgpu::ShaderModule,
+        entries: [&str; 2],
+        input: VertexInput,
+        state: RenderState,
+    ) -> wgpu::RenderPipeline {
         let [vertex, fragment] = entries;
-        let covers = meets.covers && self.samples > 1;
+        let covers = state.alpha_to_coverage && self.samples > 1;
         let targets = [self.colour.map(|format| wgpu::ColorTargetState {
             format,
-            blend: (meets.blend && !covers).then_some(BlendState::ALPHA_BLENDING),
+            blend: (state.blend && !covers).then_some(BlendState::ALPHA_BLENDING),
             write_mask: wgpu::ColorWrites::ALL,
         })];
         let compilation_options = wgpu::PipelineCompilationOptions::default();
@@ -260,17 +292,17 @@ impl Maker<'_> {
                 module,
                 entry_point: Some(vertex),
                 compilation_options: compilation_options.clone(),
-                buffers: &rows.layouts(),
+                buffers: &input.layouts(),
             },
             primitive: wgpu::PrimitiveState {
-                topology: rows.topology(),
-                cull_mode: meets.cull,
+                topology: input.topology(),
+                cull_mode: state.cull,
                 ..wgpu::PrimitiveState::default()
             },
             depth_stencil: self.depth.then(|| wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
-                depth_write_enabled: Some(meets.writes),
-                depth_compare: Some(meets.depth),
+                depth_write_enabled: Some(state.depth_write),
+                depth_compare: Some(state.depth_compare),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),

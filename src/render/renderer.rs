@@ -6,9 +6,9 @@ use super::marks;
 use super::pipelines::{DEPTH_FORMAT, Layouts, Pipelines, SHADE_FORMAT, row_offset};
 use super::shadow::Caster;
 use super::skinning::Skinning;
-use super::uniforms::Frame;
+use super::uniforms::FrameUniforms;
 use super::viewport::{Viewport, depth_attachment, target};
-use crate::draw::Surface;
+use crate::draw::SurfaceStyle;
 use bytemuck::{Pod, bytes_of};
 
 /// Format of every picture: encoded as sRGB by the shaders, plain to whoever shows it.
@@ -113,7 +113,7 @@ impl Renderer {
     ) {
         let (size, scale) = (viewport.size(), viewport.pixels_per_point());
         let caster = content.casters.as_ref().map(|[along_key, _]| along_key);
-        let frame = Frame::new(&content.list, caster, camera, size, scale, [1.0, 1.0, 0.0, 0.0]);
+        let frame = FrameUniforms::new(&content.list, caster, camera, size, scale, [1.0, 1.0, 0.0, 0.0]);
         self.queue.write_buffer(&viewport.frame, 0, bytes_of(&frame));
         marks::write(&mut viewport.marks, self, content.list(), camera, size, scale);
         let group = self.frame_group(&viewport.frame, content);
@@ -136,12 +136,12 @@ impl Renderer {
             pass.set_pipeline(ground);
             pass.draw(0..4, 0..1);
         }
-        meshes(&mut pass, &pipelines.solid, content, Surface::Solid);
-        draw_meshes(&mut pass, &pipelines.inside, content, |mesh| mesh.cut && mesh.surface == Surface::Solid);
+        meshes(&mut pass, &pipelines.solid, content, SurfaceStyle::Solid);
+        draw_meshes(&mut pass, &pipelines.inside, content, |mesh| mesh.cut && mesh.surface == SurfaceStyle::Solid);
         instances(&mut pass, &pipelines.points, &content.points);
-        meshes(&mut pass, &pipelines.x_ray_back, content, Surface::XRay);
-        meshes(&mut pass, &pipelines.x_ray_front, content, Surface::XRay);
-        meshes(&mut pass, &pipelines.faint, content, Surface::Faint);
+        meshes(&mut pass, &pipelines.x_ray_back, content, SurfaceStyle::XRay);
+        meshes(&mut pass, &pipelines.x_ray_front, content, SurfaceStyle::XRay);
+        meshes(&mut pass, &pipelines.faint, content, SurfaceStyle::Faint);
         if frame.ground_in_front() {
             pass.set_pipeline(&pipelines.grid);
             pass.draw(0..4, 0..1);
@@ -211,7 +211,7 @@ impl Renderer {
     }
 
     pub(super) fn frame_buffer(&self) -> wgpu::Buffer {
-        uniform::<Frame>(&self.device, "frame")
+        uniform::<FrameUniforms>(&self.device, "frame")
     }
 
     pub(super) fn frame_group(&self, frame: &wgpu::Buffer, content: &Content) -> wgpu::BindGroup {
@@ -237,7 +237,7 @@ fn uniform<T: Pod>(device: &wgpu::Device, label: &str) -> wgpu::Buffer {
 }
 
 /// Draws the meshes of one surface.
-fn meshes(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, content: &Content, surface: Surface) {
+fn meshes(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, content: &Content, surface: SurfaceStyle) {
     draw_meshes(pass, pipeline, content, |mesh| mesh.surface == surface);
 }
 

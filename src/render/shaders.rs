@@ -40,8 +40,8 @@ mod tests {
                     other => panic!("{name} is {other:?}"),
                 })
             };
-            let frame = size("Frame").unwrap_or(size_of::<crate::render::uniforms::Frame>());
-            assert_eq!(frame, size_of::<crate::render::uniforms::Frame>());
+            let frame = size("FrameUniforms").unwrap_or(size_of::<crate::render::uniforms::FrameUniforms>());
+            assert_eq!(frame, size_of::<crate::render::uniforms::FrameUniforms>());
             let caster = size("Caster").unwrap_or(size_of::<crate::render::shadow::Caster>());
             assert_eq!(caster, size_of::<crate::render::shadow::Caster>());
         }

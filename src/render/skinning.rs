@@ -3,7 +3,7 @@
 
 use super::content::VERTEX_WORDS;
 use super::shaders;
-use crate::draw::Hung;
+use crate::draw::SkinnedFaces;
 use crate::geometry::linear_map::LinearMap;
 use crate::geometry::rig::Rig;
 use glam::Vec3;
@@ -80,7 +80,7 @@ impl Skinning {
 }
 
 /// A skin in the memory of the graphics processor.
-pub(super) struct Hide {
+pub(super) struct GpuSkin {
     rig: Arc<Rig>,
     particles: wgpu::Buffer,
     /// Vertices as the pipelines of meshes read them.
@@ -91,10 +91,10 @@ pub(super) struct Hide {
     shade_group: wgpu::BindGroup,
 }
 
-impl Hide {
+impl GpuSkin {
     /// Sends all that never changes.
-    pub(super) fn new(device: &wgpu::Device, skinning: &Skinning, hung: &Hung) -> Self {
-        let rig = Arc::clone(&hung.rig);
+    pub(super) fn new(device: &wgpu::Device, skinning: &Skinning, faces: &SkinnedFaces) -> Self {
+        let rig = Arc::clone(&faces.rig);
         let storage = wgpu::BufferUsages::STORAGE;
         let constant = |words: &[u32], usage| {
             device.create_buffer_init(&BufferInitDescriptor {
@@ -116,7 +116,7 @@ impl Hide {
         let [vertex_starts, vertex_terms] = map(&rig.vertices);
         let corner_starts = constant(&rig.corner_starts, storage);
         let corners = constant(bytemuck::cast_slice(&rig.corners), storage);
-        let particles = variable(3 * hung.particles.len(), storage | wgpu::BufferUsages::COPY_DST);
+        let particles = variable(3 * faces.particles.len(), storage | wgpu::BufferUsages::COPY_DST);
         let points = variable(3 * rig.points.len(), storage);
         let positions = variable(3 * rig.vertices.len(), storage);
         let vertices = variable(VERTEX_WORDS * rig.vertices.len(), storage | wgpu::BufferUsages::VERTEX);
@@ -133,9 +133,9 @@ impl Hide {
         }
     }
 
-    /// Whether this is the skin that hangs there.
-    pub(super) fn is_of(&self, hung: &Hung) -> bool {
-        Arc::ptr_eq(&self.rig, &hung.rig)
+    /// Whether this is the skin of these faces.
+    pub(super) fn is_of(&self, faces: &SkinnedFaces) -> bool {
+        Arc::ptr_eq(&self.rig, &faces.rig)
     }
 
     /// Number of indices.
@@ -144,8 +144,14 @@ impl Hide {
     }
 
     /// Records the way from particles to vertices.
-    pub(super) fn hang(&self, queue: &wgpu::Queue, pass: &mut wgpu::ComputePass<'_>, skinning: &Skinning, hung: &Hung) {
-        let words: Vec<f32> = hung.particles.iter().flat_map(Vec3::to_array).collect();
+    pub(super) fn deform(
+        &self,
+        queue: &wgpu::Queue,
+        pass: &mut wgpu::ComputePass<'_>,
+        skinning: &Skinning,
+        faces: &SkinnedFaces,
+    ) {
+        let words: Vec<f32> = faces.particles.iter().flat_map(Vec3::to_array).collect();
         queue.write_buffer(&self.particles, 0, bytemuck::cast_slice(&words));
         let steps = [
             (&skinning.sum_points, &self.points_group, self.rig.points.len()),

@@ -1,4 +1,4 @@
-//! What every shader of a picture is told: [`Frame`], as `common.wgsl` reads it.
+//! What every shader of a picture is told: [`FrameUniforms`], as `common.wgsl` reads it.
 
 use super::camera::{Camera, Projection};
 use super::scale::steps;
@@ -14,10 +14,10 @@ const REACH: f64 = 5.0;
 /// A body's own shade on its foot, as a share of its radius.
 const FOOT: f64 = 1.0;
 
-/// As `Frame` in common.wgsl.
+/// As `FrameUniforms` in common.wgsl.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub(super) struct Frame {
+pub(super) struct FrameUniforms {
     clip_from_local: [[f32; 4]; 4],
     view_right: Vec4,
     view_up: Vec4,
@@ -47,13 +47,13 @@ pub(super) struct Frame {
 }
 
 /// The plane that carries the grid.
-struct Plane {
+struct GridPlane {
     center: DVec3,
     axes: [usize; 2],
     faces_eye: bool,
 }
 
-impl Plane {
+impl GridPlane {
     /// The paper of a view along an axis, or the ground.
     fn of(list: &DrawList, camera: &Camera) -> Self {
         let back = camera.world_from_view().z_axis;
@@ -68,7 +68,7 @@ impl Plane {
     }
 }
 
-impl Frame {
+impl FrameUniforms {
     /// A picture of `size` [pixels], of which `window` (scale and offset in clip space) is drawn.
     pub(super) fn new(
         list: &DrawList,
@@ -82,7 +82,7 @@ impl Frame {
         let extent = DVec2::from_array(size.map(f64::from));
         let clip_from_local: DMat4 = camera.clip_from_view(extent.x / extent.y) * camera.view_from_local(list.origin);
         let axes = camera.world_from_view();
-        let plane = Plane::of(list, camera);
+        let plane = GridPlane::of(list, camera);
         let unit = |axis: usize| Vec3::AXES[axis];
         let steps = steps(camera.metres_per_pixel(extent.y) * f64::from(pixels_per_point));
         let coordinates = plane.axes.map(|axis| plane.center[axis]);

@@ -1,7 +1,7 @@
 //! What a scene refers to but does not hold: the solids that its meshes stand for.
 
 use super::{Axis, ClosedMesh, MeshShape, Scene, Shape, TwoLayerShape};
-use crate::geometry::model::Up;
+use crate::geometry::model::UpAxis;
 use crate::geometry::solid::Solid;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -37,11 +37,11 @@ impl<'a> From<&'a ClosedMesh> for ModelFile<'a> {
 
 impl ModelFile<'_> {
     /// The axis that points up, as importers have it.
-    pub fn up_axis(&self) -> Up {
+    pub fn up_axis(&self) -> UpAxis {
         match self.up {
-            Axis::X => Up::X,
-            Axis::Y => Up::Y,
-            Axis::Z => Up::Z,
+            Axis::X => UpAxis::X,
+            Axis::Y => UpAxis::Y,
+            Axis::Z => UpAxis::Z,
         }
     }
 }

@@ -19,12 +19,12 @@ pub(super) struct Sequences<'a> {
     /// Length that makes shared coordinates comparable: the model's diagonal H [m].
     pub(super) scale: f64,
     /// Where the match may end on the first stroke.
-    pub(super) end: End,
+    pub(super) end: MatchEnd,
 }
 
 /// Where a match may end on the first stroke.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum End {
+pub(super) enum MatchEnd {
     /// At its last sample.
     Last,
     /// Wherever the mean cost is least: the second stroke is still being drawn.
@@ -56,7 +56,7 @@ pub(super) fn correspond(sequences: Sequences<'_>) -> Match {
         samples.iter().enumerate().map(|(i, point)| DVec2::new(point.y / scale, arc_scale * i as f64 / last)).collect()
     };
     let (a, b) = (signature(first), signature(second));
-    let mut steps = vec![Step::Both; rows * columns];
+    let mut steps = vec![Advance::Both; rows * columns];
     let mut totals = vec![0.0; columns];
     // Least mean cost of a path that ends in the last column, and its row.
     let mut best = (f64::INFINITY, rows - 1);
@@ -66,19 +66,19 @@ pub(super) fn correspond(sequences: Sequences<'_>) -> Match {
         for (j, there) in b.iter().enumerate() {
             let cost = here.distance_squared(*there);
             let up = totals[j];
-            let (mut total, mut step) = (diagonal + DIAGONAL * cost, Step::Both);
+            let (mut total, mut step) = (diagonal + DIAGONAL * cost, Advance::Both);
             if i > 0 && (j == 0 || up + cost < total) {
-                (total, step) = (up + cost, Step::First);
+                (total, step) = (up + cost, Advance::First);
             }
             if j > 0 && (i == 0 || totals[j - 1] + cost < total) {
-                (total, step) = (totals[j - 1] + cost, Step::Second);
+                (total, step) = (totals[j - 1] + cost, Advance::Second);
             }
             diagonal = up;
             totals[j] = total;
             steps[i * columns + j] = step;
         }
         let mean = totals[columns - 1] / (i + 1 + columns) as f64;
-        if i == rows - 1 && end == End::Last || end == End::Anywhere && mean < best.0 {
+        if i == rows - 1 && end == MatchEnd::Last || end == MatchEnd::Anywhere && mean < best.0 {
             best = (mean, i);
         }
     }
@@ -87,20 +87,20 @@ pub(super) fn correspond(sequences: Sequences<'_>) -> Match {
 
 /// Which strokes a step advances.
 #[derive(Clone, Copy)]
-enum Step {
+enum Advance {
     First,
     Second,
     Both,
 }
 
-fn walk_back(steps: &[Step], columns: usize, end: [usize; 2]) -> Vec<[usize; 2]> {
+fn walk_back(steps: &[Advance], columns: usize, end: [usize; 2]) -> Vec<[usize; 2]> {
     let [mut i, mut j] = end;
     let mut pairs = vec![end];
     while i > 0 || j > 0 {
         match steps[i * columns + j] {
-            Step::First => i -= 1,
-            Step::Second => j -= 1,
-            Step::Both => (i, j) = (i - 1, j - 1),
+            Advance::First => i -= 1,
+            Advance::Second => j -= 1,
+            Advance::Both => (i, j) = (i - 1, j - 1),
         }
         pairs.push([i, j]);
     }
@@ -144,7 +144,7 @@ mod tests {
     fn the_path_found_is_the_cheapest_of_all_paths() {
         let (a, b) = (heights(&[0.0, 0.3, 0.9, 0.4, 1.0]), heights(&[0.1, 0.8, 1.0, 0.3, 0.2, 0.9]));
         let found =
-            correspond(Sequences { samples: [&a, &b], arc_weight: ARC_LENGTH_WEIGHT, scale: 1.0, end: End::Last });
+            correspond(Sequences { samples: [&a, &b], arc_weight: ARC_LENGTH_WEIGHT, scale: 1.0, end: MatchEnd::Last });
         let mut least = f64::INFINITY;
         paths(&mut vec![[0, 0]], [4, 5], &mut |path| least = least.min(total(&a, &b, path)));
         assert!((found.mean_cost * 11.0 - least).abs() < 1e-14);
@@ -154,14 +154,14 @@ mod tests {
     #[test]
     fn an_open_end_stops_where_the_second_sequence_is() {
         let (a, b) = (heights(&[0.0, 0.2, 0.4, 0.6, 0.4, 0.2, 0.0]), heights(&[0.0, 0.2, 0.4]));
-        let found = correspond(Sequences { samples: [&a, &b], arc_weight: 0.0, scale: 1.0, end: End::Anywhere });
+        let found = correspond(Sequences { samples: [&a, &b], arc_weight: 0.0, scale: 1.0, end: MatchEnd::Anywhere });
         assert_eq!(found.pairs, [[0, 0], [1, 1], [2, 2]]);
         assert_eq!(found.mean_cost, 0.0);
     }
 
     #[test]
     fn empty_sequences_match_nothing() {
-        let found = correspond(Sequences { samples: [&[], &[]], arc_weight: 0.0, scale: 1.0, end: End::Last });
+        let found = correspond(Sequences { samples: [&[], &[]], arc_weight: 0.0, scale: 1.0, end: MatchEnd::Last });
         assert!(found.pairs.is_empty());
     }
 }

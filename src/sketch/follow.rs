@@ -2,7 +2,7 @@
 
 use super::Stroke;
 use super::clean::{checked_pair, clean, origins};
-use super::correspond::{End, Sequences, correspond};
+use super::correspond::{MatchEnd, Sequences, correspond};
 use super::lift::{REVERSE_RATIO, SAMPLES, merge, reversed};
 use super::message::{SketchError, Which};
 use crate::geometry::curve::resample;
@@ -32,7 +32,12 @@ pub fn follow(first: &Stroke, second_so_far: &Stroke, model_diagonal: f64) -> Re
     let second = resample(&clean(second_so_far, Which::Second, pair, origins[1], model_diagonal)?, SAMPLES);
     let from_end = reversed(&first);
     let match_from = |first: &[DVec2]| {
-        correspond(Sequences { samples: [first, &second], arc_weight: 0.0, scale: model_diagonal, end: End::Anywhere })
+        correspond(Sequences {
+            samples: [first, &second],
+            arc_weight: 0.0,
+            scale: model_diagonal,
+            end: MatchEnd::Anywhere,
+        })
     };
     let (forward, backward) = (match_from(&first), match_from(&from_end));
     let (first, found) =

@@ -1,7 +1,7 @@
 //! A pair of strokes becomes one curve in space.
 
 use super::clean::{checked_pair, clean, origins};
-use super::correspond::{ARC_LENGTH_WEIGHT, End, Match, Sequences, correspond};
+use super::correspond::{ARC_LENGTH_WEIGHT, Match, MatchEnd, Sequences, correspond};
 use super::message::{SketchError, SketchNote, Which};
 use super::range::to_one_range;
 use super::view::Pair;
@@ -65,7 +65,7 @@ pub fn lift(first: &Stroke, second: &Stroke, options: &LiftOptions) -> Result<Li
     let [first, mut second] = ranged.strokes.map(|points| resample(&points, SAMPLES));
     let match_with = |second: &[DVec2]| {
         let (scale, arc_weight) = (options.model_diagonal, ARC_LENGTH_WEIGHT);
-        correspond(Sequences { samples: [&first, second], arc_weight, scale, end: End::Last })
+        correspond(Sequences { samples: [&first, second], arc_weight, scale, end: MatchEnd::Last })
     };
     let forward = match_with(&second);
     let backward = match_with(&reversed(&second));

@@ -3,7 +3,7 @@
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::DVec3;
-use sinew::geometry::fill::{Fineness, fill};
+use sinew::geometry::fill::{FillResolution, fill};
 use sinew::geometry::isosurface::isosurface;
 use sinew::geometry::kernel::Kernel;
 use sinew::geometry::model::Model;
@@ -18,7 +18,7 @@ fn main() {
 
 /// Particles and skin of a solid.
 fn filled(solid: &Solid, particles: u32) -> (Vec<DVec3>, Skin) {
-    let sample = fill(solid, Fineness::Particles(particles), 2.5, 2_000_000).expect("a filling").sample;
+    let sample = fill(solid, FillResolution::Particles(particles), 2.5, 2_000_000).expect("a filling").sample;
     let shape = SkinShape {
         points: &solid.surface.points,
         point_of: &solid.surface.point_of,

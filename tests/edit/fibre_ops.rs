@@ -5,7 +5,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 use sinew::edit::fibre_ops::*;
 use sinew::geometry::curve::arc_length;
-use sinew::geometry::nearest::Surface;
+use sinew::geometry::nearest::SurfaceIndex;
 use sinew::scene::{Assets, Fibre, FibreSource, RestShape};
 use sinew::sketch::{SketchError, View};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -181,23 +181,23 @@ fn resampling_spaces_vertices_evenly() {
     for (fibre, within) in [(given(), 0.002), (drawn(View::Front, View::Side), 1e-4)] {
         let before = at(&fibre);
         for count in [3, 7, 40] {
-            let points = at(&resample(&fibre, Fineness::Count(count), SAMPLING).expect("a fibre").fibre);
+            let points = at(&resample(&fibre, ResampleTo::Count(count), SAMPLING).expect("a fibre").fibre);
             assert_eq!(points.len(), count);
             assert!(apart(&[points[0], points[count - 1]], &[before[0], before[before.len() - 1]]) < EXACT);
         }
-        let points = at(&resample(&fibre, Fineness::Spacing(0.004), SAMPLING).expect("a fibre").fibre);
+        let points = at(&resample(&fibre, ResampleTo::Spacing(0.004), SAMPLING).expect("a fibre").fibre);
         let edges: Vec<f64> = points.windows(2).map(|edge| edge[0].distance(edge[1])).collect();
         assert!(edges.iter().all(|edge| (edge - 0.004).abs() < within), "{edges:?}");
-        assert_eq!(at(&resample(&fibre, Fineness::Spacing(9.0), SAMPLING).expect("a fibre").fibre).len(), 3);
+        assert_eq!(at(&resample(&fibre, ResampleTo::Spacing(9.0), SAMPLING).expect("a fibre").fibre).len(), 3);
         for (to, error) in [
-            (Fineness::Count(2), FibreEditError::Count(2)),
-            (Fineness::Spacing(0.0), FibreEditError::Spacing(0.0)),
-            (Fineness::Count(5000), FibreEditError::TooMany { wanted: 5000.0, limit: MOST_VERTICES }),
+            (ResampleTo::Count(2), FibreEditError::Count(2)),
+            (ResampleTo::Spacing(0.0), FibreEditError::Spacing(0.0)),
+            (ResampleTo::Count(5000), FibreEditError::TooMany { wanted: 5000.0, limit: MOST_VERTICES }),
         ] {
             assert_eq!(resample(&fibre, to, SAMPLING).expect_err("refused"), error);
         }
         assert!(matches!(
-            resample(&fibre, Fineness::Spacing(1e-300), SAMPLING),
+            resample(&fibre, ResampleTo::Spacing(1e-300), SAMPLING),
             Err(FibreEditError::TooMany { wanted, .. }) if wanted > 1e290
         ));
     }
@@ -221,7 +221,7 @@ fn snapped_vertices_lie_at_the_offset_under_the_surface() {
     }
     let some = at(&snap(&fibre, Some(&[4]), &bar, 0.0, SAMPLING).expect("a surface").fibre);
     assert!(some.iter().zip(at(&fibre)).enumerate().all(|(k, (new, old))| (*new == old) == (k != 4)));
-    let empty = Surface::new(Vec::new(), Vec::new());
+    let empty = SurfaceIndex::new(Vec::new(), Vec::new());
     assert_eq!(snap(&fibre, None, &empty, 0.0, SAMPLING), Err(FibreEditError::NoSurface));
     assert!(snap(&fibre, Some(&[9]), &bar, 0.0, SAMPLING).is_err());
 }

@@ -2,9 +2,9 @@
 
 use crate::shapes::{joined, moved, single, solid, sphere, torus};
 use glam::DVec3;
-use sinew::geometry::fill::{FillError, Fineness, fill};
+use sinew::geometry::fill::{FillError, FillResolution, fill};
 use sinew::geometry::model::Model;
-use sinew::geometry::report::Refusal;
+use sinew::geometry::model_report::Refusal;
 use sinew::geometry::solid::Solid;
 
 fn findings(model: &Model) -> Vec<String> {
@@ -35,7 +35,7 @@ fn holes_are_counted_and_bridged_by_the_winding_number() {
     holds_as_much(&open, &sound, 0.02);
     let open = solid(&open);
     assert!(open.contains(DVec3::ZERO) && !open.contains(DVec3::new(0.0, 0.0, 0.08)));
-    let filling = fill(&open, Fineness::Particles(2000), 2.5, 100_000).unwrap();
+    let filling = fill(&open, FillResolution::Particles(2000), 2.5, 100_000).unwrap();
     assert!(filling.volume_error.abs() < 0.02);
 }
 
@@ -161,11 +161,11 @@ fn a_sheet_too_thin_names_the_spacing_that_gives_two_layers() {
     sheet.positions.iter_mut().for_each(|p| p.z *= 0.15);
     let sheet = solid(&sheet);
     let Err(FillError::TooThin { suggested: Some(spacing), .. }) =
-        fill(&sheet, Fineness::Spacing(0.009), 2.5, 2_000_000)
+        fill(&sheet, FillResolution::Spacing(0.009), 2.5, 2_000_000)
     else {
         panic!("too thin")
     };
-    let filling = fill(&sheet, Fineness::Spacing(spacing), 2.5, 2_000_000).unwrap();
+    let filling = fill(&sheet, FillResolution::Spacing(spacing), 2.5, 2_000_000).unwrap();
     let thin = filling.thinness.single + filling.pruned;
     assert!(thin * 50 <= filling.sample.points.len(), "{thin} of {}", filling.sample.points.len());
 }
@@ -175,6 +175,6 @@ fn separate_pieces_are_found() {
     let ball = sphere(16, 0.03);
     let two = solid(&joined(&[&ball, &moved(&ball, DVec3::X * 0.2)]));
     assert_eq!(two.report.pieces, 2);
-    let filling = fill(&two, Fineness::Particles(600), 2.5, 100_000).unwrap();
+    let filling = fill(&two, FillResolution::Particles(600), 2.5, 100_000).unwrap();
     assert_eq!(filling.sample.pieces().1, 2);
 }

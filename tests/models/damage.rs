@@ -5,7 +5,7 @@ use crate::shapes::sphere;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use sinew::geometry::fill::{Fineness, fill};
+use sinew::geometry::fill::{FillResolution, fill};
 use sinew::geometry::model::Model;
 use sinew::geometry::solid::Solid;
 use sinew::io::{load_model, write_glb};
@@ -114,7 +114,7 @@ fn survive(path: &Path) {
     let Ok(model) = load_model(path) else { return };
     let Ok(solid) = Solid::new(&model) else { return };
     assert!(solid.volume > 0.0 && solid.volume.is_finite());
-    if let Ok(filling) = fill(&solid, Fineness::Particles(60), 2.5, 2000) {
+    if let Ok(filling) = fill(&solid, FillResolution::Particles(60), 2.5, 2000) {
         assert!(filling.sample.points.iter().all(|point| point.is_finite()));
     }
 }

@@ -2,12 +2,12 @@
 
 use crate::shapes::{shuffled, single, solid, sphere, torus, turned};
 use glam::{DMat3, DVec3};
-use sinew::geometry::fill::{Fineness, fill};
+use sinew::geometry::fill::{FillResolution, fill};
 use sinew::geometry::solid::Solid;
 
 const REACH: f64 = 2.5;
 
-fn filled(solid: &Solid, fineness: Fineness) -> Vec<DVec3> {
+fn filled(solid: &Solid, fineness: FillResolution) -> Vec<DVec3> {
     let filling = fill(solid, fineness, REACH, 2_000_000).expect("a filling");
     let volume = filling.sample.points.len() as f64 * filling.sample.spacing.powi(3);
     assert!((volume / solid.volume - 1.0).abs() < 0.02, "{volume} of {}", solid.volume);
@@ -23,10 +23,10 @@ fn volumes_agree_within_two_per_cent() {
             let solid = solid(&model);
             assert!(solid.report.closed && solid.report.findings().is_empty(), "{:?}", solid.report);
             for spacing in [0.004, 0.006, 0.009] {
-                filled(&solid, Fineness::Spacing(spacing));
+                filled(&solid, FillResolution::Spacing(spacing));
             }
             for count in [200, 588, 3000] {
-                let points = filled(&solid, Fineness::Particles(count));
+                let points = filled(&solid, FillResolution::Particles(count));
                 assert!((points.len() as f64 / f64::from(count) - 1.0).abs() < 0.02, "{} for {count}", points.len());
             }
         }
@@ -43,9 +43,9 @@ fn particles_do_not_depend_on_the_order_of_the_file() {
     faces.drain(100..106);
     let open = single(whole.positions.clone(), faces);
     for model in [whole, muddled, open] {
-        let expected = filled(&solid(&model), Fineness::Spacing(0.006));
+        let expected = filled(&solid(&model), FillResolution::Spacing(0.006));
         for seed in 1..4 {
-            let again = filled(&solid(&shuffled(&model, seed)), Fineness::Spacing(0.006));
+            let again = filled(&solid(&shuffled(&model, seed)), FillResolution::Spacing(0.006));
             let same = expected.len() == again.len()
                 && expected
                     .iter()

@@ -1,7 +1,7 @@
 //! Files of every format come in as they were meant.
 
 use glam::{DVec3, Vec3};
-use sinew::geometry::model::Up;
+use sinew::geometry::model::UpAxis;
 use sinew::geometry::solid::Solid;
 use sinew::io::{IoError, load_model, write_glb};
 use std::fmt::Write;
@@ -152,7 +152,7 @@ fn units_and_up_axis_follow_the_scene() {
     let path = folder.path().join("cube.obj");
     fs::write(&path, CUBE).unwrap();
     let mut model = load_model(&path).unwrap();
-    model.stand_up(Up::Z, 0.001);
+    model.stand_up(UpAxis::Z, 0.001);
     let solid = Solid::new(&model).unwrap();
     assert!((solid.volume - 8e-9).abs() < 1e-20);
     assert_eq!((solid.min, solid.max), (DVec3::new(0.0, 0.0, -0.002), DVec3::new(0.002, 0.002, 0.0)));

@@ -1,7 +1,7 @@
 //! Meshes made for tests.
 
 use glam::{DMat3, DVec3};
-use sinew::geometry::model::{Model, Piece};
+use sinew::geometry::model::{MeshData, Model};
 use sinew::geometry::solid::Solid;
 
 /// A closed surface over a grid of angles, both wrapping round: `around` and `along` in [0, 1).
@@ -18,7 +18,7 @@ fn wrapped(n: u32, m: u32, at: impl Fn(f64, f64) -> DVec3) -> Model {
 
 pub fn single(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Model {
     let mut model = Model::default();
-    model.add(Piece { positions, triangles, ..Piece::default() });
+    model.add(MeshData { positions, triangles, ..MeshData::default() });
     model
 }
 
@@ -100,7 +100,11 @@ pub fn solid(model: &Model) -> Solid {
 pub fn joined(models: &[&Model]) -> Model {
     let mut all = Model::default();
     for model in models {
-        all.add(Piece { positions: model.positions.clone(), triangles: model.triangles.clone(), ..Piece::default() });
+        all.add(MeshData {
+            positions: model.positions.clone(),
+            triangles: model.triangles.clone(),
+            ..MeshData::default()
+        });
     }
     all
 }

@@ -1,7 +1,7 @@
 //! The models in assets/: what the code makes, closed, and of the sizes of Table 1.
 
 use sinew::cli::{Cli, Console, run};
-use sinew::geometry::fill::{Fineness, fill};
+use sinew::geometry::fill::{FillResolution, fill};
 use sinew::geometry::solid::Solid;
 use sinew::io::load_model;
 use std::fs;
@@ -30,14 +30,14 @@ fn sizes_are_those_of_table_1() {
         assert_eq!(model.normals.len(), model.positions.len());
         assert!((model.positions.len() as f64 / vertices - 1.0).abs() < 0.02, "{name}: {}", model.positions.len());
 
-        let filling = fill(&solid, Fineness::Spacing(0.4 * 0.015), 2.5, 100_000).unwrap();
+        let filling = fill(&solid, FillResolution::Spacing(0.4 * 0.015), 2.5, 100_000).unwrap();
         let count = filling.sample.points.len() as f64;
         let exact = name.ends_with("bar");
         assert!((count / particles - 1.0).abs() <= if exact { 0.0 } else { 0.02 }, "{name}: {count}");
         assert!(filling.volume_error.abs() < 0.02, "{name}: {}", filling.volume_error);
         assert!(filling.sample.points.iter().all(|&point| solid.contains(point)));
         assert_eq!(filling.sample.pieces().1, 1, "{name}");
-        let asked = fill(&solid, Fineness::Particles(particles as u32), 2.5, 100_000).unwrap();
+        let asked = fill(&solid, FillResolution::Particles(particles as u32), 2.5, 100_000).unwrap();
         let count = asked.sample.points.len() as f64;
         assert!((count / particles - 1.0).abs() <= if exact { 0.0 } else { 0.02 }, "{name}: {count}");
     }

@@ -2,14 +2,14 @@
 
 use crate::shapes::{solid, torus};
 use glam::{DMat3, DVec3, Vec3};
-use sinew::geometry::fill::{Fineness, fill};
+use sinew::geometry::fill::{FillResolution, fill};
 use sinew::geometry::kernel::Kernel;
 use sinew::geometry::model::Model;
 use sinew::solver::skin::{Skin, SkinShape};
 
 fn skinned(model: &Model, normals: &[Vec3]) -> (Skin, Vec<DVec3>, Vec<DVec3>) {
     let solid = solid(model);
-    let sample = fill(&solid, Fineness::Particles(1200), 2.5, 100_000).expect("a filling").sample;
+    let sample = fill(&solid, FillResolution::Particles(1200), 2.5, 100_000).expect("a filling").sample;
     let shape = SkinShape {
         points: &solid.surface.points,
         point_of: &solid.surface.point_of,

@@ -4,7 +4,7 @@ use crate::two_layer::{ball, two_layer, with};
 use glam::DVec3;
 use serde_json::{Value, json};
 use sinew::bake::{Baked, bake};
-use sinew::geometry::model::{Model, Piece};
+use sinew::geometry::model::{MeshData, Model};
 use sinew::geometry::octahedron::sphere;
 use sinew::geometry::solid::Solid;
 use sinew::io::{load_assets, load_scene};
@@ -43,7 +43,7 @@ fn torus(n: u32, m: u32, large: f64, small: f64) -> Model {
 
 fn single(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Model {
     let mut model = Model::default();
-    model.add(Piece { positions, triangles, ..Piece::default() });
+    model.add(MeshData { positions, triangles, ..MeshData::default() });
     model
 }
 

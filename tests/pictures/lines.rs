@@ -113,7 +113,7 @@ fn what_shows_through_does_so_by_its_share() {
             ),
             colour: Colour::hex(0xff_ffff),
             tints: Vec::new(),
-            surface: sinew::draw::Surface::Solid,
+            surface: sinew::draw::SurfaceStyle::Solid,
             casts_shadow: false,
             pick: 0,
         });

@@ -2,7 +2,7 @@
 
 use crate::geometry::lattice::Cuboid;
 use crate::geometry::mesh::box_surface;
-use crate::geometry::model::{Model, Piece};
+use crate::geometry::model::{MeshData, Model};
 use glam::DVec3;
 
 /// Radius of the edges over the least extent. All particles of the paper's bars lie inside up to 0.16.
@@ -29,6 +29,6 @@ pub fn bar(size: DVec3, cells: [f64; 3]) -> Model {
         *position = scale * (*position + DVec3::new(0.0, 0.5 * size.y, 0.0));
     }
     let mut model = Model::default();
-    model.add(Piece { positions: mesh.positions, normals, triangles: mesh.triangles, ..Piece::default() });
+    model.add(MeshData { positions: mesh.positions, normals, triangles: mesh.triangles, ..MeshData::default() });
     model
 }

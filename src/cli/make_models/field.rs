@@ -149,14 +149,14 @@ impl Blade {
 
 /// A place and direction for a blade.
 #[derive(Clone, Copy, Debug)]
-pub struct Frame {
+pub struct LocalFrame {
     /// Where its foot is [m].
     pub origin: DVec3,
     /// Its axes in the world.
     pub axes: glam::DMat3,
 }
 
-impl Frame {
+impl LocalFrame {
     /// From a foot along `direction`, the upper side as far up as that allows, then rolled about it [rad].
     pub fn new(origin: DVec3, direction: DVec3, roll: f64) -> Self {
         let x = direction.normalize_or(DVec3::X);

@@ -1,6 +1,6 @@
 //! A plant and a leaf, as fields of signed distance that are meshed.
 
-use super::field::{Blade, Frame, Stalk, smooth_intersection, smooth_union};
+use super::field::{Blade, LocalFrame, Stalk, smooth_intersection, smooth_union};
 use crate::geometry::isosurface::isosurface;
 use crate::geometry::model::Model;
 use glam::DVec3;
@@ -17,7 +17,7 @@ pub fn leaf(build: &LeafBuild) -> Model {
         wave: [4e-3, 0.6],
     };
     let foot = DVec3::new(0.074, 0.021, 0.0);
-    let frame = Frame::new(foot, DVec3::new(1.0, 0.24, 0.0), 0.0);
+    let frame = LocalFrame::new(foot, DVec3::new(1.0, 0.24, 0.0), 0.0);
     let stalk = Stalk::new(
         |t| DVec3::new(0.092 * t, 0.025 * t * (1.45 - 0.45 * t), 2e-3 * (PI * t).sin()),
         |t| build.stalk[0] - build.stalk[1] * t,
@@ -88,7 +88,7 @@ pub fn plant(build: &PlantBuild, seed: u64) -> Model {
             fold: 0.2,
             wave: [3e-3, random.around(3.0)],
         };
-        leaves.push((petiole, blade, Frame::new(foot, out + DVec3::Y * rise, random.around(0.2))));
+        leaves.push((petiole, blade, LocalFrame::new(foot, out + DVec3::Y * rise, random.around(0.2))));
     }
     let field = |p: DVec3| {
         let foot = smooth_intersection(stem.distance(p), -p.y, 0.008);

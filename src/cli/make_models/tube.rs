@@ -1,6 +1,6 @@
 //! An inner tube, for two-layer bodies.
 
-use crate::geometry::model::{Model, Piece};
+use crate::geometry::model::{MeshData, Model};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ const SECTION: u32 = 10;
 
 /// A torus about the Y axis.
 pub fn tube() -> Model {
-    let mut piece = Piece::default();
+    let mut piece = MeshData::default();
     for i in 0..AROUND {
         for j in 0..SECTION {
             let (u, v) = (TAU * f64::from(i) / f64::from(AROUND), TAU * f64::from(j) / f64::from(SECTION));

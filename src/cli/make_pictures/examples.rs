@@ -2,7 +2,7 @@
 
 /// A scene and the time of its picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Example {
+pub struct ExamplePicture {
     /// Its file's name, without the ending.
     pub name: &'static str,
     /// When the picture is taken [s].
@@ -11,16 +11,16 @@ pub struct Example {
     pub beside_start: bool,
 }
 
-const fn at(name: &'static str, at: f64) -> Example {
-    Example { name, at, beside_start: false }
+const fn at(name: &'static str, at: f64) -> ExamplePicture {
+    ExamplePicture { name, at, beside_start: false }
 }
 
-const fn beside_start(name: &'static str, at: f64) -> Example {
-    Example { name, at, beside_start: true }
+const fn beside_start(name: &'static str, at: f64) -> ExamplePicture {
+    ExamplePicture { name, at, beside_start: true }
 }
 
 /// Every scene that ships.
-pub const EXAMPLES: [Example; 65] = [
+pub const EXAMPLES: [ExamplePicture; 65] = [
     at("cantilever", 1.0),
     at("figure_06_without", 0.002),
     at("figure_06_without_soft", 0.033),

@@ -1,11 +1,11 @@
 //! `sinew make-pictures`: the pictures of the window's galleries, made anew. What they show is run and drawn by the program
 //! itself; the same code gives the same pictures on the same driver.
 
-#[cfg(feature = "render")]
-mod booth;
 mod demos;
 #[cfg(feature = "render")]
 mod examples;
+#[cfg(feature = "render")]
+mod gallery;
 
 pub use demos::{Demo, demo};
 
@@ -46,11 +46,11 @@ pub fn run(args: &MakePictures, console: &mut Console) -> Result<Outcome, CliErr
     };
     for pattern in PATTERNS.iter().filter(|pattern| pattern.id.starts_with(&args.only)) {
         if let Some(demo) = demo(pattern)? {
-            made(patterns.join(format!("{}.png", pattern.id)), booth::strip(&demo)?)?;
+            made(patterns.join(format!("{}.png", pattern.id)), gallery::strip(&demo)?)?;
         }
     }
     for example in examples::EXAMPLES.iter().filter(|example| example.name.starts_with(&args.only)) {
-        made(scenes.join(format!("{}.png", example.name)), booth::picture(example, &args.scenes)?)?;
+        made(scenes.join(format!("{}.png", example.name)), gallery::picture(example, &args.scenes)?)?;
     }
     Ok(Outcome::Done)
 }

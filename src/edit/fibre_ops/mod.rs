@@ -21,7 +21,7 @@ mod vertices;
 pub use cut::{copies, split};
 pub use error::FibreEditError;
 pub use layout::{BENDING, Called, NEW_VOLUME_FRACTION, STIFFER, displaced, laid, rigidity_of};
-pub use reshape::{Fineness, resample, smooth};
+pub use reshape::{ResampleTo, resample, smooth};
 pub use snap::{snap, surface};
 pub use strokes::{redraw, reverse};
 pub use transform::{Transform, transform, transform_vertices};

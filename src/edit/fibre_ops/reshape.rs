@@ -7,7 +7,7 @@ use crate::scene::Fibre;
 
 /// How closely a fibre is resampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fineness {
+pub enum ResampleTo {
     /// Into this many vertices, 3 or more.
     Count(usize),
     /// Into vertices about this far apart [m], 3 at least.
@@ -29,15 +29,17 @@ pub fn smooth(fibre: &Fibre, passes: usize, sampling: Sampling) -> Result<Edited
 /// # Errors
 /// Fewer than 3 vertices or more than [`MOST_VERTICES`], a spacing that is no length, a fibre without length, or
 /// strokes that give no curve.
-pub fn resample(fibre: &Fibre, to: Fineness, sampling: Sampling) -> Result<Edited, FibreEditError> {
+pub fn resample(fibre: &Fibre, to: ResampleTo, sampling: Sampling) -> Result<Edited, FibreEditError> {
     let points = curve(fibre, sampling)?;
     let wanted = match to {
-        Fineness::Count(count) if count < LEAST_VERTICES => return Err(FibreEditError::Count(count)),
-        Fineness::Count(count) => count as f64,
-        Fineness::Spacing(spacing) if !(spacing > 0.0 && spacing.is_finite()) => {
+        ResampleTo::Count(count) if count < LEAST_VERTICES => return Err(FibreEditError::Count(count)),
+        ResampleTo::Count(count) => count as f64,
+        ResampleTo::Spacing(spacing) if !(spacing > 0.0 && spacing.is_finite()) => {
             return Err(FibreEditError::Spacing(spacing));
         }
-        Fineness::Spacing(spacing) => ((curve::arc_length(&points) / spacing).round() + 1.0).max(LEAST_VERTICES as f64),
+        ResampleTo::Spacing(spacing) => {
+            ((curve::arc_length(&points) / spacing).round() + 1.0).max(LEAST_VERTICES as f64)
+        }
     };
     // As a float until here: a length over a tiny spacing may exceed any integer.
     if wanted > MOST_VERTICES as f64 {

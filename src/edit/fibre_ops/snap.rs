@@ -4,21 +4,21 @@ use super::vertices::vertices;
 use super::{Edited, FibreEditError, Sampling, chosen, with_vertices};
 use crate::geometry::lattice::Cuboid;
 use crate::geometry::mesh::box_surface;
-use crate::geometry::nearest::Surface;
+use crate::geometry::nearest::SurfaceIndex;
 use crate::scene::{Assets, Body, Fibre, Shape};
 use glam::DVec3;
 
 /// The surface of a body in its model frame; none of a mesh that was not loaded.
-pub fn surface(body: &Body, assets: &Assets) -> Option<Surface> {
+pub fn surface(body: &Body, assets: &Assets) -> Option<SurfaceIndex> {
     match &body.shape {
         Shape::Box(shape) => {
             let solid = Cuboid { center: DVec3::from_array(shape.center), size: DVec3::from_array(shape.size) };
             let mesh = box_surface(&solid, solid.size.max_element());
-            Some(Surface::new(mesh.positions, mesh.triangles))
+            Some(SurfaceIndex::new(mesh.positions, mesh.triangles))
         }
         Shape::Mesh(shape) => {
             let surface = &assets.solid(shape)?.surface;
-            Some(Surface::new(surface.points.clone(), surface.faces.clone()))
+            Some(SurfaceIndex::new(surface.points.clone(), surface.faces.clone()))
         }
     }
 }
@@ -33,7 +33,7 @@ pub fn surface(body: &Body, assets: &Assets) -> Option<Surface> {
 pub fn snap(
     fibre: &Fibre,
     only: Option<&[usize]>,
-    surface: &Surface,
+    surface: &SurfaceIndex,
     offset: f64,
     sampling: Sampling,
 ) -> Result<Edited, FibreEditError> {

@@ -1,7 +1,7 @@
 //! glTF 2.0, as text with its buffers and as GLB: meshes of the default scene, in the places that its nodes give them.
 
 use super::{Failure, MAX_MODEL_BYTES, MOST};
-use crate::geometry::model::{Model, Piece};
+use crate::geometry::model::{MeshData, Model};
 use crate::io::read::read_bytes;
 use glam::{DMat3, DMat4, DVec3, Vec3};
 use gltf::mesh::Mode;
@@ -77,7 +77,7 @@ impl Reader<'_> {
         }
     }
 
-    fn piece(&self, primitive: &Primitive<'_>, name: &str, place: DMat4) -> Piece {
+    fn piece(&self, primitive: &Primitive<'_>, name: &str, place: DMat4) -> MeshData {
         let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
         let to_place = |p: [f32; 3]| place.transform_point3(DVec3::from_array(p.map(f64::from)));
         let positions: Vec<DVec3> = reader.read_positions().into_iter().flatten().map(to_place).collect();
@@ -100,7 +100,7 @@ impl Reader<'_> {
                 t.swap(1, 2);
             }
         }
-        Piece { name: name.to_owned(), positions, normals, colours, triangles }
+        MeshData { name: name.to_owned(), positions, normals, colours, triangles }
     }
 }
 

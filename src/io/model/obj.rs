@@ -2,7 +2,7 @@
 
 use super::polygon::triangulate;
 use super::{Failure, MAX_MODEL_BYTES};
-use crate::geometry::model::{Model, Piece};
+use crate::geometry::model::{MeshData, Model};
 use crate::io::read::read_bytes;
 use glam::{DVec3, Vec3};
 use std::path::Path;
@@ -40,7 +40,7 @@ pub(super) fn read(mut bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
                 rest = behind;
             }
         }
-        model.add(Piece { name: object.name, positions, normals, colours, triangles });
+        model.add(MeshData { name: object.name, positions, normals, colours, triangles });
     }
     Ok(model)
 }

@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::polygon::triangulate;
-use crate::geometry::model::{Model, Piece};
+use crate::geometry::model::{MeshData, Model};
 use glam::{DVec3, Vec3};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
@@ -102,7 +102,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Model, Failure> {
         triangulate(&face.corners, &positions, &mut triangles);
     }
     let mut model = Model::default();
-    model.add(Piece { name: String::new(), positions, normals, colours, triangles });
+    model.add(MeshData { name: String::new(), positions, normals, colours, triangles });
     Ok(model)
 }
 

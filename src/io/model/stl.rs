@@ -1,7 +1,7 @@
 //! STL, binary and text. It has neither parts nor units, and its normals say no more than its corners.
 
 use super::Failure;
-use crate::geometry::model::{Model, Piece};
+use crate::geometry::model::{MeshData, Model};
 use glam::DVec3;
 use std::io::Cursor;
 
@@ -21,10 +21,10 @@ pub(super) fn read(mut bytes: Vec<u8>) -> Result<Model, Failure> {
     }
     let mesh = stl_io::read_stl(&mut Cursor::new(bytes)).map_err(Failure::new)?;
     let mut model = Model::default();
-    model.add(Piece {
+    model.add(MeshData {
         positions: mesh.vertices.iter().map(|v| DVec3::from_array(v.0.map(f64::from))).collect(),
         triangles: mesh.faces.iter().map(|face| face.vertices.map(|i| i as u32)).collect(),
-        ..Piece::default()
+        ..MeshData::default()
     });
     Ok(model)
 }

@@ -1,6 +1,6 @@
 // What every shader of a picture shares: the frame, light, and how colours leave. Put in front of the other files.
 
-struct Frame {
+struct FrameUniforms {
     // From the list's own coordinates to clip space; depth is 1 near and 0 far.
     clip_from_local: mat4x4f,
     // The view's axes in the world; in w of the last, 1 for a perspective and 0 for a parallel view.
@@ -44,7 +44,7 @@ struct Frame {
     slice: vec4f,
 }
 
-@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(0) var<uniform> frame: FrameUniforms;
 @group(0) @binding(1) var shadow_map: texture_2d<f32>;
 @group(0) @binding(2) var shadow_sampler: sampler;
 

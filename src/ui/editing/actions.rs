@@ -2,7 +2,7 @@
 
 use super::BoxDrag;
 use super::moving::Kind;
-use crate::edit::fibre_ops::{self, Edited, FibreEditError, Fineness, Transform};
+use crate::edit::fibre_ops::{self, Edited, FibreEditError, ResampleTo, Transform};
 use crate::edit::{Command, Item};
 use crate::scene::Fibre;
 use crate::ui::action::Action;
@@ -72,7 +72,7 @@ impl App {
             Action::Reverse => self.each("Reverse", fibre_ops::reverse),
             Action::Smooth => self.each("Smooth", |fibre| fibre_ops::smooth(fibre, SMOOTHING, sampling)),
             Action::Resample => {
-                let fineness = Fineness::Spacing(sampling.spacing);
+                let fineness = ResampleTo::Spacing(sampling.spacing);
                 self.each("Resample", |fibre| fibre_ops::resample(fibre, fineness, sampling));
             }
             Action::SnapToSurface => self.snap(),

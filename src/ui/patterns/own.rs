@@ -2,7 +2,7 @@
 
 use super::{Chosen, Fit};
 use crate::edit::fibre_ops;
-use crate::io::{IoError, Kept, Shelf};
+use crate::io::{IoError, JsonFile, JsonFolder};
 use crate::sketch::pattern::{OwnPattern, Polyline};
 use crate::ui::app::{App, Gravity};
 use crate::ui::dialogs::Dialog;
@@ -18,26 +18,26 @@ const LINE_LENGTH: usize = 120;
 #[derive(Default)]
 pub(super) struct Own {
     /// Where; nowhere unless a folder was given.
-    shelf: Option<Shelf>,
+    folder: Option<JsonFolder>,
     /// What was found there; none before it was looked at.
-    found: Option<Result<Vec<Kept<OwnPattern>>, IoError>>,
+    found: Option<Result<Vec<JsonFile<OwnPattern>>, IoError>>,
 }
 
 impl Own {
     pub(super) fn of(folder: PathBuf) -> Self {
-        Self { shelf: Some(Shelf::new(folder)), found: None }
+        Self { folder: Some(JsonFolder::new(folder)), found: None }
     }
 
     /// Looks at what is there, unless it is known.
     pub(super) fn look(&mut self) {
-        if let (Some(shelf), None) = (&self.shelf, &self.found) {
-            self.found = Some(shelf.list());
+        if let (Some(folder), None) = (&self.folder, &self.found) {
+            self.found = Some(folder.list());
         }
     }
 
     /// The usable patterns with their files.
     pub(super) fn patterns(&self) -> impl Iterator<Item = (&Path, &OwnPattern)> {
-        let usable = |kept: &Kept<OwnPattern>| kept.content.is_ok();
+        let usable = |kept: &JsonFile<OwnPattern>| kept.content.is_ok();
         let found = self.found.iter().flatten().flatten().filter(move |kept| usable(kept));
         found.filter_map(|kept| Some((kept.path.as_path(), kept.content.as_ref().ok()?)))
     }
@@ -58,7 +58,7 @@ impl Own {
 
     /// Whether there is a folder to keep patterns in.
     pub(super) fn has_place(&self) -> bool {
-        self.shelf.is_some()
+        self.folder.is_some()
     }
 }
 
@@ -182,18 +182,18 @@ impl App {
 
     /// Does what was asked about.
     pub(in crate::ui) fn pattern_answered(&mut self, question: &Question) {
-        let Some(shelf) = self.patterns.own.shelf.clone() else { return };
+        let Some(folder) = self.patterns.own.folder.clone() else { return };
         let (done, said) = match question {
             Question::Keep { title, does, .. } => (
-                self.keep_pattern(&shelf, title.trim(), does.trim()),
+                self.keep_pattern(&folder, title.trim(), does.trim()),
                 format!("{} is kept under Patterns, Yours", title.trim()),
             ),
             Question::Rename { path, title } => (
-                shelf.set_text(path, "title", title.trim()).map_err(|error| error.to_string()),
+                folder.set_text(path, "title", title.trim()).map_err(|error| error.to_string()),
                 format!("The pattern is called {} now", title.trim()),
             ),
             Question::Delete { path, title } => {
-                (shelf.remove(path).map_err(|error| error.to_string()), format!("{title} was deleted"))
+                (folder.remove(path).map_err(|error| error.to_string()), format!("{title} was deleted"))
             }
         };
         self.patterns.own.found = None;
@@ -209,11 +209,11 @@ impl App {
         }
     }
 
-    fn keep_pattern(&mut self, shelf: &Shelf, title: &str, does: &str) -> Result<(), String> {
+    fn keep_pattern(&mut self, folder: &JsonFolder, title: &str, does: &str) -> Result<(), String> {
         let lines = self.kept_lines()?;
         let [min, max] = self.body_box().ok_or("The body is not there yet: save the pattern again in a moment")?;
         let own = OwnPattern::new(title, does, &lines, min, max).map_err(|error| error.to_string())?;
-        shelf.add(title, &own).map_err(|error| error.to_string())?;
+        folder.add(title, &own).map_err(|error| error.to_string())?;
         self.show_patterns();
         self.patterns.chosen = None;
         self.patterns.fit = Fit::Whole;

@@ -1,7 +1,9 @@
 //! The thread that keeps the changed document where it can be recovered, and looks after its file: the window waits for
 //! no disk.
 
-use crate::io::{FileStamp, FileState, IoError, Origin, Recoverable, Recovery, load_scene, recoverable};
+use crate::io::{
+    FileStamp, FileState, IoError, Origin, RecoverableDocument, RecoveryFile, load_scene, recoverable_documents,
+};
 use crate::scene::Scene;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -20,7 +22,7 @@ const EVERY: Duration = Duration::from_secs(2);
 #[derive(Clone, Debug)]
 pub struct Left {
     /// The document.
-    pub what: Recoverable,
+    pub what: RecoverableDocument,
     /// Whether its file was written after it.
     pub is_older: bool,
 }
@@ -50,7 +52,7 @@ pub(super) enum Errand {
     /// Forgets documents up to this number: they are saved, or their changes are not wanted.
     Forget(u64),
     /// What was recovered goes as soon as it is kept here, or forgotten.
-    Recovered(Recoverable),
+    Recovered(RecoverableDocument),
     /// Looks after this file from now on; its reports bear this number.
     Watch(u64, Option<FileStamp>),
     /// Looks whether the watched file holds this.
@@ -164,8 +166,8 @@ struct Rounds {
     desk: Desk,
     folder: Option<PathBuf>,
     /// Where this document is kept, from the first time on.
-    place: Option<Recovery>,
-    recovered: Vec<Recoverable>,
+    place: Option<RecoveryFile>,
+    recovered: Vec<RecoverableDocument>,
     due: Option<Due>,
     watched: Option<Watched>,
     /// Whether it was told that nothing can be kept: once is enough.
@@ -206,8 +208,8 @@ impl Rounds {
         let now = Instant::now();
         match errand {
             Errand::Folder(folder) => {
-                let left = |what: Recoverable| Left { is_older: what.is_older_than_its_file(), what };
-                let found: Vec<Left> = recoverable(&folder).into_iter().map(left).collect();
+                let left = |what: RecoverableDocument| Left { is_older: what.is_older_than_its_file(), what };
+                let found: Vec<Left> = recoverable_documents(&folder).into_iter().map(left).collect();
                 self.folder = Some(folder);
                 self.tell(Report::Left(found));
             }
@@ -229,7 +231,7 @@ impl Rounds {
         let Some(kept) = on(&self.desk).take() else { return };
         let outcome = match self.place.take() {
             Some(place) => Ok(place),
-            None => Recovery::open(folder),
+            None => RecoveryFile::open(folder),
         };
         let outcome = outcome.and_then(|place| self.place.insert(place).write(&kept.origin, &kept.scene));
         let Err(error) = outcome else {

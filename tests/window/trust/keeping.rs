@@ -5,7 +5,7 @@ use super::super::{Window, click, open_with, press_key, still, until};
 use super::{answer, close, edit, fibres, file, focus, folder, load, name, new, said, shows, until_shown};
 use egui::{Key, Modifiers, ViewportCommand};
 use egui_kittest::kittest::Queryable;
-use sinew::io::{load_scene, recoverable};
+use sinew::io::{load_scene, recoverable_documents};
 use sinew::ui::Document;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -87,7 +87,7 @@ fn what_was_left_behind_is_recovered_as_changed() {
     let (folder, scenes) = (folder(), folder());
     let path = file(scenes.path(), "First");
     leave_behind([load(&path)], folder.path());
-    assert_eq!(recoverable(folder.path()).len(), 1);
+    assert_eq!(recoverable_documents(folder.path()).len(), 1);
     let mut window = keeping(Document::load(None).expect("the built-in scene"), folder.path());
     until_shown(&mut window, "Recover unsaved changes?");
     assert!(shows(&window, "First") && shows(&window, "just now") && shows(&window, &path.display().to_string()));
@@ -95,7 +95,7 @@ fn what_was_left_behind_is_recovered_as_changed() {
     click(&mut window, "Recover");
     assert_eq!((name(&window).as_str(), fibres(&window)), ("First", 0), "{}", said(&window));
     // It is kept under this window's name now, and there once only.
-    until(&mut window, |_| kept(folder.path()) == 1 && recoverable(folder.path()).is_empty());
+    until(&mut window, |_| kept(folder.path()) == 1 && recoverable_documents(folder.path()).is_empty());
     new(&mut window);
     assert!(shows(&window, "Save the changes to First?"));
     click(&mut window, "Cancel");
@@ -132,7 +132,7 @@ fn a_recovered_document_asks_before_it_replaces_a_later_file() {
     let (folder, scenes) = (folder(), folder());
     let path = file(scenes.path(), "First");
     leave_behind([load(&path)], folder.path());
-    let later = recoverable(folder.path())[0].written + std::time::Duration::from_secs(10);
+    let later = recoverable_documents(folder.path())[0].written + std::time::Duration::from_secs(10);
     fs::File::options().write(true).open(&path).and_then(|file| file.set_modified(later)).expect("a time of change");
     let mut window = keeping(Document::load(None).expect("the built-in scene"), folder.path());
     until_shown(&mut window, "The file was written after this");
@@ -160,7 +160,7 @@ fn what_was_left_behind_waits_until_it_is_decided() {
     assert!(shows(&window, "First") && !shows(&window, "Never saved to a file"));
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     window.step();
-    assert_eq!(recoverable(folder.path()).len(), 1);
+    assert_eq!(recoverable_documents(folder.path()).len(), 1);
     drop(window);
     let mut window = keeping(built_in(), folder.path());
     until_shown(&mut window, "Recover unsaved changes?");

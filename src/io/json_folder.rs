@@ -19,23 +19,23 @@ const MOST: usize = 1000;
 /// Letters that a file takes from a title.
 const NAME_LENGTH: usize = 40;
 
-/// A folder of small things. It is made when the first one is put into it.
+/// A folder of small things, each a JSON file. It is made when the first one is put into it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Shelf {
+pub struct JsonFolder {
     folder: PathBuf,
 }
 
 /// One of the things.
 #[derive(Debug)]
-pub struct Kept<T> {
+pub struct JsonFile<T> {
     /// Its file.
     pub path: PathBuf,
     /// What it holds, or why that cannot be used. The file is left as it is.
     pub content: Result<T, IoError>,
 }
 
-impl Shelf {
-    /// The shelf in this folder.
+impl JsonFolder {
+    /// The folder at this path.
     pub fn new(folder: impl Into<PathBuf>) -> Self {
         Self { folder: folder.into() }
     }
@@ -44,7 +44,7 @@ impl Shelf {
     ///
     /// # Errors
     /// The folder cannot be read. What is wrong with one file stands with it.
-    pub fn list<T: DeserializeOwned>(&self) -> Result<Vec<Kept<T>>, IoError> {
+    pub fn list<T: DeserializeOwned>(&self) -> Result<Vec<JsonFile<T>>, IoError> {
         let entries = match fs::read_dir(&self.folder) {
             Ok(entries) => entries,
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
@@ -53,7 +53,7 @@ impl Shelf {
         let json = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "json");
         let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(json).take(MOST).collect();
         paths.sort();
-        Ok(paths.into_iter().map(|path| Kept { content: read(&path).map_err(|e| e.within(&path)), path }).collect())
+        Ok(paths.into_iter().map(|path| JsonFile { content: read(&path).map_err(|e| e.within(&path)), path }).collect())
     }
 
     /// Puts a thing into a new file, named after `title`. Returns the file.
@@ -126,41 +126,41 @@ mod tests {
     use serde::Deserialize;
 
     #[derive(Debug, PartialEq, Serialize, Deserialize)]
-    struct Thing {
+    struct Note {
         title: String,
     }
 
     #[test]
     fn things_come_and_go_and_damaged_ones_stay_as_they_are() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let shelf = Shelf::new(folder.path().join("things"));
-        assert!(shelf.list::<Thing>().expect("nothing is there").is_empty());
-        let thing = || Thing { title: "A Thing / of mine".to_owned() };
-        let [first, second] = [(); 2].map(|()| shelf.add(&thing().title, &thing()).expect("kept"));
+        let root = tempfile::tempdir().expect("a folder");
+        let folder = JsonFolder::new(root.path().join("things"));
+        assert!(folder.list::<Note>().expect("nothing is there").is_empty());
+        let thing = || Note { title: "A Thing / of mine".to_owned() };
+        let [first, second] = [(); 2].map(|()| folder.add(&thing().title, &thing()).expect("kept"));
         let name = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned());
         assert_eq!(name(&first).as_deref(), Some("a-thing---of-mine.json"));
         assert_ne!(first, second, "none takes another's place");
 
         fs::write(&second, r#"{"title": "Two", "note": [1, 2]}"#).expect("written");
-        shelf.set_text(&second, "title", "Second").expect("changed");
+        folder.set_text(&second, "title", "Second").expect("changed");
         let text = fs::read_to_string(&second).expect("there");
         assert!(text.contains("\"Second\"") && text.contains("[1,2]"), "{text}");
 
         let damaged = first.with_file_name("damaged.json");
         fs::write(&damaged, "{\n  \"title\": 5\n}").expect("written");
-        let said: Vec<String> = shelf
-            .list::<Thing>()
+        let said: Vec<String> = folder
+            .list::<Note>()
             .expect("three are there")
             .into_iter()
             .filter_map(|kept| Some(kept.content.err()?.to_string()))
             .collect();
         assert_eq!(said.len(), 1);
         assert!(said[0].contains("damaged.json: line 2, column") && said[0].contains("/title"), "{}", said[0]);
-        assert!(shelf.set_text(&first.with_file_name("gone.json"), "title", "a").is_err());
+        assert!(folder.set_text(&first.with_file_name("gone.json"), "title", "a").is_err());
 
-        shelf.remove(&first).expect("removed");
-        assert_eq!(shelf.list::<Thing>().expect("two are left").len(), 2);
-        assert!(shelf.remove(&first).is_err());
+        folder.remove(&first).expect("removed");
+        assert_eq!(folder.list::<Note>().expect("two are left").len(), 2);
+        assert!(folder.remove(&first).is_err());
     }
 
     #[test]

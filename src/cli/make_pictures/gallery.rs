@@ -1,7 +1,7 @@
 //! The taking of pictures: in one light, before one ground that looks well in either theme.
 
 use super::Demo;
-use super::examples::Example;
+use super::examples::ExamplePicture;
 use crate::bake::bake;
 use crate::cli::CliError;
 use crate::cli::prepare::source_name;
@@ -50,11 +50,11 @@ pub fn strip(demo: &Demo) -> Result<Vec<u8>, CliError> {
     if demo.eye[1] > SIDELONG {
         scene.panels.clear();
     }
-    let mut booth = Offscreen::new([FINER * FRAME; 2])?;
+    let mut offscreen = Offscreen::new([FINER * FRAME; 2])?;
     let mut strip = Picture { size: [FRAME, FRAMES * FRAME], rgba: Vec::new() };
     for (k, snapshot) in states.iter().enumerate() {
         let subject = Subject { scene: &scene, snapshot, ghost: plain.get(k) };
-        let picture = booth.draw(draw(&subject, &display, &Theme::gallery()), &camera)?;
+        let picture = offscreen.draw(draw(&subject, &display, &Theme::gallery()), &camera)?;
         strip.rgba.extend(averaged(&picture).rgba);
     }
     Ok(strip.to_png()?)
@@ -64,7 +64,7 @@ pub fn strip(demo: &Demo) -> Result<Vec<u8>, CliError> {
 ///
 /// # Errors
 /// A scene that cannot be used, or no driver.
-pub fn picture(example: &Example, folder: &Path) -> Result<Vec<u8>, CliError> {
+pub fn picture(example: &ExamplePicture, folder: &Path) -> Result<Vec<u8>, CliError> {
     let path = folder.join(format!("{}.json", example.name));
     let scene = load_scene(&path)?;
     let assets = load_assets(&scene, folder, &mut |_| {})?;
@@ -83,8 +83,8 @@ pub fn picture(example: &Example, folder: &Path) -> Result<Vec<u8>, CliError> {
         camera.frame(&bounds, f64::from(size[0]) / f64::from(size[1]));
         camera.height *= EXAMPLE_CLOSER;
     }
-    let mut booth = Offscreen::new(size)?;
-    Ok(averaged(&booth.draw(list(&now), &camera)?).to_png()?)
+    let mut offscreen = Offscreen::new(size)?;
+    Ok(averaged(&offscreen.draw(list(&now), &camera)?).to_png()?)
 }
 
 /// The bodies of a scene at some times, in order.

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// Counts of what is odd about a model.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Report {
+pub struct ModelReport {
     /// Vertices of the picture.
     pub vertices: usize,
     /// Different positions of the surface.
@@ -116,7 +116,7 @@ fn counted(count: usize, noun: &str) -> String {
     format!("{count} {}", count_noun(count, noun))
 }
 
-impl Report {
+impl ModelReport {
     /// Everything worth saying, in the order in which it was found.
     pub fn findings(&self) -> Vec<Finding> {
         let mut found = Vec::new();

@@ -46,14 +46,14 @@ pub fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64,
 
 /// A row through a surface with holes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct OpenRow {
+pub struct OpenScanline {
     /// Stretches where the winding number is above one half, in order [m].
     pub inside: Vec<[f64; 2]>,
     /// Length where it is within a quarter of one half [m]: there the surface does not say clearly.
     pub doubtful: f64,
 }
 
-impl OpenRow {
+impl OpenScanline {
     /// Adds a stretch behind the others, or to the last where they touch: no place is inside twice.
     fn fill(&mut self, [from, to]: [f64; 2]) {
         match self.inside.last_mut() {
@@ -73,18 +73,18 @@ const DOUBT: f64 = 0.25;
 ///
 /// Between two faces the winding number changes smoothly. It is looked at thrice there and, where the way is long,
 /// every `step` [m]; where it passes one half the place is found by halving.
-pub fn open_row(
+pub fn open_scanline(
     (points, faces, bvh): (&[DVec3], &[[u32; 3]], &Bvh),
     winding: &Winding<'_>,
     [from, to]: [f64; 2],
     step: f64,
     [y, z]: [f64; 2],
-) -> OpenRow {
+) -> OpenScanline {
     let mut places = vec![from];
     places.extend(crossings(points, faces, bvh, y, z).into_iter().map(|(x, _)| x.clamp(from, to)));
     places.push(to);
     let at = |x: f64| winding.at(DVec3::new(x, y, z));
-    let mut row = OpenRow::default();
+    let mut row = OpenScanline::default();
     for ends in places.windows(2) {
         let length = ends[1] - ends[0];
         if length <= 0.0 {

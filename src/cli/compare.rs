@@ -212,7 +212,7 @@ fn line(integrator: IntegratorKind, runs: &[Run], size: f64) -> PlotLine {
     let own = runs.iter().filter(|run| run.integrator == integrator);
     let errors = own.filter_map(|run| run.position_error.map(|error| (run.dt, error)));
     let Convergence { order, points, .. } = Convergence::of(integrator, errors, size);
-    PlotLine { name: word(integrator), order, points }
+    PlotLine { name: integrator.word().to_owned(), order, points }
 }
 
 fn table(report: &CompareReport) -> String {
@@ -230,7 +230,7 @@ fn table(report: &CompareReport) -> String {
     for run in &report.runs {
         let result = run.blew_up_at.map_or("stable".to_owned(), |at| format!("blew up at {} s", figures(at)));
         table.push([
-            word(run.integrator),
+            run.integrator.word().to_owned(),
             figures(run.dt),
             or_dash(run.stable_dt),
             result,
@@ -244,7 +244,7 @@ fn table(report: &CompareReport) -> String {
     if let Some(orders) = &report.orders {
         let mut table = Table::new([("integrator", Align::Left), ("order", Align::Right)]);
         for order in orders {
-            table.push([word(order.integrator), or_dash(order.order)]);
+            table.push([order.integrator.word().to_owned(), or_dash(order.order)]);
         }
         text.push('\n');
         text += &table.render();
@@ -252,25 +252,15 @@ fn table(report: &CompareReport) -> String {
     text
 }
 
-/// Names of integrators on the command line: those of scene files, and the paper's.
-const NAMES: [(&str, IntegratorKind); 8] = [
-    ("explicit_euler", IntegratorKind::ExplicitEuler),
-    ("midpoint", IntegratorKind::Midpoint),
-    ("rk4", IntegratorKind::Rk4),
-    ("symplectic_euler", IntegratorKind::SymplecticEuler),
-    ("leap_frog", IntegratorKind::LeapFrog),
-    ("verlet", IntegratorKind::Verlet),
-    ("backward_euler", IntegratorKind::BackwardEuler),
-    ("euler", IntegratorKind::ExplicitEuler),
-];
-
-fn word(integrator: IntegratorKind) -> String {
-    NAMES.iter().find(|(_, kind)| *kind == integrator).map_or("", |(name, _)| name).to_owned()
-}
+/// The paper's word for explicit Euler.
+const EULER: &str = "euler";
 
 fn integrator(text: &str) -> Result<IntegratorKind, String> {
-    let found = NAMES.iter().find(|(name, _)| *name == text).map(|(_, kind)| *kind);
-    found.ok_or_else(|| format!("use one of {}", NAMES.map(|(name, _)| name).join(", ")))
+    if text == EULER {
+        return Ok(IntegratorKind::ExplicitEuler);
+    }
+    let found = IntegratorKind::ALL.into_iter().find(|kind| kind.word() == text);
+    found.ok_or_else(|| format!("use one of {}, {EULER}", IntegratorKind::ALL.map(IntegratorKind::word).join(", ")))
 }
 
 fn step(text: &str) -> Result<f64, String> {
@@ -286,9 +276,9 @@ mod tests {
 
     #[test]
     fn every_integrator_has_its_name_in_scene_files() {
-        for (name, kind) in &NAMES[..7] {
-            assert_eq!(serde_json::to_value(kind).unwrap(), *name);
-            assert_eq!(integrator(name), Ok(*kind));
+        for kind in IntegratorKind::ALL {
+            assert_eq!(serde_json::to_value(kind).unwrap(), kind.word());
+            assert_eq!(integrator(kind.word()), Ok(kind));
         }
         assert_eq!(integrator("euler"), Ok(IntegratorKind::ExplicitEuler));
         assert!(integrator("rk5").is_err());

@@ -1,7 +1,7 @@
 //! Fibre solids: a shape of a material with fibres in it.
 
 use super::extra::is_false;
-use super::{Dab, Extra, Fibre, Impulse, Initial, Material, Pin, Placement, Region, Shape};
+use super::{Dab, Extra, Fibre, Impulse, Initial, IntegratorKind, Material, Pin, Placement, Region, Shape};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -62,25 +62,4 @@ pub enum BodyKind {
     /// A homogeneous elastic matrix with embedded fibres (the fibre paper).
     #[default]
     FibreSolid,
-}
-
-/// How a body is stepped through time.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum IntegratorKind {
-    /// Kick-drift-kick leap-frog: order 2, one force evaluation a step, keeps momenta and energy.
-    #[default]
-    LeapFrog,
-    /// Explicit Euler: order 1, gains energy without damping.
-    ExplicitEuler,
-    /// Explicit midpoint: order 2, two evaluations a step.
-    Midpoint,
-    /// Classical Runge-Kutta: order 4, four evaluations a step.
-    Rk4,
-    /// Symplectic Euler: order 1, one evaluation a step.
-    SymplecticEuler,
-    /// Velocity Verlet with a predicted velocity: order 2 with damping too, two evaluations a step.
-    Verlet,
-    /// Backward Euler: order 1, stable at any step, takes energy.
-    BackwardEuler,
 }

@@ -13,6 +13,7 @@ mod body;
 mod document;
 mod extra;
 mod fibre;
+mod integrator;
 mod layer_shape;
 mod material;
 mod measure;
@@ -30,12 +31,13 @@ mod validate;
 
 pub use assets::{Assets, ModelFile};
 pub use axis::{Axis, Side};
-pub use body::{Body, BodyKind, IntegratorKind};
+pub use body::{Body, BodyKind};
 pub use document::{MAX_PARTICLES, SCENE_VERSION, Scene, Units};
 pub use extra::Extra;
 pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
 };
+pub use integrator::IntegratorKind;
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
 pub use material::{Damping, Falloff, Mass, Material};
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};

@@ -13,6 +13,7 @@
 //!
 //! # Rooms
 //!
+//! - [`text`]: how numbers are written for people.
 //! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, models and how they are checked,
 //!   filled and moved inwards, rigs of skins. Knows nothing of scenes or physics.
 //! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not; layouts of
@@ -37,10 +38,10 @@
 //! - `ui` (feature `gui`): the window. Reads the document and the newest snapshot; what a person does leaves as a
 //!   [`edit::Command`] or a [`sim::SimCommand`].
 //!
-//! What a room may import: geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
+//! What a room may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
 //! geometry; solver geometry; bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot;
 //! sim scene, bake and solver; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
-//! ui; ui all but cli. A test holds the code to this.
+//! ui; ui all but cli; and text any but geometry and solver. A test holds the code to this.
 //!
 //! # Conventions
 //!
@@ -151,5 +152,6 @@ pub mod scene;
 pub mod sim;
 pub mod sketch;
 pub mod solver;
+pub mod text;
 #[cfg(feature = "gui")]
 pub mod ui;

@@ -3,7 +3,7 @@
 use super::check_model::{ModelOptions, check_model};
 use super::error::printable;
 use super::prepare::{Sets, load, notes, put_together, tell};
-use super::table::{Align, Table, figures};
+use super::table::{Align, Table};
 use super::{CliError, Console, Outcome};
 use crate::bake::Baked;
 use crate::io::is_model;
@@ -11,6 +11,7 @@ use crate::scene::{Scene, one_line};
 use crate::sim::body_labels;
 use crate::solver::body::Body;
 use crate::solver::world::World;
+use crate::text::number::four_figures;
 use clap::Args;
 use glam::DVec3;
 use std::path::PathBuf;
@@ -48,8 +49,8 @@ fn contents(scene: &Scene, baked: &Baked, source: &str) -> String {
     let name = if scene.name.is_empty() { source.to_owned() } else { one_line(&scene.name) };
     let mut text = format!(
         "{name}: {} s in frames of {} s; bodies: {}, panels: {}, measures: {}\n",
-        figures(scene.time.duration),
-        figures(frame),
+        four_figures(scene.time.duration),
+        four_figures(frame),
         world.bodies().len(),
         world.panels().len(),
         world.probes().len(),
@@ -76,16 +77,16 @@ fn bodies(world: &World) -> Table {
     ]);
     for (body, label) in world.bodies().iter().zip(body_labels(world.bodies())) {
         let parts = body.parts();
-        let span = span(&body.state().positions).to_array().map(figures).join(" x ");
+        let span = span(&body.state().positions).to_array().map(four_figures).join(" x ");
         table.push([
             label,
             parts.kind.to_owned(),
             body.state().len().to_string(),
-            figures(parts.mean_neighbours),
+            four_figures(parts.mean_neighbours),
             parts.fibres.len().to_string(),
             parts.fibres.iter().map(|fibre| fibre.vertices.len()).sum::<usize>().to_string(),
             span,
-            figures(body.state().mass()),
+            four_figures(body.state().mass()),
         ]);
     }
     table
@@ -113,11 +114,11 @@ fn steps(world: &World) -> Table {
         let a_frame = f64::from(substeps) * f64::from(plan.outer_steps);
         table.push([
             label,
-            figures(body.parts().dt),
-            figures(body.parts().stable_dt),
+            four_figures(body.parts().dt),
+            four_figures(body.parts().stable_dt),
             body.parts().limited_by.clone().unwrap_or_else(|| "-".to_owned()),
             a_frame.to_string(),
-            figures(cost(body, a_frame / plan.frame_seconds)),
+            four_figures(cost(body, a_frame / plan.frame_seconds)),
         ]);
     }
     table

@@ -1,12 +1,13 @@
 //! `sinew check MODEL`: whether a model has an inside, and how many particles it takes to fill it.
 
 use super::error::printable;
-use super::table::{Align, Table, figures};
+use super::table::{Align, Table};
 use super::{CliError, Console, Outcome};
 use crate::geometry::fill::{FillError, FillResolution, fill};
 use crate::geometry::solid::Solid;
 use crate::io::{IoError, load_model};
 use crate::scene::{Axis, MAX_PARTICLES, ModelFile, one_line};
+use crate::text::number::four_figures;
 use clap::{Args, ValueEnum};
 use std::path::Path;
 
@@ -82,7 +83,7 @@ pub fn check_model(path: &Path, options: &ModelOptions, console: &mut Console) -
 
 fn contents(solid: &Solid, path: &Path) -> String {
     let report = &solid.report;
-    let extent = solid.size().to_array().map(figures).join(" x ");
+    let extent = solid.size().to_array().map(four_figures).join(" x ");
     let state = if report.closed { "closed" } else { "not closed" };
     format!(
         "{}: {} vertices at {} points, {} faces; {state}, pieces: {}\nextent [m]: {extent}\nvolume [m³]: {}\n",
@@ -91,7 +92,7 @@ fn contents(solid: &Solid, path: &Path) -> String {
         report.points,
         report.faces,
         report.pieces,
-        figures(solid.volume),
+        four_figures(solid.volume),
     )
 }
 
@@ -118,8 +119,8 @@ fn particles(solid: &Solid, asked: &[FillResolution]) -> Table {
         table.push(match fill(solid, fineness, REACH, MAX_PARTICLES) {
             Ok(filling) => [
                 filling.sample.points.len().to_string(),
-                figures(REACH * filling.sample.spacing),
-                figures(100.0 * filling.volume_error),
+                four_figures(REACH * filling.sample.spacing),
+                four_figures(100.0 * filling.volume_error),
                 filling.sample.pieces().1.to_string(),
                 filling.thinness.single.to_string(),
                 filling.thinness.double.to_string(),
@@ -128,13 +129,13 @@ fn particles(solid: &Solid, asked: &[FillResolution]) -> Table {
             Err(error) => {
                 let wanted = match fineness {
                     FillResolution::Particles(count) => [count.to_string(), "-".to_owned()],
-                    FillResolution::Spacing(spacing) => ["-".to_owned(), figures(REACH * spacing)],
+                    FillResolution::Spacing(spacing) => ["-".to_owned(), four_figures(REACH * spacing)],
                 };
                 let [count, radius] = wanted;
                 let dash = || "-".to_owned();
                 let why = match error {
                     FillError::TooThin { suggested: Some(spacing), .. } => {
-                        format!("too thin; {} m gives two layers", figures(REACH * spacing))
+                        format!("too thin; {} m gives two layers", four_figures(REACH * spacing))
                     }
                     other => other.to_string(),
                 };

@@ -3,11 +3,12 @@
 use super::error::printable;
 use super::order_plot::{PlotLine, order_plot};
 use super::prepare::{Sets, Threads, folder_of, load, put_together};
-use super::table::{Align, Table, figures};
+use super::table::{Align, Table};
 use super::{CliError, Console, Outcome, output};
 use crate::io::load_assets;
 use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::sim::{Convergence, Trial, reference};
+use crate::text::number::four_figures;
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -226,18 +227,18 @@ fn table(report: &CompareReport) -> String {
         ("evaluations", Align::Right),
         ("stepped in [s]", Align::Right),
     ]);
-    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), figures);
+    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), four_figures);
     for run in &report.runs {
-        let result = run.blew_up_at.map_or("stable".to_owned(), |at| format!("blew up at {} s", figures(at)));
+        let result = run.blew_up_at.map_or("stable".to_owned(), |at| format!("blew up at {} s", four_figures(at)));
         table.push([
             run.integrator.word().to_owned(),
-            figures(run.dt),
+            four_figures(run.dt),
             or_dash(run.stable_dt),
             result,
             or_dash(run.energy_error),
             or_dash(run.position_error),
             run.evaluations.to_string(),
-            figures(run.wall_seconds),
+            four_figures(run.wall_seconds),
         ]);
     }
     let mut text = table.render();

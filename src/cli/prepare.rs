@@ -1,12 +1,12 @@
 //! From arguments to a world that is ready to run: what every command does first.
 
 use super::error::printable;
-use super::table::figures;
 use super::{CliError, Console};
 use crate::bake::{Baked, Note, bake_with_progress};
 use crate::io::{apply_sets, load_assets, load_scene, scene_from_json, unknown_fields};
 use crate::scene::{Scene, TimeStep};
 use crate::sim::Runner;
+use crate::text::number::four_figures;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -203,7 +203,7 @@ pub fn frames_to(seconds: f64, runner: &Runner, console: &mut Console) -> u64 {
     let frames = runner.frames_for(seconds);
     let end = frames as f64 * runner.world().plan().frame_seconds;
     if end > seconds * (1.0 + 1e-6) {
-        let (asked, end) = (figures(seconds), figures(end));
+        let (asked, end) = (four_figures(seconds), four_figures(end));
         console.say("note", &format!("{asked} s lies within a frame, which is run to its end at {end} s"));
     }
     frames

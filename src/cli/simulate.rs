@@ -4,11 +4,11 @@ use super::drive::{Drive, RunEnd, drive};
 use super::picture::{Look, SceneRenderer};
 use super::prepare::{Sets, Span, Threads, frames_to, load, notes, put_together, source_name, tell, word};
 use super::summary::summary;
-use super::table::figures;
 use super::{CliError, Console, Outcome, output};
 use crate::io::{FrameFolder, write_obj};
 use crate::scene::Scene;
 use crate::sim::{Report, Runner, TimeSeries};
+use crate::text::number::four_figures;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -103,7 +103,7 @@ fn watch(
     console.end();
     let ran = ran?;
     if args.span.until_rest && ran.end == RunEnd::Time {
-        let limit = figures(limit);
+        let limit = four_figures(limit);
         console.warn(&format!(
             "not everything has come to rest after {limit} s; give more --seconds, or the material damping"
         ));

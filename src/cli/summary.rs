@@ -1,19 +1,20 @@
 //! What a run has shown, for people.
 
-use super::table::{Align, Table, figures, readable};
+use super::table::{Align, Table, readable};
 use crate::scene::one_line;
 use crate::sim::{MeasureReport, Report};
 use crate::solver::snapshot::BreakPlace;
 use crate::solver::world::World;
+use crate::text::number::four_figures;
 
 /// The summary of a run that has ended.
 pub fn summary(report: &Report, world: &World, source: &str) -> String {
     let name = if report.scene.is_empty() { source.to_owned() } else { one_line(&report.scene) };
     let mut text = format!(
         "{name}: {} s in {} of {} s{}\n",
-        figures(report.seconds),
+        four_figures(report.seconds),
         if report.frames == 1 { "1 frame".to_owned() } else { format!("{} frames", report.frames) },
-        figures(world.plan().frame_seconds),
+        four_figures(world.plan().frame_seconds),
         if report.at_rest { ", at rest" } else { "" },
     );
     text += &pace(report);
@@ -28,15 +29,15 @@ pub fn summary(report: &Report, world: &World, source: &str) -> String {
 
 /// How fast the run was, against the clock.
 fn pace(report: &Report) -> String {
-    let wall = figures(report.wall_seconds);
+    let wall = four_figures(report.wall_seconds);
     // Time that passes without a body that moves says nothing about speed.
     let moved = report.bodies.iter().any(|body| body.diverged.is_none());
     match report.real_time_factor {
         factor if factor == 0.0 || !moved => format!("stepped in {wall} s\n"),
         factor if factor < 1.0 => {
-            format!("stepped in {wall} s: slow motion, {} times slower than real time\n", figures(1.0 / factor))
+            format!("stepped in {wall} s: slow motion, {} times slower than real time\n", four_figures(1.0 / factor))
         }
-        factor => format!("stepped in {wall} s: {} times as fast as real time\n", figures(factor)),
+        factor => format!("stepped in {wall} s: {} times as fast as real time\n", four_figures(factor)),
     }
 }
 
@@ -58,10 +59,10 @@ fn bodies(report: &Report, world: &World) -> Table {
             one_line(&body.name),
             body.kind.to_owned(),
             body.particles.to_string(),
-            figures(body.mean_neighbours),
+            four_figures(body.mean_neighbours),
             body.fibres.to_string(),
             body.structure_particles.to_string(),
-            figures(body.dt),
+            four_figures(body.dt),
             (u64::from(*substeps) * u64::from(world.plan().outer_steps)).to_string(),
             body.limited_by.clone().unwrap_or_else(|| "-".to_owned()),
             if body.diverged.is_some() { "diverged".to_owned() } else { String::new() },
@@ -103,7 +104,7 @@ fn breaks(report: &Report, world: &World) -> Table {
                 BreakPlace::Vertex(vertex) => format!("vertex {vertex}"),
                 BreakPlace::Edge(vertex) => format!("between vertices {vertex} and {}", vertex + 1),
             };
-            table.push([(k + 1).to_string(), one_line(&shown.name), one_line(fibre), place, figures(broken.time)]);
+            table.push([(k + 1).to_string(), one_line(&shown.name), one_line(fibre), place, four_figures(broken.time)]);
         }
         if shown.breaks > LISTED {
             let others = format!("and {} more", shown.breaks - LISTED);
@@ -122,7 +123,7 @@ fn energies(report: &Report) -> Table {
     for (index, (name, _)) in first.iter().enumerate() {
         let values: Vec<f64> = named.iter().map(|energies| energies[index].1).collect();
         if values.iter().any(|&value| value != 0.0) {
-            table.push([(*name).to_owned()].into_iter().chain(values.into_iter().map(figures)));
+            table.push([(*name).to_owned()].into_iter().chain(values.into_iter().map(four_figures)));
         }
     }
     table

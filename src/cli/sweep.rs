@@ -4,13 +4,14 @@ use super::drive::{RunEnd, drive};
 use super::error::printable;
 use super::parallel::in_parallel;
 use super::prepare::{Sets, Span, Threads, folder_of, load, notes, with_frame_rate, with_sets, word};
-use super::table::{Align, Table, figures, readable};
+use super::table::{Align, Table, readable};
 use super::vary::{Product, Vary};
 use super::{CliError, Console, Outcome, output};
 use crate::bake::{Baked, Note, bake};
 use crate::io::complete_assets;
 use crate::scene::{Assets, Scene, one_line};
 use crate::sim::{BodyReport, MeasureReport, Report, Runner};
+use crate::text::number::four_figures;
 use clap::Args;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -200,7 +201,7 @@ fn table(product: &Product<'_>, rows: &[Row]) -> Table {
         let measures = names.iter().map(|(name, _)| row.measures.get(*name).map_or("-".to_owned(), readable));
         let rest = if row.at_rest { "yes" } else { "no" }.to_owned();
         let diverged = if row.diverged.is_some() { "diverged" } else { "" }.to_owned();
-        table.push(values.chain(measures).chain([figures(row.seconds), rest, diverged]));
+        table.push(values.chain(measures).chain([four_figures(row.seconds), rest, diverged]));
     }
     table
 }

@@ -1,4 +1,6 @@
-//! Tables and numbers for people.
+//! Tables for people.
+
+use crate::text::number::four_figures;
 
 /// Where the text of a column stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,23 +59,10 @@ impl Table {
     }
 }
 
-/// A number to four figures.
-pub fn figures(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e5).contains(&size) {
-        let decimals = (3 - size.log10().floor() as i32).max(0);
-        format!("{value:.*}", decimals.cast_unsigned() as usize)
-    } else {
-        format!("{value:.3e}")
-    }
-}
-
 /// A JSON value of a report for people: numbers to four figures, vectors in parentheses.
 pub fn readable(value: &serde_json::Value) -> String {
     match value {
-        serde_json::Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), figures),
+        serde_json::Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), four_figures),
         serde_json::Value::Array(items) => {
             format!("({})", items.iter().map(readable).collect::<Vec<_>>().join(", "))
         }
@@ -92,14 +81,5 @@ mod tests {
         table.push(["größe".to_owned(), "1".to_owned()]);
         table.push(["x".to_owned(), "23.5".to_owned()]);
         assert_eq!(table.render(), "name   value\ngröße      1\nx       23.5\n");
-    }
-
-    #[test]
-    fn numbers_have_four_figures() {
-        let cases = [(0.0, "0"), (1949.64, "1950"), (-0.012_345, "-0.01235"), (12.0, "12.00"), (3.2e-5, "3.200e-5")];
-        for (value, expected) in cases {
-            assert_eq!(figures(value), expected);
-        }
-        assert_eq!(figures(f64::NAN), "NaN");
     }
 }

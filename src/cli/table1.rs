@@ -2,11 +2,11 @@
 
 use super::drive::drive;
 use super::prepare::{load, put_together};
-use super::table::figures;
 use super::{CliError, Console, Outcome, output};
 use crate::bake::Baked;
 use crate::sim::Runner;
 use crate::solver::body::Body;
+use crate::text::number::four_figures;
 use clap::Args;
 use glam::DVec3;
 use serde::Serialize;
@@ -169,11 +169,11 @@ fn markdown(rows: &[Row]) -> String {
         let _ = writeln!(
             text,
             "| {model} | here | {particles} | {fibres} / {structure_particles} | {} | {} | {} | {} | {} |",
-            figures(*matrix_ms),
-            figures(*fibre_ms),
+            four_figures(*matrix_ms),
+            four_figures(*fibre_ms),
             share(*fibre_ms, *matrix_ms),
-            figures(row.dt),
-            figures(row.real_time_factor),
+            four_figures(row.dt),
+            four_figures(row.real_time_factor),
         );
         let _ = writeln!(
             text,
@@ -181,8 +181,8 @@ fn markdown(rows: &[Row]) -> String {
             paper.particles,
             paper.fibres,
             paper.structure_particles,
-            figures(paper.matrix_ms),
-            figures(paper.fibre_ms),
+            four_figures(paper.matrix_ms),
+            four_figures(paper.fibre_ms),
             share(paper.fibre_ms, paper.matrix_ms),
         );
     }

@@ -1,5 +1,7 @@
 //! Metric steps: how far apart the lines of a grid are, and how long the bar is that tells its scale.
 
+use crate::text::number::round_length;
+
 /// Minor lines are at least this far apart [pixels at scale 1].
 const CLOSEST: f64 = 9.0;
 
@@ -26,15 +28,7 @@ pub(super) fn bar(most: f64) -> (f64, String) {
     let decade = 10_f64.powi(most.log10().floor() as i32);
     let factor = [5.0, 2.0].into_iter().find(|factor| factor * decade <= most).unwrap_or(1.0);
     let length = factor * decade;
-    (length, in_words(length))
-}
-
-/// A length in the unit in which it is said.
-fn in_words(metres: f64) -> String {
-    let units = [(1e3, "km"), (1.0, "m"), (1e-2, "cm"), (1e-3, "mm"), (1e-6, "µm")];
-    let (size, unit) = units.into_iter().find(|(size, _)| metres >= 0.999_999 * size).unwrap_or((1e-6, "µm"));
-    let figure = metres / size;
-    if figure >= 0.999_999 { format!("{figure:.0} {unit}") } else { format!("{figure} {unit}") }
+    (length, round_length(length))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What the sketch tells people: refusals and notes, each with its figure.
 
 use super::View;
+use crate::text::number::percent;
 use std::fmt;
 
 /// Which stroke of a pair.
@@ -209,11 +210,6 @@ fn extent(axis: usize) -> &'static str {
 
 fn plural(points: usize) -> &'static str {
     if points == 1 { "point" } else { "points" }
-}
-
-/// A share as a whole percentage: "40 %".
-fn percent(share: f64) -> String {
-    format!("{:.0} %", 100.0 * share)
 }
 
 fn nothing_near(nearest: f64) -> String {

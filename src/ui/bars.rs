@@ -5,10 +5,10 @@ use super::app::{App, Gravity};
 use super::menu::Menu;
 use super::sketch_tool::Stage;
 use super::theme::{self, GRID};
-use super::timescale::{moment, ratio};
 use crate::edit::Command;
 use crate::scene::TimeStep;
 use crate::sim::SimCommand;
+use crate::text::number::{moment, ratio};
 use egui::{Button, DragValue, Label, Panel, RichText, Ui};
 
 impl App {

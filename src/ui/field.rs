@@ -1,5 +1,6 @@
 //! A labelled number with its unit, range, default and the equation that it enters.
 
+use crate::text::number::compact;
 use egui::{Align, DragValue, Layout, Response, Ui};
 use std::ops::RangeInclusive;
 
@@ -65,16 +66,16 @@ impl Field {
                 .clamp_existing_to_range(false)
                 .speed(speed)
                 .suffix(suffix)
-                .custom_formatter(|value, _| short(value)),
+                .custom_formatter(|value, _| compact(value)),
         )
     }
 
     fn with_unit(&self, value: f64) -> String {
-        format!("{} {}", short(value), self.unit).trim_end().to_owned()
+        format!("{} {}", compact(value), self.unit).trim_end().to_owned()
     }
 
     fn explained(&self) -> String {
-        let [least, most] = [*self.range.start(), *self.range.end()].map(short);
+        let [least, most] = [*self.range.start(), *self.range.end()].map(compact);
         let range = format!("{}\nFrom {least} to {most} {}", self.tooltip, self.unit);
         match self.default {
             Some(default) => format!("{}. Default {}: right click", range.trim_end(), self.with_unit(default)),
@@ -92,32 +93,10 @@ pub(super) fn vector(ui: &mut Ui, label: &str, unit: &str, value: &mut [f64; 3],
             let speed = (part.abs() * 0.01).max(1e-3);
             let drag = DragValue::new(part).speed(speed).prefix(format!("{axis} ")).suffix(format!(" {unit}"));
             changed |= ui
-                .add(drag.custom_formatter(|value, _| short(value)))
+                .add(drag.custom_formatter(|value, _| compact(value)))
                 .on_hover_text(format!("{tooltip}\nAlong {axis}"))
                 .changed();
         }
     });
     changed
-}
-
-/// A number in as few characters as it needs.
-pub(super) fn short(value: f64) -> String {
-    if value == 0.0 || (1e-2..1e5).contains(&value.abs()) {
-        let text = format!("{value:.4}");
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        format!("{value:.3e}")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::short;
-
-    #[test]
-    fn numbers_take_few_characters() {
-        for (value, text) in [(0.0, "0"), (0.33, "0.33"), (1e5, "1.000e5"), (1250.0, "1250"), (-9.81, "-9.81")] {
-            assert_eq!(short(value), text);
-        }
-    }
 }

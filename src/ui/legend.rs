@@ -4,6 +4,7 @@ use super::pane::View3d;
 use super::theme::{self, GRID};
 use crate::draw::{Colour, colour_map};
 use crate::solver::snapshot::FieldKind;
+use crate::text::number::three_figures;
 use egui::{Align2, FontId, Mesh, Pos2, Rect, Sense, Ui, Vec2};
 
 /// Size of the bar [points].
@@ -22,19 +23,6 @@ fn title(kind: FieldKind) -> (&'static str, &'static str) {
         }
         FieldKind::VolumeFraction => ("Volume fraction", "Share of fibre in the volume"),
         FieldKind::Speed => ("Speed [m/s]", "Length of the velocity"),
-    }
-}
-
-/// A number with three digits that count.
-pub(super) fn digits(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e4).contains(&size) {
-        let behind = (2 - size.log10().floor() as i32).max(0) as usize;
-        format!("{value:.behind$}")
-    } else {
-        format!("{value:.2e}")
     }
 }
 
@@ -66,7 +54,7 @@ impl View3d<'_> {
     }
 
     fn scale(&self, ui: &mut Ui, Scale { name, meaning, range, colour }: &Scale) {
-        let [low, high] = range.map(digits);
+        let [low, high] = range.map(three_figures);
         ui.add_space(1.5 * GRID);
         let (place, response) = ui.allocate_exact_size(BAR + Vec2::new(0.0, 2.0 * LINE), Sense::hover());
         let spoken = format!("{name} from {low} to {high}");
@@ -102,16 +90,5 @@ impl View3d<'_> {
         if range[0] < 0.0 {
             words(place.center_bottom(), Align2::CENTER_BOTTOM, "0");
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::digits;
-
-    #[test]
-    fn three_digits_count() {
-        let shown = [0.0, 0.012_345, 0.5, 12.345, 1234.5, 123_456.0, 1.2e-6].map(digits);
-        assert_eq!(shown, ["0", "0.0123", "0.500", "12.3", "1234", "1.23e5", "1.20e-6"]);
     }
 }

@@ -1,6 +1,6 @@
 //! Lines over time, wherever the window plots some.
 
-use super::legend::digits;
+use crate::text::number::{three_figures, tick};
 use egui::{Color32, Ui};
 use egui_plot::{GridInput, GridMark, HoverPosition, Line, LineStyle, Plot, PlotPoints, VLine};
 use std::ops::RangeInclusive;
@@ -33,7 +33,7 @@ pub(super) fn over_time(ui: &mut Ui, id: &str, height: f32, unit: &str, traces: 
     let said = format!(" {unit}");
     let hover = move |at: &HoverPosition<'_>| match at {
         HoverPosition::NearDataPoint { plot_name, position, .. } => {
-            Some(format!("{plot_name}\n{:.3} s\n{}{said}", position.x, digits(position.y)))
+            Some(format!("{plot_name}\n{:.3} s\n{}{said}", position.x, three_figures(position.y)))
         }
         HoverPosition::Elsewhere { .. } => None,
     };
@@ -44,8 +44,8 @@ pub(super) fn over_time(ui: &mut Ui, id: &str, height: f32, unit: &str, traces: 
         .x_grid_spacer(|input| marks(&input, TIME_APART))
         .y_grid_spacer(|input| marks(&input, VALUES_APART))
         .label_formatter(hover)
-        .x_axis_formatter(|mark, range| format!("{} s", tick(mark, range)))
-        .y_axis_formatter(tick)
+        .x_axis_formatter(|mark, range| format!("{} s", at_axis(mark, range)))
+        .y_axis_formatter(at_axis)
         .y_axis_min_width(48.0)
         .show(ui, |plot| {
             for trace in traces {
@@ -77,17 +77,9 @@ fn marks(input: &GridInput, apart: f64) -> Vec<GridMark> {
     places.map(|place| GridMark { value: place as f64 * step_size, step_size }).collect()
 }
 
-/// A number at an axis, with as many digits as its neighbours need to differ.
-fn tick(mark: GridMark, range: &RangeInclusive<f64>) -> String {
-    let largest = range.start().abs().max(range.end().abs());
-    if mark.value == 0.0 || mark.value.abs() < 1e-6 * mark.step_size {
-        "0".to_owned()
-    } else if (1e-2..1e5).contains(&largest) {
-        let behind = (-mark.step_size.log10()).ceil().clamp(0.0, 6.0) as usize;
-        format!("{:.behind$}", mark.value)
-    } else {
-        format!("{:.1e}", mark.value)
-    }
+/// A number at an axis.
+fn at_axis(mark: GridMark, range: &RangeInclusive<f64>) -> String {
+    tick(mark.value, mark.step_size, range.start().abs().max(range.end().abs()))
 }
 
 /// The points of a curve that a plot can show: of every `bucket` that follow each other the lowest and the highest, in
@@ -153,14 +145,5 @@ mod tests {
         assert_eq!(at((0.1, 0.9)), [0.2, 0.4, 3.0 * 0.2, 0.8]);
         assert!(at((1.0, 1.0)).is_empty());
         assert!(at((f64::NEG_INFINITY, f64::INFINITY)).is_empty());
-    }
-
-    #[test]
-    fn ticks_have_the_digits_that_they_need() {
-        let at = |value: f64, step_size: f64, end: f64| tick(GridMark { value, step_size }, &(0.0..=end));
-        assert_eq!(at(0.1 + 0.2, 0.1, 0.9), "0.3");
-        assert_eq!(at(250.0, 50.0, 400.0), "250");
-        assert_eq!(at(2e-5, 1e-5, 5e-5), "2.0e-5");
-        assert_eq!(at(1e-20, 0.1, 0.9), "0");
     }
 }

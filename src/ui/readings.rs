@@ -3,12 +3,12 @@
 use super::action::Action;
 use super::app::{App, Gravity};
 use super::dialogs::{Dialog, PathPurpose};
-use super::legend::digits;
 use super::plots::{BOLD, LINE, THIN, Trace, over_time, thinned};
 use super::theme::{self, GRID};
 use super::trust::{Loss, Question};
 use crate::io::write_atomically;
 use crate::sim::{ColumnKind, EnergyReport, RecordedSeries, TimeSeries};
+use crate::text::number::three_figures;
 use egui::{Align2, Color32, Panel, RichText, Role, ScrollArea, Sense, TextStyle, Ui, Vec2, WidgetInfo};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -325,7 +325,8 @@ impl App {
 fn entries(charts: &[Chart], row: Option<&[f64]>) -> Vec<(String, Color32, String)> {
     let Some(chart) = charts.first() else { return Vec::new() };
     let row = row.filter(|_| charts.len() == 1);
-    let value =
-        |curve: &Curve| row.map_or_else(String::new, |row| format!("{} {}", digits(curve.read(row)), chart.unit));
+    let value = |curve: &Curve| {
+        row.map_or_else(String::new, |row| format!("{} {}", three_figures(curve.read(row)), chart.unit))
+    };
     chart.curves.iter().map(|curve| (curve.name.clone(), curve.colour, value(curve))).collect()
 }

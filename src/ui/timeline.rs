@@ -3,8 +3,9 @@
 use super::action::Action;
 use super::app::{App, Gravity};
 use super::theme::{self, GRID};
-use super::timescale::{Scale, clock, memory, moment};
+use super::timescale::Scale;
 use crate::sim::{DEFAULT_MEMORY, Published, SimCommand};
+use crate::text::number::{duration, memory, moment};
 use egui::{Align2, FontId, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -171,7 +172,7 @@ impl App {
     fn memory(&mut self, ui: &mut Ui) {
         let timeline = &self.published.status.recording;
         let length = timeline.span.map_or(0.0, |[first, last]| last - first);
-        let text = format!("{} kept, {}", clock(length), memory(timeline.bytes, timeline.limit));
+        let text = format!("{} kept, {}", duration(length), memory(timeline.bytes, timeline.limit));
         let tooltip = format!(
             "{} frames of the motion are kept in {} of memory; the oldest make room for new ones. Click to change how much",
             timeline.frames,

@@ -1,5 +1,6 @@
-//! How times lie along the timeline, and how they and memory are written.
+//! How times lie along the timeline.
 
+use crate::text::number::time_tick;
 use egui::Rangef;
 
 /// Lengths that a timeline may have [s]; beyond them it doubles.
@@ -56,49 +57,9 @@ impl Scale {
         let to = ((self.first + self.length) / step + 1e-9).floor() as i64;
         let tick = |k: i64| {
             let time = k as f64 * step;
-            let text = if step < 1.0 { format!("{time:.*} s", decimals(step)) } else { whole(time) };
-            (time, text)
+            (time, time_tick(time, step))
         };
         (from..=to).map(tick).collect()
-    }
-}
-
-/// A time of whole seconds [s]: seconds, or minutes and seconds.
-fn whole(time: f64) -> String {
-    let seconds = time.round() as u64;
-    if seconds < 60 { format!("{seconds} s") } else { format!("{}:{:02}", seconds / 60, seconds % 60) }
-}
-
-/// Places behind the point that tell a step [s] of times from the next.
-fn decimals(step: f64) -> usize {
-    (-step.log10() - 1e-9).ceil().clamp(0.0, 9.0) as usize
-}
-
-/// A time [s] as fine as frames of this length [s] need it.
-pub(super) fn moment(time: f64, frame: f64) -> String {
-    format!("{time:.*} s", decimals(frame).max(2))
-}
-
-/// A ratio with two figures at least.
-pub(super) fn ratio(value: f64) -> String {
-    let fine = if value > 0.0 { decimals(value) + 1 } else { 0 };
-    format!("{value:.*}", fine.max(2))
-}
-
-/// How long something lasts [s].
-pub(super) fn clock(seconds: f64) -> String {
-    let fine = if seconds > 0.0 { decimals(seconds) } else { 0 };
-    if seconds < 9.95 { format!("{seconds:.*} s", fine.max(1)) } else { whole(seconds) }
-}
-
-/// Memory taken of what may be taken [bytes].
-pub(super) fn memory(taken: usize, most: usize) -> String {
-    const MIB: f64 = (1 << 20) as f64;
-    let [taken, most] = [taken, most].map(|bytes| bytes as f64 / MIB);
-    if most < 1024.0 {
-        format!("{taken:.0} of {most:.0} MiB")
-    } else {
-        format!("{:.1} of {:.0} GiB", taken / 1024.0, most / 1024.0)
     }
 }
 
@@ -129,17 +90,5 @@ mod tests {
             }
             assert!(width < 200.0 || ticks.len() >= 2, "{length} s: {ticks:?}");
         }
-    }
-
-    #[test]
-    fn lengths_and_memory_are_written_as_people_do() {
-        assert_eq!(
-            [0.0, 0.0083, 0.5, 9.2, 12.4, 112.0].map(clock),
-            ["0.0 s", "0.008 s", "0.5 s", "9.2 s", "12 s", "1:52"]
-        );
-        assert_eq!([1.0 / 60.0, 0.002, 5e-5].map(|frame| moment(0.01234, frame)), ["0.01 s", "0.012 s", "0.01234 s"]);
-        assert_eq!([0.0, 0.004_12, 0.03, 0.995, 1.5].map(ratio), ["0.00", "0.0041", "0.030", "0.99", "1.50"]);
-        assert_eq!(memory(214 << 20, 512 << 20), "214 of 512 MiB");
-        assert_eq!(memory(214 << 20, 8 << 30), "0.2 of 8 GiB");
     }
 }

@@ -11,18 +11,19 @@ use std::path::{Path, PathBuf};
 
 /// What each room may import: whole rooms, or one module of a room.
 const TABLE: &[(&str, &[&str])] = &[
+    ("text", &[]),
     ("geometry", &[]),
-    ("sketch", &["geometry"]),
-    ("scene", &["geometry", "sketch"]),
+    ("sketch", &["geometry", "text"]),
+    ("scene", &["geometry", "sketch", "text"]),
     ("solver", &["geometry"]),
-    ("edit", &["scene", "sketch", "geometry"]),
-    ("bake", &["scene", "sketch", "geometry", "solver"]),
-    ("io", &["scene", "geometry", "solver::snapshot"]),
-    ("sim", &["scene", "bake", "solver"]),
-    ("draw", &["scene", "geometry", "solver::snapshot"]),
-    ("render", &["draw", "geometry"]),
-    ("cli", &["geometry", "sketch", "scene", "edit", "bake", "io", "solver", "sim", "draw", "render"]),
-    ("ui", &["geometry", "sketch", "scene", "edit", "bake", "io", "solver", "sim", "draw", "render"]),
+    ("edit", &["scene", "sketch", "geometry", "text"]),
+    ("bake", &["scene", "sketch", "geometry", "solver", "text"]),
+    ("io", &["scene", "geometry", "solver::snapshot", "text"]),
+    ("sim", &["scene", "bake", "solver", "text"]),
+    ("draw", &["scene", "geometry", "solver::snapshot", "text"]),
+    ("render", &["draw", "geometry", "text"]),
+    ("cli", &["geometry", "sketch", "scene", "edit", "bake", "io", "solver", "sim", "draw", "render", "text"]),
+    ("ui", &["geometry", "sketch", "scene", "edit", "bake", "io", "solver", "sim", "draw", "render", "text"]),
     ("main", &["cli", "ui"]),
 ];
 

@@ -4,10 +4,11 @@ use super::own::Question;
 use super::tiles::{PICTURE, paint_own, paint_strip, paint_words, tile};
 use super::{Chosen, Fit};
 use crate::sketch::pattern::{OwnPattern, PATTERNS, Parameter, Pattern};
+use crate::text::number::compact;
 use crate::ui::action::Action;
 use crate::ui::app::App;
 use crate::ui::dialogs::Dialog;
-use crate::ui::field::{Field, short};
+use crate::ui::field::Field;
 use crate::ui::theme::GRID;
 use egui::{Button, Rect, RichText, Ui};
 use std::path::PathBuf;
@@ -188,5 +189,5 @@ fn field(parameter: &Parameter) -> Field {
 
 /// A length [mm] to a tenth.
 fn short_length(length: f64) -> String {
-    short((10.0 * length).round() / 10.0)
+    compact((10.0 * length).round() / 10.0)
 }

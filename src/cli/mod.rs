@@ -12,12 +12,17 @@ mod drive;
 mod error;
 mod make_models;
 mod make_pictures;
+#[cfg(not(feature = "render"))]
+mod no_scene_renderer;
 mod order_plot;
+mod outcome;
 mod output;
 mod parallel;
 mod picture;
 mod prepare;
 mod render;
+#[cfg(feature = "render")]
+mod scene_renderer;
 mod schema;
 mod simulate;
 mod summary;
@@ -26,9 +31,15 @@ mod table;
 mod table1;
 mod vary;
 
+#[cfg(not(feature = "render"))]
+use no_scene_renderer::SceneRenderer;
+#[cfg(feature = "render")]
+use scene_renderer::SceneRenderer;
+
 pub use console::Console;
 pub use error::CliError;
 pub use make_pictures::{Demo, demo};
+pub use outcome::Outcome;
 
 use clap::{Parser, Subcommand};
 #[cfg(feature = "gui")]
@@ -70,15 +81,6 @@ pub enum Command {
     /// Make the pictures of the window's galleries anew
     #[command(hide = true)]
     MakePictures(make_pictures::MakePictures),
-}
-
-/// How a command ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// It has done its work.
-    Done,
-    /// It has done its work, but a body diverged.
-    Diverged,
 }
 
 const BAD_INPUT: u8 = 2;

@@ -1,9 +1,7 @@
-//! Pictures from the command line: what they show, and the making of them.
+//! Pictures from the command line: what they show, and how.
 
-use super::CliError;
 use crate::draw::Slice;
-use crate::scene::{Axis, Scene};
-use crate::solver::snapshot::Snapshot;
+use crate::scene::Axis;
 use clap::{Args, ValueEnum};
 use std::fmt;
 use std::str::FromStr;
@@ -14,27 +12,27 @@ use std::str::FromStr;
 pub struct Look {
     /// From where
     #[arg(long, value_name = "VIEW", default_value_t, value_enum)]
-    view: Viewpoint,
+    pub(super) view: Viewpoint,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value_t)]
-    size: PixelSize,
+    pub(super) size: PixelSize,
     /// Show the inside: skins see-through, fibres as tubes
     #[arg(long)]
-    x_ray: bool,
+    pub(super) x_ray: bool,
     /// Show material and structure particles in place of skins
     #[arg(long, conflicts_with = "x_ray")]
-    particles: bool,
+    pub(super) particles: bool,
     /// Cut bodies open across X, Y or Z at so many metres: `x=0.01` takes away what lies beyond, `-x=0.01` what lies before
     #[arg(long, value_name = "AXIS=M", allow_hyphen_values = true)]
-    slice: Option<SliceOption>,
+    pub(super) slice: Option<SliceOption>,
     /// Colours
     #[arg(long, value_name = "THEME", default_value_t, value_enum)]
-    theme: ThemeName,
+    pub(super) theme: ThemeName,
 }
 
 /// Points of view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum Viewpoint {
+pub(super) enum Viewpoint {
     /// From the front, parallel: X right, Y up
     Front,
     /// From the side, parallel: Z right, Y up
@@ -48,7 +46,7 @@ enum Viewpoint {
 
 /// Themes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum ThemeName {
+pub(super) enum ThemeName {
     /// For bright surroundings
     #[default]
     Light,
@@ -61,7 +59,7 @@ const LARGEST: u32 = 16384;
 
 /// Width and height [pixels].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct PixelSize([u32; 2]);
+pub(super) struct PixelSize(pub(super) [u32; 2]);
 
 impl Default for PixelSize {
     fn default() -> Self {
@@ -88,7 +86,7 @@ impl FromStr for PixelSize {
 
 /// Where bodies are cut open.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct SliceOption(Slice);
+pub(super) struct SliceOption(pub(super) Slice);
 
 impl FromStr for SliceOption {
     type Err = String;
@@ -109,110 +107,6 @@ impl FromStr for SliceOption {
         read().ok_or_else(|| {
             "give an axis and a place on it in metres, as in x=0.01, or -x=0.01 for the other side".to_owned()
         })
-    }
-}
-
-#[cfg(feature = "render")]
-pub use drawn::SceneRenderer;
-#[cfg(not(feature = "render"))]
-pub use undrawn::SceneRenderer;
-
-#[cfg(feature = "render")]
-mod drawn {
-    use super::{CliError, Look, Scene, Snapshot, ThemeName, Viewpoint};
-    use crate::draw::{Bounds, Display, Subject, Theme, draw};
-    use crate::render::{Camera, Facing, Offscreen};
-
-    /// Makes pictures of a scene, all from the same point of view.
-    pub struct SceneRenderer {
-        offscreen: Offscreen,
-        camera: Camera,
-        display: Display,
-        theme: Theme,
-        aspect: f64,
-        bounds: Option<Bounds>,
-    }
-
-    impl SceneRenderer {
-        /// Opens a driver, and looks at the scene as it starts.
-        ///
-        /// # Errors
-        /// [`CliError::Render`] where there is no driver, or none for pictures of this size.
-        pub fn open(look: &Look, scene: &Scene, start: &Snapshot) -> Result<Self, CliError> {
-            let camera = match look.view {
-                Viewpoint::Front => Camera::facing(Facing::Front),
-                Viewpoint::Side => Camera::facing(Facing::Side),
-                Viewpoint::Top => Camera::facing(Facing::Top),
-                Viewpoint::Persp => Camera::perspective(),
-            };
-            let display = match (look.x_ray, look.particles) {
-                (true, _) => Display::x_ray(),
-                (_, true) => Display::particles(),
-                _ => Display::default(),
-            };
-            let display = Display { slice: look.slice.map(|cut| cut.0), ..display };
-            let theme = match look.theme {
-                ThemeName::Light => Theme::light(),
-                ThemeName::Dark => Theme::dark(),
-            };
-            let [width, height] = look.size.0.map(f64::from);
-            let offscreen = Offscreen::new(look.size.0)?;
-            let mut renderer = Self { offscreen, camera, display, theme, aspect: width / height, bounds: None };
-            renderer.take_in(scene, start);
-            Ok(renderer)
-        }
-
-        /// Steps back far enough to see this state too, beside all that was to be seen before.
-        pub fn take_in(&mut self, scene: &Scene, snapshot: &Snapshot) {
-            let list = draw(&Subject { scene, snapshot, ghost: None }, &self.display, &self.theme);
-            self.bounds = match (self.bounds, list.bounds) {
-                (Some(a), Some(b)) => Some(a.union(b)),
-                (a, b) => a.or(b),
-            };
-            if let Some(bounds) = &self.bounds {
-                self.camera.frame(bounds, self.aspect);
-            }
-        }
-
-        /// A picture as a PNG file.
-        ///
-        /// # Errors
-        /// [`CliError::Render`].
-        pub fn picture(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
-            let list = draw(&Subject { scene, snapshot, ghost: None }, &self.display, &self.theme);
-            Ok(self.offscreen.draw(list, &self.camera)?.to_png()?)
-        }
-    }
-}
-
-#[cfg(not(feature = "render"))]
-mod undrawn {
-    use super::{CliError, Look, Scene, Snapshot};
-
-    /// Makes no pictures: the program was built without them.
-    pub enum SceneRenderer {}
-
-    impl SceneRenderer {
-        /// Says so.
-        ///
-        /// # Errors
-        /// [`CliError::NoPictures`].
-        pub fn open(_look: &Look, _scene: &Scene, _start: &Snapshot) -> Result<Self, CliError> {
-            Err(CliError::NoPictures)
-        }
-
-        /// Never called.
-        pub fn take_in(&mut self, _scene: &Scene, _snapshot: &Snapshot) {
-            match *self {}
-        }
-
-        /// Never called.
-        ///
-        /// # Errors
-        /// None.
-        pub fn picture(&mut self, _scene: &Scene, _snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
-            match *self {}
-        }
     }
 }
 

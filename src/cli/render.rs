@@ -1,9 +1,9 @@
 //! `sinew render`: a picture of a scene at some time.
 
 use super::drive::drive;
-use super::picture::{Look, SceneRenderer};
+use super::picture::Look;
 use super::prepare::{Sets, Threads, frames_to, load, notes, put_together, seconds, tell};
-use super::{CliError, Console, Outcome, output};
+use super::{CliError, Console, Outcome, SceneRenderer, output};
 use crate::sim::Runner;
 use clap::Args;
 use std::path::PathBuf;

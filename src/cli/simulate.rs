@@ -1,10 +1,10 @@
 //! `sinew simulate`: one run of a scene, and what it shows.
 
 use super::drive::{Drive, RunEnd, drive};
-use super::picture::{Look, SceneRenderer};
+use super::picture::Look;
 use super::prepare::{Sets, Span, Threads, frames_to, load, notes, put_together, source_name, tell, word};
 use super::summary::summary;
-use super::{CliError, Console, Outcome, output};
+use super::{CliError, Console, Outcome, SceneRenderer, output};
 use crate::io::{FrameFolder, write_obj};
 use crate::scene::Scene;
 use crate::sim::{Report, Runner, TimeSeries};

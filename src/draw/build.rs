@@ -1,5 +1,6 @@
 //! A scene and a snapshot of its world become a draw list.
 
+use super::body_drawer::BodyDrawer;
 use super::fibre::FibreShape;
 use super::list::{DrawList, Faces, Mesh, PickId, PickKind, SkinnedFaces, SurfaceStyle};
 use super::options::{Display, SkinStyle};
@@ -9,9 +10,6 @@ use crate::scene::{Fibre, Scene};
 use crate::solver::snapshot::{BodySnapshot, Snapshot};
 use glam::DVec3;
 use std::sync::Arc;
-
-/// Share of a fibre's mark that shows through the skin.
-pub(super) const THROUGH: f32 = 0.35;
 
 /// What is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -114,14 +112,6 @@ struct Values<'a> {
     tensions: Option<(f64, &'a [Vec<f64>])>,
 }
 
-/// Draws one body.
-pub(super) struct BodyDrawer<'a> {
-    pub(super) index: u32,
-    pub(super) spacing: f64,
-    pub(super) display: &'a Display,
-    pub(super) theme: &'a Theme,
-}
-
 impl BodyDrawer<'_> {
     fn body(
         &self,
@@ -156,14 +146,6 @@ impl BodyDrawer<'_> {
             }
         }
         self.particles(body, has_skin, field, list);
-    }
-
-    pub(super) fn tint(&self) -> Option<Colour> {
-        self.display.tints.get(self.index as usize).copied()
-    }
-
-    pub(super) fn number(&self, kind: PickKind, count: usize, list: &mut DrawList) -> u32 {
-        list.register(PickId { body: self.index, kind, index: 0 }, count)
     }
 }
 

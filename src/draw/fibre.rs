@@ -1,6 +1,6 @@
 //! Fibres as tubes, in their own colours or by what they carry, with the places where they are broken.
 
-use super::build::{BodyDrawer, THROUGH};
+use super::body_drawer::{BodyDrawer, THROUGH};
 use super::list::{DrawList, Faces, Line, Mesh, PickId, PickKind, Points, Size, SurfaceStyle};
 use super::tube::{Tube, tube};
 use super::{Colour, colour_map};

@@ -4,6 +4,7 @@
 //! Positions in a list are f32 about the list's own origin: a model a kilometre away is drawn as finely as one at
 //! home. Colours keep their meaning throughout (see [`Theme`]): material cool, structure warm, each fibre a hue.
 
+mod body_drawer;
 mod bounds;
 mod build;
 mod colour;

@@ -1,6 +1,6 @@
 //! What a body is made of: material particles as balls, springs as lines; what a cut shows of a field.
 
-use super::build::{BodyDrawer, THROUGH};
+use super::body_drawer::{BodyDrawer, THROUGH};
 use super::list::{DrawList, Line, PickKind, Points, Size};
 use super::options::SkinStyle;
 use super::{Colour, colour_map};

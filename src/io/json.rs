@@ -4,6 +4,7 @@ use super::IoError;
 use crate::scene::{brief, one_line};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
+use std::borrow::Cow;
 use std::fmt;
 
 /// Reads JSON text.
@@ -50,6 +51,13 @@ pub(super) fn pointer_of(path: &serde_path_to_error::Path) -> String {
 /// A member's name as a token of an RFC 6901 pointer, on one line.
 pub(super) fn escape(name: &str) -> String {
     one_line(&name.replace('~', "~0").replace('/', "~1"))
+}
+
+/// The tokens of a pointer, unescaped.
+pub(super) fn pointer_tokens(pointer: &str) -> impl Iterator<Item = Cow<'_, str>> {
+    pointer.split('/').skip(1).map(|token| {
+        if token.contains('~') { Cow::Owned(token.replace("~1", "/").replace("~0", "~")) } else { Cow::Borrowed(token) }
+    })
 }
 
 /// The run of characters that ends at, or surrounds, the place of an error.

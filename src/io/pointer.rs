@@ -1,12 +1,11 @@
 //! Values set by RFC 6901 pointers, as `--set /bodies/0/material/young_modulus=2e5` asks for.
 
 use super::IoError;
-use super::json::parse;
+use super::json::{parse, pointer_tokens};
 use super::scene::{check_version, scene_from_value};
-use super::schema::{SchemaNode, closest, unknown_fields_of};
+use super::schema::{SchemaNode, closest, node_at, unknown_fields_of};
 use crate::scene::{Scene, SceneError, brief, one_line};
 use serde_json::{Map, Value};
-use std::borrow::Cow;
 
 /// The scene with some of its values replaced, checked. Each set is a pointer and the JSON text of its new value.
 ///
@@ -54,19 +53,13 @@ pub fn set_pointer(value: &mut Value, pointer: &str, json_text: &str) -> Result<
     }
 }
 
-/// What may stand at a pointer.
-pub(super) fn node_at(pointer: &str) -> Option<SchemaNode> {
-    let tokens: Vec<_> = tokens(pointer).collect();
-    SchemaNode::at(tokens.iter().map(AsRef::as_ref))
-}
-
 /// The place that a pointer names, made where it may be and is not yet.
 fn place<'v>(root: &'v mut Value, pointer: &str) -> Result<&'v mut Value, IoError> {
     let mut here = root;
     let mut node = SchemaNode::at([]);
     let mut path = String::new();
-    let count = tokens(pointer).count();
-    for (index, token) in tokens(pointer).enumerate() {
+    let count = pointer_tokens(pointer).count();
+    for (index, token) in pointer_tokens(pointer).enumerate() {
         let last = index + 1 == count;
         let next = node.and_then(|node| node.child(&token));
         let may_make = next.is_some_and(|next| last || next.is_list());
@@ -146,13 +139,6 @@ fn failure(pointer: &str, value: String, problem: &str, remedy: &str) -> IoError
 /// Whether a path is at, below or above a pointer. `-` stands for the item that was just added.
 fn touches(path: &str, pointer: &str) -> bool {
     path.split('/').zip(pointer.split('/')).all(|(name, token)| name == token || token == "-")
-}
-
-/// The tokens of a pointer, unescaped.
-fn tokens(pointer: &str) -> impl Iterator<Item = Cow<'_, str>> {
-    pointer.split('/').skip(1).map(|token| {
-        if token.contains('~') { Cow::Owned(token.replace("~1", "/").replace("~0", "~")) } else { Cow::Borrowed(token) }
-    })
 }
 
 /// An array index as RFC 6901 has it: digits without leading zeros.

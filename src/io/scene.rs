@@ -2,9 +2,8 @@
 
 use super::atomic::sweep;
 use super::json::{parse, pointer_of};
-use super::pointer::node_at;
 use super::read::read_bytes;
-use super::schema::{SchemaNode, closest, unknown_fields_of};
+use super::schema::{SchemaNode, closest, node_at, unknown_fields_of};
 use super::{IoError, write_atomically};
 use crate::scene::{SCENE_VERSION, Scene, SceneError, brief, one_line};
 use serde_json::Value;

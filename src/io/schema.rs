@@ -1,6 +1,6 @@
 //! The published JSON Schema, and what follows from it: which fields a scene file has that this program does not know.
 
-use super::json::escape;
+use super::json::{escape, pointer_tokens};
 use crate::scene::Scene;
 use serde_json::{Map, Value};
 use std::sync::LazyLock;
@@ -109,6 +109,12 @@ impl SchemaNode {
         let target = schema.get("$ref").and_then(Value::as_str).and_then(|target| target.strip_prefix('#'));
         target.and_then(|pointer| SCHEMA.pointer(pointer)).map_or(self, Self)
     }
+}
+
+/// What may stand at a pointer.
+pub(super) fn node_at(pointer: &str) -> Option<SchemaNode> {
+    let tokens: Vec<_> = pointer_tokens(pointer).collect();
+    SchemaNode::at(tokens.iter().map(AsRef::as_ref))
 }
 
 /// The candidate that `name` is most likely a misspelling of.

@@ -1,8 +1,9 @@
 //! Marks on the picture: the scale, the axes in a corner, and the list's labels.
 
 use super::camera::Camera;
-use super::content::{ON_SCREEN, SEGMENT_WORDS, Store, push_line};
+use super::encoding::{ON_SCREEN, SEGMENT_WORDS, push_line};
 use super::renderer::Renderer;
+use super::store::Store;
 use super::{glyphs, scale};
 use crate::draw::{Colour, DrawList, Line};
 use glam::{DVec2, DVec3, Vec2, Vec3};

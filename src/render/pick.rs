@@ -2,10 +2,11 @@
 
 use super::camera::Camera;
 use super::content::{Content, MeshDraw};
-use super::pipelines::{DEPTH_FORMAT, PICK_FORMAT};
-use super::renderer::{Renderer, draw_meshes, instances};
+use super::draw_calls::{draw_meshes, instances};
+use super::renderer::Renderer;
+use super::targets::{DEPTH_FORMAT, PICK_FORMAT, depth_attachment, target};
 use super::uniforms::FrameUniforms;
-use super::viewport::{Viewport, depth_attachment, target};
+use super::viewport::Viewport;
 use crate::draw::{PickId, PickKind, Picks, SurfaceStyle};
 use bytemuck::bytes_of;
 use glam::{DVec2, DVec3};
@@ -96,7 +97,7 @@ impl Renderer {
         side: f32,
     ) {
         let [numbers, depth] = targets.map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()));
-        let group = self.frame_group(frame, content);
+        let group = self.frame_group(frame, &content.shade);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picks"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {

@@ -1,14 +1,9 @@
 //! Pipelines: what is drawn how.
 
-use super::content::{ITEM_WORDS, POINT_WORDS, SEGMENT_WORDS, TINT_WORDS, VERTEX_WORDS};
+use super::encoding::{ITEM_WORDS, POINT_WORDS, SEGMENT_WORDS, TINT_WORDS, VERTEX_WORDS, WORD};
 use super::shaders;
+use super::targets::{DEPTH_FORMAT, PICK_FORMAT, SHADE_FORMAT};
 use wgpu::{BlendState, CompareFunction, Face};
-
-pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-pub(super) const PICK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
-pub(super) const SHADE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
-
-const WORD: usize = 4;
 
 /// How fragments meet what was drawn before: the fixed-function part of a pipeline.
 #[derive(Clone, Copy)]
@@ -321,9 +316,4 @@ impl PipelineBuilder<'_> {
             cache: None,
         })
     }
-}
-
-/// Words of a buffer's row as an offset [bytes].
-pub(super) fn row_offset(row: u32, words: usize) -> u64 {
-    u64::from(row) * (words * WORD) as u64
 }

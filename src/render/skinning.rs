@@ -1,7 +1,7 @@
 //! Skins that the graphics processor moves: what never changes of one lies in its memory, and only particles go there
 //! for each picture.
 
-use super::content::VERTEX_WORDS;
+use super::encoding::VERTEX_WORDS;
 use super::shaders;
 use crate::draw::SkinnedFaces;
 use crate::geometry::linear_map::LinearMap;

@@ -2,13 +2,11 @@
 
 use super::camera::{Camera, Projection};
 use super::scale::steps;
-use super::shadow::Caster;
+use super::shadow::{Caster, KEY_DIRECTION};
 use crate::draw::DrawList;
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec2, DVec3, Vec3, Vec4};
 
-/// Towards the key light: over the left shoulder of who looks from the front, and high.
-pub(super) const KEY_DIRECTION: Vec3 = Vec3::new(-0.42, 0.80, 0.43);
 /// The ground reaches so many picture heights.
 const REACH: f64 = 5.0;
 /// A body's own shade on its foot, as a share of its radius.

@@ -1,8 +1,8 @@
 //! The targets of one view.
 
-use super::content::Store;
-use super::pipelines::DEPTH_FORMAT;
-use super::renderer::{COLOUR_FORMAT, Renderer};
+use super::renderer::Renderer;
+use super::store::Store;
+use super::targets::{COLOUR_FORMAT, DEPTH_FORMAT, depth_attachment, target};
 
 /// The targets of one view: as large as the picture, made anew when its size changes.
 pub struct Viewport {
@@ -93,19 +93,6 @@ impl Viewport {
     }
 }
 
-/// A depth target that starts at `clear`.
-pub(super) fn depth_attachment(
-    view: &wgpu::TextureView,
-    clear: f32,
-    store: wgpu::StoreOp,
-) -> wgpu::RenderPassDepthStencilAttachment<'_> {
-    wgpu::RenderPassDepthStencilAttachment {
-        view,
-        depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store }),
-        stencil_ops: None,
-    }
-}
-
 /// A size that the device can draw.
 fn fitting(size: [u32; 2], largest: u32) -> [u32; 2] {
     size.map(|extent| extent.clamp(1, largest))
@@ -124,25 +111,4 @@ fn targets(
         (samples > 1).then(|| view(target(device, "colour samples", size, samples, COLOUR_FORMAT, drawn)));
     let depth = view(target(device, "depth", size, samples, DEPTH_FORMAT, drawn));
     (colour, multisampled, depth)
-}
-
-/// A texture to draw into.
-pub(super) fn target(
-    device: &wgpu::Device,
-    label: &str,
-    size: [u32; 2],
-    samples: u32,
-    format: wgpu::TextureFormat,
-    usage: wgpu::TextureUsages,
-) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: Some(label),
-        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: samples,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage,
-        view_formats: &[],
-    })
 }

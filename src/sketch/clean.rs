@@ -1,8 +1,8 @@
 //! From a stroke as drawn to a clean polyline: checked, freed of repeats, smoothed.
 
 use super::message::{SketchError, Which};
-use super::view::Pair;
-use super::{Stroke, View};
+use super::stroke::Stroke;
+use super::view::{Pair, View};
 use crate::geometry::curve::{arc_length, refine, smooth};
 use glam::DVec2;
 

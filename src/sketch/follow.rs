@@ -1,10 +1,10 @@
 //! The preview while the second stroke is still being drawn.
 
-use super::Stroke;
 use super::clean::{checked_pair, clean, origins};
 use super::correspond::{MatchEnd, Sequences, correspond};
 use super::lift::{REVERSE_RATIO, SAMPLES, merge, reversed};
 use super::message::{SketchError, Which};
+use super::stroke::Stroke;
 use crate::geometry::curve::resample;
 use glam::{DVec2, DVec3};
 

@@ -3,7 +3,8 @@
 use super::clean::{checked_pair, clean, origins};
 use super::message::{SketchError, Which};
 use super::range::range;
-use super::{Stroke, View};
+use super::stroke::Stroke;
+use super::view::View;
 use crate::geometry::curve::turning_points;
 
 /// Smallest turn that gets a guide, as a fraction of the diagonal of the stroke's own box.

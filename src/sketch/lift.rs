@@ -4,8 +4,8 @@ use super::clean::{checked_pair, clean, origins};
 use super::correspond::{ARC_LENGTH_WEIGHT, Match, MatchEnd, Sequences, correspond};
 use super::message::{SketchError, SketchNote, Which};
 use super::range::to_one_range;
-use super::view::Pair;
-use super::{LiftOptions, Stroke, View};
+use super::stroke::Stroke;
+use super::view::{Pair, View};
 use crate::geometry::curve::{distance_to_polyline, resample, smooth};
 use glam::{DVec2, DVec3};
 
@@ -22,6 +22,17 @@ pub const STRAY_LIMIT: f64 = 0.01;
 /// Passes of [1/4 1/2 1/4] over the merged curve: they take the steps out of the path, which moves on one stroke or
 /// the other by whole samples.
 const CURVE_SMOOTHING_PASSES: usize = 4;
+
+/// How a pair of strokes is lifted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LiftOptions {
+    /// Run the second stroke the other way from what the lift would choose by itself.
+    pub flip_second: bool,
+    /// Stretch the second stroke onto the range of the first, however far they differ, instead of clipping both.
+    pub stretch: bool,
+    /// Diagonal H of the model's bounding box [m].
+    pub model_diagonal: f64,
+}
 
 /// A curve in space, and how it came out of its pair of strokes.
 #[derive(Clone, Debug, PartialEq)]

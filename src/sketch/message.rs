@@ -1,6 +1,6 @@
 //! What the sketch tells people: refusals and notes, each with its figure.
 
-use super::View;
+use super::view::View;
 use crate::text::number::percent;
 use std::fmt;
 

@@ -20,6 +20,7 @@ mod lift;
 mod message;
 pub mod pattern;
 mod range;
+mod stroke;
 mod trim;
 mod view;
 
@@ -27,30 +28,9 @@ pub use correspond::ARC_LENGTH_WEIGHT;
 pub use fibre::{PARTICLE_COUNT, structure_particles};
 pub use follow::{Follow, follow};
 pub use guides::{Guides, guides};
-pub use lift::{Lifted, POOR_COST, REVERSE_RATIO, SAMPLES, STRAY_LIMIT, lift};
+pub use lift::{LiftOptions, Lifted, POOR_COST, REVERSE_RATIO, SAMPLES, STRAY_LIMIT, lift};
 pub use message::{SketchError, SketchNote, Which};
 pub use range::{CLIP_LIMIT, STRETCH_LIMIT};
+pub use stroke::Stroke;
 pub use trim::{Placed, SHORTEST_RUN, Trimmed, trim};
 pub use view::View;
-
-use glam::DVec2;
-
-/// A stroke as it was drawn in one view.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Stroke {
-    /// View in which it was drawn.
-    pub view: View,
-    /// Points as drawn, (horizontal, vertical) in the view's plane [m].
-    pub points: Vec<DVec2>,
-}
-
-/// How a pair of strokes is lifted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LiftOptions {
-    /// Run the second stroke the other way from what the lift would choose by itself.
-    pub flip_second: bool,
-    /// Stretch the second stroke onto the range of the first, however far they differ, instead of clipping both.
-    pub stretch: bool,
-    /// Diagonal H of the model's bounding box [m].
-    pub model_diagonal: f64,
-}

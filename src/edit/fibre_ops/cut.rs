@@ -1,7 +1,8 @@
 //! From one fibre to several: copies and halves.
 
+use super::edited::{Edited, LEAST_VERTICES, Sampling, with_vertices};
+use super::error::FibreEditError;
 use super::vertices::vertices;
-use super::{Edited, FibreEditError, LEAST_VERTICES, Sampling, with_vertices};
 use crate::scene::Fibre;
 
 /// Copies of fibres under new identifiers and names. `among` are the fibres of the body that the copies go into.

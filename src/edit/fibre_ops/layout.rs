@@ -1,6 +1,6 @@
 //! Layouts of fibres, such as patterns give, as fibres of a body.
 
-use super::LEAST_VERTICES;
+use super::edited::LEAST_VERTICES;
 use crate::geometry::curve::{arc_length, resample};
 use crate::scene::{Extra, Fibre, FibreSource, Material, RestShape, Rigidity, Stiffness};
 use glam::DVec3;

@@ -1,7 +1,8 @@
 //! Smoothing and resampling a whole fibre.
 
+use super::edited::{Edited, LEAST_VERTICES, MOST_VERTICES, Sampling, with_vertices};
+use super::error::FibreEditError;
 use super::vertices::{curve, vertices};
-use super::{Edited, FibreEditError, LEAST_VERTICES, MOST_VERTICES, Sampling, with_vertices};
 use crate::geometry::curve;
 use crate::scene::Fibre;
 

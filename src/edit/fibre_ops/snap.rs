@@ -1,7 +1,8 @@
 //! Snapping a fibre to the surface of its body.
 
+use super::edited::{Edited, Sampling, chosen, with_vertices};
+use super::error::FibreEditError;
 use super::vertices::vertices;
-use super::{Edited, FibreEditError, Sampling, chosen, with_vertices};
 use crate::geometry::lattice::Cuboid;
 use crate::geometry::mesh::box_surface;
 use crate::geometry::nearest::SurfaceIndex;

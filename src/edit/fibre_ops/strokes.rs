@@ -1,26 +1,9 @@
 //! Edits of a fibre that leave it a pair of strokes.
 
-use super::transform::AxisMap;
-use super::{Edited, FibreEditError, Sampling, with_vertices};
-use crate::scene::{Fibre, FibreSource, StrokePair, ViewStroke};
+use super::edited::{Edited, Sampling, with_vertices};
+use super::error::FibreEditError;
+use crate::scene::{Fibre, FibreSource};
 use crate::sketch::View;
-
-/// The strokes of the moved, turned or mirrored curve: each is seen in the view of the axes to which its own went.
-pub(super) fn carried(pair: &StrokePair, map: &AxisMap) -> StrokePair {
-    let carry = |stroke: &ViewStroke| {
-        let targets = stroke.view.axes().map(|axis| map.to[axis]);
-        let view = View::ALL.into_iter().find(|view| targets.iter().all(|axis| view.axes().contains(axis)));
-        let view = view.unwrap_or(stroke.view);
-        let points = stroke.points.iter().map(|point| {
-            view.axes().map(|axis| {
-                let from = usize::from(targets[1] == axis);
-                map.sign[stroke.view.axes()[from]] * point[from] + map.offset[axis]
-            })
-        });
-        ViewStroke { view, points: points.collect(), extra: stroke.extra.clone() }
-    };
-    StrokePair { first: carry(&pair.first), second: carry(&pair.second), ..pair.clone() }
-}
 
 /// Runs a fibre the other way. A pair of strokes stays one.
 ///

@@ -1,8 +1,9 @@
 //! Moving, turning and mirroring a fibre or some of its vertices.
 
-use super::strokes::carried;
+use super::axis_map::{AxisMap, carried};
+use super::edited::{Edited, Sampling, chosen, with_vertices};
+use super::error::FibreEditError;
 use super::vertices::vertices;
-use super::{Edited, FibreEditError, Sampling, chosen, with_vertices};
 use crate::scene::{Fibre, FibreSource};
 use glam::{DMat3, DQuat, DVec3};
 
@@ -14,17 +15,6 @@ const ROUND_OFF: f64 = 1e-12;
 pub struct Transform {
     matrix: DMat3,
     offset: DVec3,
-}
-
-/// Where a transform that takes axes to axes takes each of them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct AxisMap {
-    /// Index of the axis that an axis goes to.
-    pub(super) to: [usize; 3],
-    /// 1 or -1: which way along it.
-    pub(super) sign: [f64; 3],
-    /// Where the origin goes [m].
-    pub(super) offset: DVec3,
 }
 
 impl Transform {

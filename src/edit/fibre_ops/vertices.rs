@@ -1,6 +1,7 @@
 //! The vertices of a fibre, one by one.
 
-use super::{Edited, FibreEditError, Sampling, chosen, with_vertices};
+use super::edited::{Edited, Sampling, chosen, with_vertices};
+use super::error::FibreEditError;
 use crate::scene::{Fibre, FibreSource};
 use crate::sketch::structure_particles;
 use glam::DVec3;

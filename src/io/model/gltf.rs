@@ -1,6 +1,7 @@
 //! glTF 2.0, as text with its buffers and as GLB: meshes of the default scene, in the places that its nodes give them.
 
-use super::{Failure, MAX_MODEL_BYTES, MOST};
+use super::failure::Failure;
+use super::limits::{MAX_MODEL_BYTES, MOST};
 use crate::geometry::model::{MeshData, Model};
 use crate::io::read::read_bytes;
 use glam::{DMat3, DMat4, DVec3, Vec3};

@@ -1,24 +1,23 @@
 //! Models in: OBJ, STL, PLY, glTF and GLB.
 
+mod failure;
 mod gltf;
+mod limits;
 mod obj;
 mod ply;
 mod polygon;
 mod stl;
 
+pub use limits::MAX_MODEL_BYTES;
+
+use self::failure::Failure;
+use self::limits::MOST;
 use super::IoError;
 use super::read::read_bytes;
 use crate::geometry::model::Model;
 use crate::scene::one_line;
-use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-
-/// Model files larger than this are refused [bytes].
-pub const MAX_MODEL_BYTES: u64 = 1 << 30;
-
-/// Faces and vertices of a model, at most.
-const MOST: usize = 20_000_000;
 
 /// Formats, by how names end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,21 +47,6 @@ impl Format {
             Self::Ply => "PLY",
             Self::Gltf => "glTF",
         }
-    }
-}
-
-/// Why a file cannot be understood.
-#[derive(Debug)]
-enum Failure {
-    /// What it holds makes no sense.
-    Content(String),
-    /// A file that it refers to.
-    Other(IoError),
-}
-
-impl Failure {
-    fn new(problem: impl Display) -> Self {
-        Self::Content(problem.to_string())
     }
 }
 

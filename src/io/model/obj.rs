@@ -1,7 +1,8 @@
 //! Wavefront OBJ with its MTL: objects are parts, a material's diffuse colour is their colour.
 
+use super::failure::Failure;
+use super::limits::MAX_MODEL_BYTES;
 use super::polygon::triangulate;
-use super::{Failure, MAX_MODEL_BYTES};
 use crate::geometry::model::{MeshData, Model};
 use crate::io::read::read_bytes;
 use glam::{DVec3, Vec3};

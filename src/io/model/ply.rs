@@ -1,6 +1,6 @@
 //! PLY, text and binary of either byte order.
 
-use super::Failure;
+use super::failure::Failure;
 use super::polygon::triangulate;
 use crate::geometry::model::{MeshData, Model};
 use glam::{DVec3, Vec3};

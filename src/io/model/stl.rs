@@ -1,6 +1,6 @@
 //! STL, binary and text. It has neither parts nor units, and its normals say no more than its corners.
 
-use super::Failure;
+use super::failure::Failure;
 use crate::geometry::model::{MeshData, Model};
 use glam::DVec3;
 use std::io::Cursor;

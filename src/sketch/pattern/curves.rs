@@ -1,6 +1,6 @@
 //! Layouts of curved fibres that run upwards, in the unit cube.
 
-use super::{Inner, Polyline, curve, side_by_side};
+use super::layout::{Inner, Polyline, curve, side_by_side};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 

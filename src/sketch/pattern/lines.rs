@@ -1,6 +1,6 @@
 //! Layouts of straight fibres, in the unit cube.
 
-use super::{Inner, Polyline, line, side_by_side};
+use super::layout::{Inner, Polyline, line, side_by_side};
 use glam::DVec3;
 use std::f64::consts::TAU;
 

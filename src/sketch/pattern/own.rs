@@ -1,6 +1,6 @@
 //! A person's own layouts, kept as patterns: drawn in one box, fitted to others.
 
-use super::Polyline;
+use super::layout::Polyline;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;

@@ -1,6 +1,6 @@
 //! Layouts in the middle plane of a flat box, across its thinnest axis, in the unit cube.
 
-use super::{Inner, Polyline, curve, line};
+use super::layout::{Inner, Polyline, curve, line};
 use std::f64::consts::{PI, TAU};
 
 /// Spokes around the middle. Values: fibres, radius of the hub as a share, vertices.

@@ -1,6 +1,7 @@
 //! The patterns that come with the program.
 
-use super::{Parameter, Pattern, curves, lines, planes};
+use super::parametric::{Parameter, Pattern};
+use super::{curves, lines, planes};
 
 /// Bending stiffness over axial rigidity of most fibres, in particle spacings squared: as of those that are drawn.
 const SLENDER: f64 = 0.02;
@@ -199,3 +200,10 @@ pub static PATTERNS: [Pattern; 12] = [
         layout: lines::short_fibres,
     },
 ];
+
+impl Pattern {
+    /// The pattern with this identifier.
+    pub fn by_id(id: &str) -> Option<&'static Self> {
+        PATTERNS.iter().find(|pattern| pattern.id == id)
+    }
+}

@@ -1,0 +1,32 @@
+//! In the place of scene_renderer.rs where the program is built without pictures.
+
+use super::CliError;
+use super::picture::Look;
+use crate::scene::Scene;
+use crate::solver::snapshot::Snapshot;
+
+/// Makes no pictures: the program was built without them.
+pub enum SceneRenderer {}
+
+impl SceneRenderer {
+    /// Says so.
+    ///
+    /// # Errors
+    /// [`CliError::NoPictures`].
+    pub fn open(_look: &Look, _scene: &Scene, _start: &Snapshot) -> Result<Self, CliError> {
+        Err(CliError::NoPictures)
+    }
+
+    /// Never called.
+    pub fn take_in(&mut self, _scene: &Scene, _snapshot: &Snapshot) {
+        match *self {}
+    }
+
+    /// Never called.
+    ///
+    /// # Errors
+    /// None.
+    pub fn picture(&mut self, _scene: &Scene, _snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
+        match *self {}
+    }
+}

@@ -4,7 +4,7 @@ use super::check_model::{ModelOptions, check_model};
 use super::error::printable;
 use super::prepare::{Sets, load, notes, put_together, tell};
 use super::table::{Align, Table};
-use super::{CliError, Console, Outcome};
+use super::{CliError, Console, Outcome, body_table};
 use crate::bake::Baked;
 use crate::io::is_model;
 use crate::scene::{Scene, one_line};
@@ -65,29 +65,12 @@ fn contents(scene: &Scene, baked: &Baked, source: &str) -> String {
 }
 
 fn bodies(world: &World) -> Table {
-    let mut table = Table::new([
-        ("body", Align::Left),
-        ("kind", Align::Left),
-        ("particles", Align::Right),
-        ("neighbours", Align::Right),
-        ("fibres", Align::Right),
-        ("vertices", Align::Right),
-        ("span of particles [m]", Align::Right),
-        ("mass [kg]", Align::Right),
-    ]);
+    let own = [("span of particles [m]", Align::Right), ("mass [kg]", Align::Right)];
+    let mut table = Table::new(body_table::COLUMNS.into_iter().chain(own));
     for (body, label) in world.bodies().iter().zip(body_labels(world.bodies())) {
-        let parts = body.parts();
         let span = span(&body.state().positions).to_array().map(four_figures).join(" x ");
-        table.push([
-            label,
-            parts.kind.to_owned(),
-            body.state().len().to_string(),
-            four_figures(parts.mean_neighbours),
-            parts.fibres.len().to_string(),
-            parts.fibres.iter().map(|fibre| fibre.vertices.len()).sum::<usize>().to_string(),
-            span,
-            four_figures(body.state().mass()),
-        ]);
+        let own = [span, four_figures(body.state().mass())];
+        table.push(body_table::cells(label, body).into_iter().chain(own));
     }
     table
 }

@@ -126,9 +126,8 @@ fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
     let report = CompareReport { scene: name, seconds, runs, orders };
     let mut text = table(&report);
     if let Some(path) = &args.report {
-        output::write_json(path, &report)?;
         text.push('\n');
-        text += &output::wrote("report", path);
+        text += &output::write_report(path, &report)?;
     }
     if let Some(path) = &args.plot {
         output::write_bytes(path, order_plot(&report.scene, &lines).as_bytes())?;

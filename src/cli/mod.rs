@@ -4,6 +4,7 @@
 //! when a command has done its work, 2 when its input cannot be used (nothing is written then) 3 when a body diverged
 //! (what was good until then is written all the same) and 4 when there is no graphics driver to make a picture with.
 
+mod body_table;
 mod check;
 mod check_model;
 mod compare;

@@ -2,9 +2,8 @@
 
 use super::CliError;
 use super::error::printable;
-use crate::io::{check_writable, write_atomically};
+use crate::io::{check_writable, resolved, write_atomically};
 use serde::Serialize;
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -13,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// The first that cannot be written or is named twice.
 pub fn check(scene: Option<&PathBuf>, targets: &[(&'static str, Option<&PathBuf>)]) -> Result<(), CliError> {
-    let scene = scene.and_then(|path| fs::canonicalize(path).ok());
+    let scene = scene.and_then(|path| resolved(path));
     let mut taken: Vec<(&'static str, PathBuf)> = scene.into_iter().map(|path| ("the scene", path)).collect();
     for (option, path) in targets {
         let Some(path) = path else { continue };
@@ -26,16 +25,17 @@ pub fn check(scene: Option<&PathBuf>, targets: &[(&'static str, Option<&PathBuf>
     Ok(())
 }
 
-/// Writes a report as indented JSON.
+/// Writes a report as indented JSON; gives the line that says so.
 ///
 /// # Errors
 /// As [`write_atomically`].
-pub fn write_json(path: &Path, report: &impl Serialize) -> Result<(), CliError> {
+pub fn write_report(path: &Path, report: &impl Serialize) -> Result<String, CliError> {
     let write = |out: &mut dyn Write| {
         serde_json::to_writer_pretty(&mut *out, report)?;
         out.write_all(b"\n")
     };
-    Ok(write_atomically(path, write)?)
+    write_atomically(path, write)?;
+    Ok(wrote("report", path))
 }
 
 /// Writes bytes.

@@ -148,8 +148,7 @@ impl FrameOutputs {
     fn finish(self, args: &Simulate, report: &Report, console: &mut Console) -> Result<String, CliError> {
         let mut text = String::new();
         if let Some(path) = &args.report {
-            output::write_json(path, report)?;
-            text += &output::wrote("report", path);
+            text += &output::write_report(path, report)?;
         }
         if let (Some(path), Some(series)) = (&args.series, self.series) {
             output::write_bytes(path, &series.to_csv()?)?;

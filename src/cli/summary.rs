@@ -1,5 +1,6 @@
 //! What a run has shown, for people.
 
+use super::body_table;
 use super::table::{Align, Table, readable};
 use crate::scene::one_line;
 use crate::sim::{MeasureReport, Report};
@@ -42,31 +43,21 @@ fn pace(report: &Report) -> String {
 }
 
 fn bodies(report: &Report, world: &World) -> Table {
-    let mut table = Table::new([
-        ("body", Align::Left),
-        ("kind", Align::Left),
-        ("particles", Align::Right),
-        ("neighbours", Align::Right),
-        ("fibres", Align::Right),
-        ("vertices", Align::Right),
+    let own = [
         ("time step [s]", Align::Right),
         ("steps a frame", Align::Right),
         ("limited by", Align::Left),
         ("", Align::Left),
-    ]);
-    for (body, substeps) in report.bodies.iter().zip(&world.plan().substeps) {
-        table.push([
-            one_line(&body.name),
-            body.kind.to_owned(),
-            body.particles.to_string(),
-            four_figures(body.mean_neighbours),
-            body.fibres.to_string(),
-            body.structure_particles.to_string(),
-            four_figures(body.dt),
+    ];
+    let mut table = Table::new(body_table::COLUMNS.into_iter().chain(own));
+    for ((told, body), substeps) in report.bodies.iter().zip(world.bodies()).zip(&world.plan().substeps) {
+        let own = [
+            four_figures(told.dt),
             (u64::from(*substeps) * u64::from(world.plan().outer_steps)).to_string(),
-            body.limited_by.clone().unwrap_or_else(|| "-".to_owned()),
-            if body.diverged.is_some() { "diverged".to_owned() } else { String::new() },
-        ]);
+            told.limited_by.clone().unwrap_or_else(|| "-".to_owned()),
+            if told.diverged.is_some() { "diverged".to_owned() } else { String::new() },
+        ];
+        table.push(body_table::cells(one_line(&told.name), body).into_iter().chain(own));
     }
     table
 }

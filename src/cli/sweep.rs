@@ -96,9 +96,8 @@ pub fn run(args: &Sweep, console: &mut Console) -> Result<Outcome, CliError> {
     let mut text = table(&product, &rows).render();
     if let Some(path) = &args.report {
         let scene = if base.name.is_empty() { &*printable(&args.scene) } else { &base.name };
-        output::write_json(path, &SweepReport { scene, vary: &args.vary, rows: &rows })?;
         text.push('\n');
-        text += &output::wrote("report", path);
+        text += &output::write_report(path, &SweepReport { scene, vary: &args.vary, rows: &rows })?;
     }
     console.print(&text)?;
     Ok(if rows.iter().any(|row| row.diverged.is_some()) { Outcome::Diverged } else { Outcome::Done })

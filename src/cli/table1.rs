@@ -4,6 +4,7 @@ use super::drive::drive;
 use super::prepare::{load, put_together};
 use super::{CliError, Console, Outcome, output};
 use crate::bake::Baked;
+use crate::io::missing_files;
 use crate::sim::Runner;
 use crate::solver::body::Body;
 use crate::text::number::four_figures;
@@ -82,8 +83,7 @@ const EVALUATIONS: u32 = 8;
 /// # Errors
 /// A scene that is missing or cannot be used, a report that cannot be written.
 pub fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliError> {
-    let missing: Vec<PathBuf> =
-        PAPER.iter().map(|row| args.scenes.join(row.file)).filter(|path| !path.is_file()).collect();
+    let missing = missing_files(PAPER.iter().map(|row| args.scenes.join(row.file)));
     if !missing.is_empty() {
         return Err(CliError::NoScenes { folder: args.scenes.clone(), missing });
     }
@@ -100,9 +100,8 @@ pub fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliError> {
     }
     let mut text = markdown(&rows);
     if let Some(path) = &args.report {
-        output::write_json(path, &rows)?;
         text += "\n";
-        text += &output::wrote("report", path);
+        text += &output::write_report(path, &rows)?;
     }
     console.print(&text)?;
     Ok(if diverged { Outcome::Diverged } else { Outcome::Done })

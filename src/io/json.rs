@@ -26,15 +26,19 @@ pub(super) fn parse(text: &str) -> Result<Value, IoError> {
             (error.into_inner(), path)
         }
     };
-    let (line, column) = (error.line(), error.column());
-    let message = error.to_string();
-    let place = format!(" at line {line} column {column}");
-    let mut problem = one_line(message.strip_suffix(&place).unwrap_or(&message));
+    let (line, column, mut problem) = place_and_problem(&error);
     let token = token(text, line, column);
     if !token.is_empty() && !problem.contains(&token) {
         problem = format!("{problem} near `{token}`");
     }
     Err(IoError::Syntax { line, column, path, problem })
+}
+
+/// Line, column and what is wrong there, on one line.
+pub(super) fn place_and_problem(error: &serde_json::Error) -> (usize, usize, String) {
+    let (line, column, message) = (error.line(), error.column(), error.to_string());
+    let place = format!(" at line {line} column {column}");
+    (line, column, one_line(message.strip_suffix(&place).unwrap_or(&message)))
 }
 
 /// The RFC 6901 pointer of a path, as far as it is known.

@@ -1,10 +1,9 @@
 //! Folders in which the program keeps small things for a person, each as JSON in a file of its own.
 
 use super::atomic::sweep;
-use super::json::pointer_of;
-use super::read::read_bytes;
+use super::json::{place_and_problem, pointer_of};
+use super::read::read_text;
 use super::{IoError, make_folder, write_atomically};
-use crate::scene::one_line;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -92,14 +91,11 @@ impl JsonFolder {
 }
 
 fn read<T: DeserializeOwned>(path: &Path) -> Result<T, IoError> {
-    let bytes = read_bytes(path, LARGEST)?;
-    let text = String::from_utf8(bytes).map_err(|error| IoError::NotUtf8 { at: error.utf8_error().valid_up_to() })?;
+    let text = read_text(path, LARGEST)?;
     let mut source = serde_json::Deserializer::from_str(&text);
     serde_path_to_error::deserialize(&mut source).map_err(|error| {
-        let (path, error) = (pointer_of(error.path()), error.into_inner());
-        let (line, column, message) = (error.line(), error.column(), error.to_string());
-        let place = format!(" at line {line} column {column}");
-        let problem = one_line(message.strip_suffix(&place).unwrap_or(&message));
+        let path = pointer_of(error.path());
+        let (line, column, problem) = place_and_problem(error.inner());
         IoError::Syntax { line, column, path, problem }
     })
 }

@@ -2,7 +2,7 @@
 
 use super::IoError;
 use super::json::{parse, pointer_tokens};
-use super::scene::{check_version, scene_from_value};
+use super::scene::checked_scene;
 use super::schema::{SchemaNode, closest, node_at, unknown_fields_of};
 use crate::scene::{Scene, SceneError, brief, one_line};
 use serde_json::{Map, Value};
@@ -20,10 +20,7 @@ pub fn apply_sets<'a>(scene: &Scene, sets: impl IntoIterator<Item = (&'a str, &'
     for (pointer, text) in sets {
         set_pointer(&mut value, pointer, text)?;
     }
-    check_version(&value)?;
-    let scene = scene_from_value(&value)?;
-    scene.validate()?;
-    Ok(scene)
+    checked_scene(&value)
 }
 
 /// Replaces the value at a pointer in the value tree of a scene, with its defaults filled in.

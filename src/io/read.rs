@@ -31,6 +31,15 @@ pub(super) fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, IoError> {
     Ok(bytes)
 }
 
+/// The text of a regular file of at most `limit` bytes.
+///
+/// # Errors
+/// As [`read_bytes`], and [`IoError::NotUtf8`].
+pub(super) fn read_text(path: &Path, limit: u64) -> Result<String, IoError> {
+    let bytes = read_bytes(path, limit)?;
+    String::from_utf8(bytes).map_err(|error| IoError::NotUtf8 { at: error.utf8_error().valid_up_to() })
+}
+
 fn kind_of(file_type: FileType) -> &'static str {
     if file_type.is_dir() { "a folder" } else { "a pipe or device" }
 }

@@ -7,8 +7,8 @@
 
 use super::atomic::sweep;
 use super::json::parse;
-use super::read::read_bytes;
-use super::scene::{MAX_SCENE_BYTES, check_version, scene_from_value};
+use super::read::read_text;
+use super::scene::{MAX_SCENE_BYTES, checked_scene};
 use super::{IoError, make_folder, write_atomically};
 use crate::scene::{Scene, SceneError, one_line};
 use serde::{Deserialize, Serialize};
@@ -160,12 +160,9 @@ impl RecoverableDocument {
     pub fn load(&self) -> Result<Scene, IoError> {
         let whole = || {
             let found = read(&self.document)?;
-            check_version(&found.scene)?;
-            let scene = scene_from_value(&found.scene)?;
-            scene.validate()?;
-            Ok(scene)
+            checked_scene(&found.scene)
         };
-        whole().map_err(|error: IoError| error.within(&self.document))
+        whole().map_err(|error| error.within(&self.document))
     }
 
     /// Whether the file where it belongs was written after it was kept, by another program or from another window.
@@ -234,8 +231,7 @@ fn looked_at(document: &Path) -> Option<RecoverableDocument> {
 }
 
 fn read(document: &Path) -> Result<ReadContent, IoError> {
-    let bytes = read_bytes(document, MAX_SCENE_BYTES)?;
-    let text = String::from_utf8(bytes).map_err(|error| IoError::NotUtf8 { at: error.utf8_error().valid_up_to() })?;
+    let text = read_text(document, MAX_SCENE_BYTES)?;
     serde_json::from_value(parse(&text)?).map_err(|error| {
         IoError::Type(SceneError {
             path: String::new(),

@@ -2,7 +2,7 @@
 
 use super::atomic::sweep;
 use super::json::{parse, pointer_of};
-use super::read::read_bytes;
+use super::read::read_text;
 use super::schema::{SchemaNode, closest, node_at, unknown_fields_of};
 use super::{IoError, write_atomically};
 use crate::scene::{SCENE_VERSION, Scene, SceneError, brief, one_line};
@@ -18,7 +18,7 @@ pub const MAX_SCENE_BYTES: u64 = 64 << 20;
 /// [`IoError::InFile`] with what is wrong: no regular file of sensible size, no JSON, another version, another shape
 /// than a scene has, or a value that [`Scene::validate`] refuses.
 pub fn load_scene(path: &Path) -> Result<Scene, IoError> {
-    read_text(path).and_then(|text| scene_from_json(&text)).map_err(|error| error.within(path))
+    read_text(path, MAX_SCENE_BYTES).and_then(|text| scene_from_json(&text)).map_err(|error| error.within(path))
 }
 
 /// Reads a scene from JSON text and checks it.
@@ -26,9 +26,16 @@ pub fn load_scene(path: &Path) -> Result<Scene, IoError> {
 /// # Errors
 /// As [`load_scene`], without the file.
 pub fn scene_from_json(text: &str) -> Result<Scene, IoError> {
-    let value = parse(text)?;
-    check_version(&value)?;
-    let scene = scene_from_value(&value)?;
+    checked_scene(&parse(text)?)
+}
+
+/// The scene that a value tree holds, if it can be used.
+///
+/// # Errors
+/// [`IoError::Version`], [`IoError::Type`] or [`IoError::Invalid`].
+pub(super) fn checked_scene(value: &Value) -> Result<Scene, IoError> {
+    check_version(value)?;
+    let scene = scene_from_value(value)?;
     scene.validate()?;
     Ok(scene)
 }
@@ -54,7 +61,7 @@ pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), IoError> {
 }
 
 /// The scene that a value tree holds, unchecked.
-pub(super) fn scene_from_value(value: &Value) -> Result<Scene, IoError> {
+fn scene_from_value(value: &Value) -> Result<Scene, IoError> {
     serde_path_to_error::deserialize(value).map_err(|error| {
         let (path, found) = deepest(value, pointer_of(error.path()));
         let message = error.inner().to_string();
@@ -125,7 +132,7 @@ fn mismatch(message: &str) -> String {
 }
 
 /// Refuses versions of the format that this program does not read, before anything else is made of the file.
-pub(super) fn check_version(value: &Value) -> Result<(), IoError> {
+fn check_version(value: &Value) -> Result<(), IoError> {
     let fail = |path: &str, found: &Value, problem: String, remedy: String| {
         Err(IoError::Version(SceneError { path: path.to_owned(), value: brief(found), problem, remedy }))
     };
@@ -146,11 +153,6 @@ pub(super) fn check_version(value: &Value) -> Result<(), IoError> {
             _ => fail("/version", found, "is no version of the format".to_owned(), format!("give {known}")),
         },
     }
-}
-
-fn read_text(path: &Path) -> Result<String, IoError> {
-    let bytes = read_bytes(path, MAX_SCENE_BYTES)?;
-    String::from_utf8(bytes).map_err(|error| IoError::NotUtf8 { at: error.utf8_error().valid_up_to() })
 }
 
 /// Puts arrays of plain values that fit on one line there. Works on lines: JSON strings hold no line breaks.

@@ -115,8 +115,8 @@ fn particles(solid: &Solid, asked: &[FillResolution]) -> Table {
         ("in two layers", Align::Right),
         ("", Align::Left),
     ]);
-    for &fineness in asked {
-        table.push(match fill(solid, fineness, REACH, MAX_PARTICLES) {
+    for &resolution in asked {
+        table.push(match fill(solid, resolution, REACH, MAX_PARTICLES) {
             Ok(filling) => [
                 filling.sample.points.len().to_string(),
                 four_figures(REACH * filling.sample.spacing),
@@ -127,7 +127,7 @@ fn particles(solid: &Solid, asked: &[FillResolution]) -> Table {
                 String::new(),
             ],
             Err(error) => {
-                let wanted = match fineness {
+                let wanted = match resolution {
                     FillResolution::Particles(count) => [count.to_string(), "-".to_owned()],
                     FillResolution::Spacing(spacing) => ["-".to_owned(), four_figures(REACH * spacing)],
                 };

@@ -2,7 +2,7 @@
 
 use super::body_drawer::BodyDrawer;
 use super::fibre::FibreShape;
-use super::list::{DrawList, Faces, Mesh, PickId, PickKind, SkinnedFaces, SurfaceStyle};
+use super::list::{DrawList, Faces, Mesh, PickKind, SkinnedFaces, SurfaceStyle};
 use super::options::{Display, SkinStyle};
 use super::surroundings;
 use super::{Bounds, Colour, Theme, colour_map};

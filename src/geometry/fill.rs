@@ -115,8 +115,8 @@ struct LatticePlacement {
 ///
 /// # Errors
 /// [`FillError`].
-pub fn fill(solid: &Solid, fineness: FillResolution, reach: f64, limit: usize) -> Result<Filling, FillError> {
-    let spacing = match fineness {
+pub fn fill(solid: &Solid, resolution: FillResolution, reach: f64, limit: usize) -> Result<Filling, FillError> {
+    let spacing = match resolution {
         FillResolution::Spacing(spacing) => spacing,
         FillResolution::Particles(count) => (solid.volume / f64::from(count.max(1))).cbrt(),
     };
@@ -130,7 +130,7 @@ pub fn fill(solid: &Solid, fineness: FillResolution, reach: f64, limit: usize) -
     }
     let cost = |count: usize, lattice: &LatticePlacement| {
         let volume_error = count as f64 * lattice.spacing.powi(3) / solid.volume - 1.0;
-        let off = match fineness {
+        let off = match resolution {
             FillResolution::Spacing(spacing) => CHANGE * (lattice.spacing / spacing - 1.0),
             FillResolution::Particles(wanted) => count as f64 / f64::from(wanted) - 1.0,
         };

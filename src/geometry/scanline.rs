@@ -1,4 +1,4 @@
-//! Straight rows through a closed surface: where they run inside it.
+//! Scanlines, straight rows along x through a closed surface: where they run inside it.
 //!
 //! A row along x crosses the surface where, seen along x, it falls into a triangle. Whether it does is decided edge by
 //! edge by a test that gives both faces of an edge the same answer and never calls a tie: the row is thought to lie
@@ -44,7 +44,7 @@ pub fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64,
     stretches
 }
 
-/// A row through a surface with holes.
+/// A scanline through a surface with holes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OpenScanline {
     /// Stretches where the winding number is above one half, in order [m].

@@ -96,11 +96,12 @@ impl Scene {
 
     fn without_looks(&self) -> Self {
         let mut scene = self.clone();
-        for body in &mut scene.bodies {
-            (body.hidden, body.color) = (false, None);
-            body.fibres.iter_mut().for_each(|fibre| (fibre.hidden, fibre.color) = (false, None));
+        for mut body in scene.all_bodies_mut() {
+            (*body.hidden_mut(), *body.color_mut()) = (false, None);
         }
-        scene.two_layer.iter_mut().for_each(|body| (body.hidden, body.color) = (false, None));
+        for fibre in scene.bodies.iter_mut().flat_map(|body| &mut body.fibres) {
+            (fibre.hidden, fibre.color) = (false, None);
+        }
         scene
     }
 }

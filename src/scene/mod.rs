@@ -7,6 +7,7 @@
 //! Each struct keeps the JSON fields it does not know in `extra`, so that a scene written by a newer program
 //! survives loading and saving here.
 
+mod any_body;
 mod assets;
 mod axis;
 mod body;
@@ -29,6 +30,7 @@ mod time;
 mod two_layer;
 mod validate;
 
+pub use any_body::{AnyBody, AnyBodyMut};
 pub use assets::{Assets, ModelFile};
 pub use axis::{Axis, Side};
 pub use body::{Body, BodyKind};

@@ -11,6 +11,7 @@ mod any_body;
 mod assets;
 mod axis;
 mod body;
+mod building;
 mod document;
 mod extra;
 mod fibre;
@@ -41,7 +42,7 @@ pub use fibre::{
 };
 pub use integrator::IntegratorKind;
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
-pub use material::{Damping, Falloff, Mass, Material};
+pub use material::{Damping, Falloff, Mass, Material, USUAL_SUPPORT_RADIUS};
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 pub use paint::{Dab, MAX_DABS, add_dab, painted};
 pub use panel::{HeightKey, Panel, PanelMotion};

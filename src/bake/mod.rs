@@ -12,7 +12,7 @@ mod two_layer;
 
 pub use fibres::PlacedFibre;
 
-use crate::scene::{Assets, PanelMotion, Scene, TimeStep};
+use crate::scene::{AnyBody, Assets, PanelMotion, Scene, TimeStep};
 use crate::solver::body::Body;
 use crate::solver::body_contact::stiffness_between;
 use crate::solver::neighbourhood::TooThin;
@@ -285,17 +285,17 @@ pub fn bake_with_progress(
     let mut notes = Vec::new();
     let panels: Vec<Panel> = scene.panels.iter().map(|drawn| panel(drawn, scene.room.floor)).collect();
     let mut drafts = Vec::new();
-    for (index, body) in scene.bodies.iter().enumerate() {
-        let path = format!("/bodies/{index}");
-        let name = body.title();
-        progress(name, BakeStage::Sampling);
-        let sampling = particle_sampling::sample_particles(body, assets, &path, &mut notes)?;
-        let body = sampling.effective(body);
-        drafts.push(body::draft(scene, &body, &sampling, &path, &mut notes, progress)?);
-    }
-    for (index, body) in scene.two_layer.iter().enumerate() {
-        let path = format!("/two_layer/{index}");
-        drafts.push(two_layer::draft(scene, body, assets, &path, &mut notes, progress)?);
+    for (index, body) in scene.all_bodies().enumerate() {
+        let path = scene.body_pointer(index);
+        progress(body.title(), BakeStage::Sampling);
+        drafts.push(match body {
+            AnyBody::Solid(body) => {
+                let sampling = particle_sampling::sample_particles(body, assets, &path, &mut notes)?;
+                let body = sampling.effective(body);
+                body::draft(scene, &body, &sampling, &path, &mut notes, progress)?
+            }
+            AnyBody::TwoLayer(body) => two_layer::draft(scene, body, assets, &path, &mut notes, progress)?,
+        });
     }
     let plan = plan(scene, &drafts)?;
     for (index, (draft, &substeps)) in drafts.iter_mut().zip(&plan.substeps).enumerate() {

@@ -26,7 +26,6 @@ pub(super) fn draft(
     progress: &mut dyn FnMut(&str, BakeStage),
 ) -> Result<Draft, BakeError> {
     let name = body.title();
-    progress(name, BakeStage::Sampling);
     let model = LayerModel::new(&body.shape, assets, path, notes)?;
     let regions = supports::chosen(&body.regions, &model.points, path)?;
     let regions = with_layers(regions, model.outer, model.points.len());

@@ -6,7 +6,7 @@ use super::list::{DrawList, Faces, Mesh, PickKind, SkinnedFaces, SurfaceStyle};
 use super::options::{Display, SkinStyle};
 use super::surroundings;
 use super::{Bounds, Colour, Theme, colour_map};
-use crate::scene::{Fibre, Scene};
+use crate::scene::{AnyBody, Fibre, Scene};
 use crate::solver::snapshot::{BodySnapshot, Snapshot};
 use glam::DVec3;
 use std::sync::Arc;
@@ -92,11 +92,8 @@ struct Looks<'a> {
 impl<'a> Looks<'a> {
     /// Looks of the body with this number in the snapshot: solids first, then two-layer bodies.
     fn of(scene: &'a Scene, index: usize) -> Self {
-        if let Some(body) = scene.bodies.get(index) {
-            return Self { hidden: body.hidden, color: body.color, fibres: &body.fibres };
-        }
-        let layers = scene.two_layer.get(index.wrapping_sub(scene.bodies.len()));
-        layers.map_or_else(Self::default, |body| Self { hidden: body.hidden, color: body.color, fibres: &[] })
+        let looks = |body: AnyBody<'a>| Self { hidden: body.hidden(), color: body.color(), fibres: body.fibres() };
+        scene.any_body(index).map_or_else(Self::default, looks)
     }
 
     fn fibre(&self, id: &str) -> Option<&Fibre> {

@@ -1,7 +1,7 @@
 //! What each command does to a scene.
 
 use super::{Command, Item};
-use crate::scene::{Body, Fibre, Scene, TwoLayer};
+use crate::scene::{AnyBodyMut, Body, Fibre, Scene, TwoLayer};
 
 impl Command {
     /// Changes `scene`. What is missing is said; the scene may be changed in part then and is not to be used.
@@ -34,25 +34,15 @@ impl Command {
             }
             Self::SetPaint { body, paint } => body_of(scene, body)?.paint.clone_from(paint),
             Self::SetMaterial { body, material } => body_of(scene, body)?.material = material.clone(),
-            Self::SetIntegrator { body, integrator } => match two_layer_index(scene, body) {
-                Some(index) => scene.two_layer[index].integrator = *integrator,
-                None => body_of(scene, body)?.integrator = *integrator,
-            },
+            Self::SetIntegrator { body, integrator } => *any_body_of(scene, body)?.integrator_mut() = *integrator,
             Self::SetPins { body, regions, pins } => {
-                let (old_regions, old_pins) = if let Some(index) = two_layer_index(scene, body) {
-                    let body = &mut scene.two_layer[index];
-                    (&mut body.regions, &mut body.pins)
-                } else {
-                    let body = body_of(scene, body)?;
-                    (&mut body.regions, &mut body.pins)
-                };
-                old_regions.clone_from(regions);
-                old_pins.clone_from(pins);
+                let mut body = any_body_of(scene, body)?;
+                body.regions_mut().clone_from(regions);
+                body.pins_mut().clone_from(pins);
             }
             Self::SetTwoLayer(body) => {
-                let index = two_layer_index(scene, &body.id);
-                let index = index.ok_or_else(|| format!("there is no two-layer body \"{}\"", body.id))?;
-                scene.two_layer[index] = (**body).clone();
+                let old = scene.two_layer.iter_mut().find(|old| old.id == body.id);
+                *old.ok_or_else(|| format!("there is no two-layer body \"{}\"", body.id))? = (**body).clone();
             }
             Self::SetTime(time) => scene.time = time.clone(),
             Self::SetGravity(gravity) => scene.gravity = *gravity,
@@ -71,23 +61,24 @@ struct ItemFields<'a> {
 }
 
 fn item_fields<'a>(scene: &'a mut Scene, item: &Item) -> Result<ItemFields<'a>, String> {
-    let id = match item {
+    match item {
         Item::Fibre { body, fibre } => {
             let Fibre { name, hidden, color, .. } = fibre_of(scene, body, fibre)?;
-            return Ok(ItemFields { name, hidden, color });
+            Ok(ItemFields { name, hidden, color })
         }
-        Item::Body(id) => id,
-    };
-    if let Some(index) = two_layer_index(scene, id) {
-        let TwoLayer { name, hidden, color, .. } = &mut scene.two_layer[index];
-        return Ok(ItemFields { name, hidden, color });
+        Item::Body(id) => match any_body_of(scene, id)? {
+            AnyBodyMut::Solid(Body { name, hidden, color, .. })
+            | AnyBodyMut::TwoLayer(TwoLayer { name, hidden, color, .. }) => Ok(ItemFields { name, hidden, color }),
+        },
     }
-    let Body { name, hidden, color, .. } = body_of(scene, id)?;
-    Ok(ItemFields { name, hidden, color })
+}
+
+fn any_body_of<'a>(scene: &'a mut Scene, id: &str) -> Result<AnyBodyMut<'a>, String> {
+    scene.find_body_mut(id).ok_or_else(|| no_body(id))
 }
 
 fn body_of<'a>(scene: &'a mut Scene, id: &str) -> Result<&'a mut Body, String> {
-    scene.bodies.iter_mut().find(|body| body.id == id).ok_or_else(|| format!("there is no body \"{id}\""))
+    scene.bodies.iter_mut().find(|body| body.id == id).ok_or_else(|| no_body(id))
 }
 
 fn fibre_of<'a>(scene: &'a mut Scene, body: &str, id: &str) -> Result<&'a mut Fibre, String> {
@@ -95,6 +86,6 @@ fn fibre_of<'a>(scene: &'a mut Scene, body: &str, id: &str) -> Result<&'a mut Fi
     fibres.iter_mut().find(|fibre| fibre.id == id).ok_or_else(|| format!("there is no fibre \"{id}\""))
 }
 
-fn two_layer_index(scene: &Scene, id: &str) -> Option<usize> {
-    scene.two_layer.iter().position(|body| body.id == id)
+fn no_body(id: &str) -> String {
+    format!("there is no body \"{id}\"")
 }

@@ -1,6 +1,6 @@
 //! What a scene refers to but does not hold: the solids that its meshes stand for.
 
-use super::{Axis, ClosedMesh, MeshShape, Scene, Shape, TwoLayerShape};
+use super::{Axis, ClosedMesh, MeshShape};
 use crate::geometry::model::UpAxis;
 use crate::geometry::solid::Solid;
 use std::collections::BTreeMap;
@@ -78,33 +78,5 @@ impl Assets {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.solids.is_empty()
-    }
-}
-
-impl Scene {
-    /// The models that the scene's shapes name, each with the JSON pointer of the shape.
-    pub fn meshes(&self) -> impl Iterator<Item = (String, ModelFile<'_>)> {
-        let solids = self.bodies.iter().enumerate().filter_map(|(index, body)| match &body.shape {
-            Shape::Mesh(shape) => Some((format!("/bodies/{index}/shape/mesh"), ModelFile::from(shape))),
-            Shape::Box(_) => None,
-        });
-        let layers = self.two_layer.iter().enumerate().filter_map(|(index, body)| match &body.shape {
-            TwoLayerShape::Mesh(shape) => Some((format!("/two_layer/{index}/shape/mesh"), ModelFile::from(shape))),
-            _ => None,
-        });
-        solids.chain(layers)
-    }
-
-    /// Where the scene names its models.
-    pub fn model_paths_mut(&mut self) -> impl Iterator<Item = &mut String> {
-        let solids = self.bodies.iter_mut().filter_map(|body| match &mut body.shape {
-            Shape::Mesh(shape) => Some(&mut shape.path),
-            Shape::Box(_) => None,
-        });
-        let layers = self.two_layer.iter_mut().filter_map(|body| match &mut body.shape {
-            TwoLayerShape::Mesh(shape) => Some(&mut shape.path),
-            _ => None,
-        });
-        solids.chain(layers)
     }
 }

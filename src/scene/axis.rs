@@ -16,6 +16,9 @@ pub enum Axis {
 }
 
 impl Axis {
+    /// All three, in their order.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
     /// 0, 1 or 2.
     pub fn index(self) -> usize {
         match self {

@@ -1,7 +1,10 @@
 //! Fibre solids: a shape of a material with fibres in it.
 
 use super::extra::is_false;
-use super::{Dab, Extra, Fibre, Impulse, Initial, IntegratorKind, Material, Pin, Placement, Region, Shape};
+use super::{
+    BoxShape, Dab, Extra, Fibre, Impulse, Initial, IntegratorKind, Material, MeshShape, Pin, Placement, Region, Shape,
+    add_dab,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -53,6 +56,61 @@ pub struct Body {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl Body {
+    /// A body of this shape and of [`Material::default`], with its model frame in the world's.
+    pub fn new(id: impl Into<String>, shape: impl Into<Shape>) -> Self {
+        Self {
+            id: id.into(),
+            name: String::new(),
+            hidden: false,
+            color: None,
+            kind: BodyKind::default(),
+            shape: shape.into(),
+            placement: Placement::default(),
+            material: Material::default(),
+            integrator: IntegratorKind::default(),
+            initial: Initial::default(),
+            impulses: Vec::new(),
+            fibres: Vec::new(),
+            paint: Vec::new(),
+            regions: Vec::new(),
+            pins: Vec::new(),
+            extra: Extra::new(),
+        }
+    }
+
+    /// A box of these full extents [m], centred on the model's origin.
+    pub fn cuboid(id: impl Into<String>, size: impl Into<[f64; 3]>) -> Self {
+        Self::new(id, BoxShape::new(size))
+    }
+
+    /// What a closed mesh encloses: `mesh` is a file relative to the scene file, the name of a mesh in memory
+    /// ([`Assets::insert_mesh`](super::Assets::insert_mesh)), or either with more said of it ([`MeshShape`]).
+    pub fn from_mesh(id: impl Into<String>, mesh: impl Into<MeshShape>) -> Self {
+        Self::new(id, mesh.into())
+    }
+
+    /// Made of another material.
+    #[must_use]
+    pub fn with_material(self, material: Material) -> Self {
+        Self { material, ..self }
+    }
+
+    /// With one fibre more.
+    #[must_use]
+    pub fn with_fibre(mut self, fibre: Fibre) -> Self {
+        self.fibres.push(fibre);
+        self
+    }
+
+    /// Painted by one dab more.
+    #[must_use]
+    pub fn with_dab(mut self, dab: Dab) -> Self {
+        add_dab(&mut self.paint, dab);
+        self
+    }
 }
 
 /// Kinds of bodies.

@@ -1,6 +1,6 @@
 //! The scene as a whole.
 
-use super::{Body, Extra, Measure, Panel, Room, Time, TwoLayer};
+use super::{Body, Extra, Measure, Panel, Room, Time, TimeStep, TwoLayer};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -79,6 +79,67 @@ impl Default for Scene {
 }
 
 impl Scene {
+    /// A scene with nothing in it but the earth's gravity: 60 frames a second, 1 s long.
+    pub fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..Self::default() }
+    }
+
+    /// With one fibre solid more.
+    #[must_use]
+    pub fn with_body(mut self, body: Body) -> Self {
+        self.bodies.push(body);
+        self
+    }
+
+    /// With one two-layer body more.
+    #[must_use]
+    pub fn with_two_layer(mut self, body: TwoLayer) -> Self {
+        self.two_layer.push(body);
+        self
+    }
+
+    /// With one panel more.
+    #[must_use]
+    pub fn with_panel(mut self, panel: Panel) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// With one quantity more to read off the motion.
+    #[must_use]
+    pub fn with_measure(mut self, measure: Measure) -> Self {
+        self.measures.push(measure);
+        self
+    }
+
+    /// With another gravitational acceleration [m/s², world axes]; `[0.0; 3]` for none.
+    #[must_use]
+    pub fn with_gravity(self, gravity: impl Into<[f64; 3]>) -> Self {
+        Self { gravity: gravity.into(), ..self }
+    }
+
+    /// With a floor at this height [m, world Y]. Its friction coefficient is 0.4 and it gives back what falls on it
+    /// undamped, unless [`Scene::room`] says otherwise.
+    #[must_use]
+    pub fn with_floor(mut self, height: f64) -> Self {
+        self.room.floor = Some(height);
+        self
+    }
+
+    /// With so many frames to each simulated second.
+    #[must_use]
+    pub fn with_frame_rate(mut self, frames_per_second: f64) -> Self {
+        self.time.frames_per_second = frames_per_second;
+        self
+    }
+
+    /// With another choice of the time step.
+    #[must_use]
+    pub fn with_time_step(mut self, step: TimeStep) -> Self {
+        self.time.step = step;
+        self
+    }
+
     /// The body with this id.
     pub fn body(&self, id: &str) -> Option<&Body> {
         self.bodies.iter().find(|body| body.id == id)
@@ -96,11 +157,12 @@ impl Scene {
 
     fn without_looks(&self) -> Self {
         let mut scene = self.clone();
-        for body in &mut scene.bodies {
-            (body.hidden, body.color) = (false, None);
-            body.fibres.iter_mut().for_each(|fibre| (fibre.hidden, fibre.color) = (false, None));
+        for mut body in scene.all_bodies_mut() {
+            (*body.hidden_mut(), *body.color_mut()) = (false, None);
         }
-        scene.two_layer.iter_mut().for_each(|body| (body.hidden, body.color) = (false, None));
+        for fibre in scene.bodies.iter_mut().flat_map(|body| &mut body.fibres) {
+            (fibre.hidden, fibre.color) = (false, None);
+        }
         scene
     }
 }

@@ -39,6 +39,60 @@ pub struct Fibre {
     pub extra: Extra,
 }
 
+impl Fibre {
+    /// A fibre through vertices in the model frame [m], three or more.
+    ///
+    /// Its stiffness is [`Stiffness::default`], its volume fraction 0.25 (the fibre paper's Table 1), it is at rest as it
+    /// is drawn, and it never breaks.
+    pub fn through<V: Into<[f64; 3]>>(id: impl Into<String>, vertices: impl IntoIterator<Item = V>) -> Self {
+        Self::new(id, FibreSource::Vertices(vertices.into_iter().map(Into::into).collect()))
+    }
+
+    /// A fibre drawn by one stroke in each of two views, else as [`Fibre::through`].
+    pub fn drawn(id: impl Into<String>, strokes: StrokePair) -> Self {
+        Self::new(id, FibreSource::Strokes(strokes))
+    }
+
+    fn new(id: impl Into<String>, source: FibreSource) -> Self {
+        Self {
+            id: id.into(),
+            name: String::new(),
+            hidden: false,
+            color: None,
+            source,
+            stiffness: Stiffness::default(),
+            volume_fraction: default_volume_fraction(),
+            rest_shape: RestShape::default(),
+            break_past: None,
+            extra: Extra::new(),
+        }
+    }
+
+    /// With a name that a person reads.
+    #[must_use]
+    pub fn with_name(self, name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..self }
+    }
+
+    /// With another resistance against stretching and bending.
+    #[must_use]
+    pub fn with_stiffness(self, stiffness: impl Into<Stiffness>) -> Self {
+        Self { stiffness: stiffness.into(), ..self }
+    }
+
+    /// With another share of the material that is fibre at its centre line, 0 to 1.
+    #[must_use]
+    pub fn with_volume_fraction(self, volume_fraction: f64) -> Self {
+        Self { volume_fraction, ..self }
+    }
+
+    /// With another shape in which it carries no bending energy.
+    #[must_use]
+    pub fn with_rest_shape(self, rest_shape: RestShape) -> Self {
+        Self { rest_shape, ..self }
+    }
+}
+
 /// What a fibre breaks past, into two. What is left out never breaks it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
@@ -83,6 +137,11 @@ pub struct StrokePair {
 }
 
 impl StrokePair {
+    /// The strokes in the order in which they were drawn; they must be of different views.
+    pub fn new(first: ViewStroke, second: ViewStroke) -> Self {
+        Self { first, second, flip_second: false, mismatch: Mismatch::default(), extra: Extra::new() }
+    }
+
     /// The curve that the strokes make in a model of this diagonal [m].
     ///
     /// # Errors
@@ -107,6 +166,11 @@ pub struct ViewStroke {
 }
 
 impl ViewStroke {
+    /// A stroke through points, [horizontal, vertical] in the view's plane [m].
+    pub fn new<P: Into<[f64; 2]>>(view: View, points: impl IntoIterator<Item = P>) -> Self {
+        Self { view, points: points.into_iter().map(Into::into).collect(), extra: Extra::new() }
+    }
+
     fn stroke(&self) -> Stroke {
         Stroke { view: self.view, points: self.points.iter().copied().map(DVec2::from_array).collect() }
     }
@@ -133,6 +197,26 @@ pub enum Stiffness {
     Paper(PaperStiffness),
 }
 
+impl Default for Stiffness {
+    /// Ten times as stiff as the default material that it displaces, as fibres drawn in the window are:
+    /// EA = 140 N, EI = 1e-4 N m².
+    fn default() -> Self {
+        Rigidity::new(140.0, 1e-4).into()
+    }
+}
+
+impl From<Rigidity> for Stiffness {
+    fn from(rigidity: Rigidity) -> Self {
+        Self::Rigidity(rigidity)
+    }
+}
+
+impl From<PaperStiffness> for Stiffness {
+    fn from(paper: PaperStiffness) -> Self {
+        Self::Paper(paper)
+    }
+}
+
 /// Rigidities of a rod.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Rigidity {
@@ -143,6 +227,13 @@ pub struct Rigidity {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl Rigidity {
+    /// Axial rigidity EA [N] and bending stiffness EI [N m²].
+    pub fn new(ea: f64, ei: f64) -> Self {
+        Self { ea, ei, extra: Extra::new() }
+    }
 }
 
 /// Table 1's stiffnesses, read as EA = 2 Ks N and EI = Kb V / 2 with V the volume of a particle: the only reading
@@ -156,6 +247,13 @@ pub struct PaperStiffness {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl PaperStiffness {
+    /// Kb and Ks as Table 1 prints them.
+    pub fn new(kb: f64, ks: f64) -> Self {
+        Self { kb, ks, extra: Extra::new() }
+    }
 }
 
 impl Stiffness {

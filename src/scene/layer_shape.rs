@@ -39,6 +39,30 @@ impl TwoLayerShape {
     }
 }
 
+impl From<Segment> for TwoLayerShape {
+    fn from(segment: Segment) -> Self {
+        Self::Segment(segment)
+    }
+}
+
+impl From<Ring> for TwoLayerShape {
+    fn from(ring: Ring) -> Self {
+        Self::Ring(ring)
+    }
+}
+
+impl From<Ball> for TwoLayerShape {
+    fn from(ball: Ball) -> Self {
+        Self::Ball(ball)
+    }
+}
+
+impl From<ClosedMesh> for TwoLayerShape {
+    fn from(mesh: ClosedMesh) -> Self {
+        Self::Mesh(mesh)
+    }
+}
+
 /// The 1D body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
@@ -123,6 +147,27 @@ pub struct ClosedMesh {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl ClosedMesh {
+    /// The mesh of a file relative to the scene file, or of a mesh in memory by its name
+    /// ([`Assets::insert_mesh`](super::Assets::insert_mesh)): in metres, Y up, two layers.
+    pub fn new(path: impl Into<String>) -> Self {
+        Self {
+            path: path.into(),
+            scale: default_scale(),
+            up: default_up(),
+            inner_offset: InnerOffset::default(),
+            single_layer: false,
+            extra: Extra::new(),
+        }
+    }
+}
+
+impl<S: Into<String>> From<S> for ClosedMesh {
+    fn from(path: S) -> Self {
+        Self::new(path)
+    }
 }
 
 /// Distance from the outer layer to the inner one, along the normals.

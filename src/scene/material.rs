@@ -30,10 +30,56 @@ pub struct Material {
     pub extra: Extra,
 }
 
+/// Support radius h of a material unless another is chosen [m]: that of the scenes that ship with a bar of a hand's size.
+/// With the usual spacing ratio particles are 6 mm apart.
+pub const USUAL_SUPPORT_RADIUS: f64 = 0.015;
+
 impl Material {
+    /// A material by its Young's modulus E [Pa], Poisson's ratio (0 to 0.49) and density [kg/m³].
+    ///
+    /// It is discretised by [`USUAL_SUPPORT_RADIUS`] and D / h = 0.4, as the fibre paper's bars are, and undamped. A body
+    /// of another size than a hand's needs another support radius, a fifth of its thickness or less.
+    pub fn new(young_modulus: f64, poisson_ratio: f64, density: f64) -> Self {
+        Self {
+            young_modulus,
+            poisson_ratio,
+            mass: Mass::Density(density),
+            support_radius: USUAL_SUPPORT_RADIUS,
+            spacing_ratio: default_spacing_ratio(),
+            damping: Damping::default(),
+            volume_fraction_falloff: Falloff::default(),
+            extra: Extra::new(),
+        }
+    }
+
+    /// With a mass of each particle [kg] in place of a density; the fibre paper uses 4e-4.
+    #[must_use]
+    pub fn with_particle_mass(self, mass: f64) -> Self {
+        Self { mass: Mass::PerParticle(mass), ..self }
+    }
+
+    /// With another support radius h of the smoothing kernel [m].
+    #[must_use]
+    pub fn with_support_radius(self, support_radius: f64) -> Self {
+        Self { support_radius, ..self }
+    }
+
+    /// With radial damping between neighbouring particles [1/s] and drag of the surrounding air [1/s].
+    #[must_use]
+    pub fn with_damping(self, pair: f64, air: f64) -> Self {
+        Self { damping: Damping { pair, air, ..self.damping }, ..self }
+    }
+
     /// Particle spacing D [m].
     pub fn spacing(&self) -> f64 {
         self.spacing_ratio * self.support_radius
+    }
+}
+
+impl Default for Material {
+    /// As soft as the bar that the window starts with: 1e5 Pa, Poisson's ratio 0.33, and the density of water.
+    fn default() -> Self {
+        Self::new(1e5, default_poisson(), 1000.0)
     }
 }
 

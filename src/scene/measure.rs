@@ -21,6 +21,19 @@ pub struct Measure {
     pub extra: Extra,
 }
 
+impl Measure {
+    /// A quantity of the body with this identifier; a report gives its last value.
+    pub fn new(name: impl Into<String>, body: impl Into<String>, kind: MeasureKind) -> Self {
+        Self { name: name.into(), body: body.into(), kind, over_time: OverTime::default(), extra: Extra::new() }
+    }
+
+    /// Reported by its value of greatest magnitude.
+    #[must_use]
+    pub fn at_peak(self) -> Self {
+        Self { over_time: OverTime::Peak, ..self }
+    }
+}
+
 /// What is measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -48,6 +61,49 @@ pub enum MeasureKind {
     /// Moment of inertia of a two-layer body about its centre [fraction of M Ro²], Ro the mean distance of the outer
     /// particles from it: about the normal of the plane in 2D, the mean over all axes in 3D. It tells where the mass is.
     InertiaRatio,
+}
+
+impl MeasureKind {
+    /// Mean displacement of a region from where it started [mm], a vector.
+    pub fn mean_displacement(region: impl Into<String>) -> Self {
+        Self::MeanDisplacement(OfRegion { region: region.into(), extra: Extra::new() })
+    }
+
+    /// Largest distance of any particle of a region from where it started [mm].
+    pub fn tip_displacement(region: impl Into<String>) -> Self {
+        Self::TipDisplacement(OfRegion { region: region.into(), extra: Extra::new() })
+    }
+
+    /// Relative shortening between the centres of two regions along an axis [fraction].
+    pub fn height_loss(region: impl Into<String>, against: impl Into<String>, axis: Axis) -> Self {
+        Self::HeightLoss(Extent { region: region.into(), against: against.into(), axis, extra: Extra::new() })
+    }
+
+    /// Turn of one region against another about an axis [degrees].
+    pub fn twist(region: impl Into<String>, against: impl Into<String>, axis: impl Into<[f64; 3]>) -> Self {
+        let axis = axis.into();
+        Self::Twist(Turned { region: region.into(), against: against.into(), axis, extra: Extra::new() })
+    }
+
+    /// Displacement of one region against another, across the line between them at the start [mm], a vector.
+    pub fn shear(region: impl Into<String>, against: impl Into<String>) -> Self {
+        Self::Shear(Between { region: region.into(), against: against.into(), extra: Extra::new() })
+    }
+
+    /// Force with which the body pushes on the pins of a region, along a direction [N].
+    pub fn reaction_force(region: impl Into<String>, along: impl Into<[f64; 3]>) -> Self {
+        Self::ReactionForce(Reaction { region: region.into(), along: along.into(), extra: Extra::new() })
+    }
+
+    /// Torque with which the body turns the pins of a region, about a direction through the region's centre [N m].
+    pub fn reaction_torque(region: impl Into<String>, along: impl Into<[f64; 3]>) -> Self {
+        Self::ReactionTorque(Reaction { region: region.into(), along: along.into(), extra: Extra::new() })
+    }
+
+    /// Extent of the whole body along an axis [m].
+    pub fn size(axis: Axis) -> Self {
+        Self::Size(Along { axis, extra: Extra::new() })
+    }
 }
 
 /// An axis.

@@ -7,9 +7,11 @@
 //! Each struct keeps the JSON fields it does not know in `extra`, so that a scene written by a newer program
 //! survives loading and saving here.
 
+mod any_body;
 mod assets;
 mod axis;
 mod body;
+mod building;
 mod document;
 mod extra;
 mod fibre;
@@ -29,6 +31,7 @@ mod time;
 mod two_layer;
 mod validate;
 
+pub use any_body::{AnyBody, AnyBodyMut};
 pub use assets::{Assets, ModelFile};
 pub use axis::{Axis, Side};
 pub use body::{Body, BodyKind};
@@ -39,7 +42,7 @@ pub use fibre::{
 };
 pub use integrator::IntegratorKind;
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
-pub use material::{Damping, Falloff, Mass, Material};
+pub use material::{Damping, Falloff, Mass, Material, USUAL_SUPPORT_RADIUS};
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 pub use paint::{Dab, MAX_DABS, add_dab, painted};
 pub use panel::{HeightKey, Panel, PanelMotion};

@@ -1,6 +1,6 @@
 //! What things are called where a person reads of them.
 
-use super::{Body, Fibre, Panel, Scene, TwoLayer};
+use super::{AnyBody, Body, Fibre, Panel, Scene, TwoLayer};
 
 macro_rules! titles {
     ($($thing:ty)*) => {
@@ -38,15 +38,13 @@ impl Scene {
     /// What a pointer leads to, in words.
     fn pointed(&self, pointer: &str) -> Option<String> {
         let mut segments = pointer.split('/').skip(1).peekable();
-        let kind = segments.next()?;
-        let index: usize = segments.next()?.parse().ok()?;
-        let mut name = match kind {
-            "bodies" => self.bodies.get(index)?.title(),
-            "two_layer" => self.two_layer.get(index)?.title(),
-            _ => return None,
-        };
-        if kind == "bodies" && segments.next_if_eq(&"fibres").is_some() {
-            name = self.bodies[index].fibres.get(segments.next()?.parse::<usize>().ok()?)?.title();
+        let (list, index) = (segments.next()?, segments.next()?);
+        let body = self.listed_body(list, index.parse().ok()?)?;
+        let mut name = body.title();
+        if let AnyBody::Solid(body) = body
+            && segments.next_if_eq(&"fibres").is_some()
+        {
+            name = body.fibres.get(segments.next()?.parse::<usize>().ok()?)?.title();
         }
         match segments.last() {
             None => Some(name.to_owned()),

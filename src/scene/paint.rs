@@ -35,6 +35,12 @@ pub struct Dab {
 }
 
 impl Dab {
+    /// Paints a volume fraction of fibre, 0 to 1, around a point of the model frame out to a radius [m], with all its
+    /// strength.
+    pub fn new(center: impl Into<[f64; 3]>, radius: f64, value: f64) -> Self {
+        Self { center: center.into(), radius, value, strength: whole_strength(), extra: Extra::new() }
+    }
+
     /// How much of the way to its value it goes at a point of the model frame [m].
     pub fn weight(&self, at: DVec3) -> f64 {
         let distance = at.distance(DVec3::from_array(self.center));
@@ -76,7 +82,7 @@ mod tests {
     use super::*;
 
     fn dab(x: f64, radius: f64, value: f64, strength: f64) -> Dab {
-        Dab { center: [x, 0.0, 0.0], radius, value, strength, extra: Extra::new() }
+        Dab { strength, ..Dab::new([x, 0.0, 0.0], radius, value) }
     }
 
     #[test]

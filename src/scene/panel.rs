@@ -32,6 +32,35 @@ pub struct Panel {
     pub extra: Extra,
 }
 
+impl Panel {
+    /// A panel of these extents along X and Z [m] whose underside is at a height [m, world Y] when it begins to fall. It
+    /// is of 1 kg, with a friction coefficient of 0.4, and centred above the world's origin.
+    pub fn falling(id: impl Into<String>, height: f64, size: impl Into<[f64; 2]>) -> Self {
+        Self {
+            id: id.into(),
+            name: String::new(),
+            height,
+            center: [0.0; 2],
+            size: size.into(),
+            mass: one(),
+            friction: default_friction(),
+            motion: PanelMotion::Falls,
+            extra: Extra::new(),
+        }
+    }
+
+    /// A panel whose underside follows heights [m, world Y] at times [s], else as [`Panel::falling`].
+    pub fn driven(
+        id: impl Into<String>,
+        size: impl Into<[f64; 2]>,
+        heights: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Self {
+        let keys: Vec<_> = heights.into_iter().map(|(time, height)| HeightKey::new(time, height)).collect();
+        let height = keys.first().map_or(0.0, |key| key.height);
+        Self { motion: PanelMotion::Driven(keys), ..Self::falling(id, height, size) }
+    }
+}
+
 /// How a panel moves.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -52,6 +81,13 @@ pub struct HeightKey {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl HeightKey {
+    /// A height of the underside [m] at a time [s].
+    pub fn new(time: f64, height: f64) -> Self {
+        Self { time, height, extra: Extra::new() }
+    }
 }
 
 fn one() -> f64 {

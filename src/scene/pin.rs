@@ -22,6 +22,25 @@ pub struct Pin {
     pub extra: Extra,
 }
 
+impl Pin {
+    /// Holds a region where it starts, along all three axes.
+    pub fn new(id: impl Into<String>, region: impl Into<String>) -> Self {
+        Self { id: id.into(), region: region.into(), axes: all_axes(), motion: Motion::default(), extra: Extra::new() }
+    }
+
+    /// Held along these world axes only.
+    #[must_use]
+    pub fn with_axes(self, axes: impl IntoIterator<Item = Axis>) -> Self {
+        Self { axes: axes.into_iter().collect(), ..self }
+    }
+
+    /// Moved so.
+    #[must_use]
+    pub fn with_motion(self, motion: impl Into<Motion>) -> Self {
+        Self { motion: motion.into(), ..self }
+    }
+}
+
 /// Prescribed motion, relative to where the region starts.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -35,6 +54,18 @@ pub enum Motion {
     Turn(Turn),
     /// Follows offsets, linearly from one to the next; before the first and after the last it rests.
     Keyframes(Vec<Keyframe>),
+}
+
+impl From<Ramp> for Motion {
+    fn from(ramp: Ramp) -> Self {
+        Self::Ramp(ramp)
+    }
+}
+
+impl From<Turn> for Motion {
+    fn from(turn: Turn) -> Self {
+        Self::Turn(turn)
+    }
 }
 
 /// A straight move.
@@ -55,6 +86,14 @@ pub struct Ramp {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl Ramp {
+    /// Moves a distance along a direction (of any length but zero, world axes) in `duration` [s], at once and smoothly.
+    pub fn new(direction: impl Into<[f64; 3]>, distance: Distance, duration: f64) -> Self {
+        let direction = direction.into();
+        Self { direction, distance, start: 0.0, duration, easing: Easing::default(), extra: Extra::new() }
+    }
 }
 
 /// A distance.
@@ -90,6 +129,21 @@ pub struct Turn {
     pub extra: Extra,
 }
 
+impl Turn {
+    /// Turns by an angle [degrees] about an axis (of any length but zero, world axes) through the region's centre in
+    /// `duration` [s], at once and smoothly.
+    pub fn new(axis: impl Into<[f64; 3]>, degrees: f64, duration: f64) -> Self {
+        let axis = axis.into();
+        Self { axis, origin: None, degrees, start: 0.0, duration, easing: Easing::default(), extra: Extra::new() }
+    }
+
+    /// With a point that the axis goes through [m, world].
+    #[must_use]
+    pub fn with_origin(self, origin: impl Into<[f64; 3]>) -> Self {
+        Self { origin: Some(origin.into()), ..self }
+    }
+}
+
 /// How a motion speeds up and slows down.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -113,6 +167,13 @@ pub struct Keyframe {
     pub extra: Extra,
 }
 
+impl Keyframe {
+    /// An offset from the start [m, world axes] at a time [s].
+    pub fn new(time: f64, offset: impl Into<[f64; 3]>) -> Self {
+        Self { time, offset: offset.into(), extra: Extra::new() }
+    }
+}
+
 fn all_axes() -> Vec<Axis> {
-    vec![Axis::X, Axis::Y, Axis::Z]
+    Axis::ALL.to_vec()
 }

@@ -16,6 +16,28 @@ pub struct Region {
     pub extra: Extra,
 }
 
+impl Region {
+    /// The particles that `select` chooses.
+    pub fn new(id: impl Into<String>, select: Selector) -> Self {
+        Self { id: id.into(), select, extra: Extra::new() }
+    }
+
+    /// The first `count` layers of a fibre solid's lattice from one side.
+    pub fn layers(id: impl Into<String>, axis: Axis, side: Side, count: u32) -> Self {
+        Self::new(id, Selector::Layers { axis, side, count, extra: Extra::new() })
+    }
+
+    /// What lies between two corners of a box of the model frame [m].
+    pub fn in_box(id: impl Into<String>, min: impl Into<[f64; 3]>, max: impl Into<[f64; 3]>) -> Self {
+        Self::new(id, Selector::Box { min: min.into(), max: max.into(), extra: Extra::new() })
+    }
+
+    /// What lies in a ball of the model frame: its centre and radius [m].
+    pub fn in_sphere(id: impl Into<String>, center: impl Into<[f64; 3]>, radius: f64) -> Self {
+        Self::new(id, Selector::Sphere { center: center.into(), radius, extra: Extra::new() })
+    }
+}
+
 /// Which particles belong to a region.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

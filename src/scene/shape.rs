@@ -15,6 +15,18 @@ pub enum Shape {
     Mesh(MeshShape),
 }
 
+impl From<BoxShape> for Shape {
+    fn from(shape: BoxShape) -> Self {
+        Self::Box(shape)
+    }
+}
+
+impl From<MeshShape> for Shape {
+    fn from(shape: MeshShape) -> Self {
+        Self::Mesh(shape)
+    }
+}
+
 /// A closed mesh from an OBJ, STL, PLY, glTF or GLB file, filled with particles on a cubic lattice. The lattice is placed
 /// so, and its spacing changed by so little, that the particles' volume comes closest to that of the mesh.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -36,6 +48,38 @@ pub struct MeshShape {
     pub extra: Extra,
 }
 
+impl MeshShape {
+    /// The mesh of a file relative to the scene file, or of a mesh in memory by its name
+    /// ([`Assets::insert_mesh`](super::Assets::insert_mesh)): in metres, Y up, as finely filled as the material says.
+    pub fn new(path: impl Into<String>) -> Self {
+        Self { path: path.into(), scale: default_scale(), up: default_up(), particles: None, extra: Extra::new() }
+    }
+
+    /// Filled with about this many particles, from 8 to 2000000, whatever the material's support radius is.
+    #[must_use]
+    pub fn with_particles(self, particles: u32) -> Self {
+        Self { particles: Some(particles), ..self }
+    }
+
+    /// With so many metres to a unit of the mesh.
+    #[must_use]
+    pub fn with_scale(self, scale: f64) -> Self {
+        Self { scale, ..self }
+    }
+
+    /// With another axis of the mesh that points up.
+    #[must_use]
+    pub fn with_up(self, up: Axis) -> Self {
+        Self { up, ..self }
+    }
+}
+
+impl<S: Into<String>> From<S> for MeshShape {
+    fn from(path: S) -> Self {
+        Self::new(path)
+    }
+}
+
 /// A box along the axes of the model frame, filled with particles on a cubic lattice.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BoxShape {
@@ -53,6 +97,19 @@ pub struct BoxShape {
     pub extra: Extra,
 }
 
+impl BoxShape {
+    /// A box of these full extents [m] about the model's origin.
+    pub fn new(size: impl Into<[f64; 3]>) -> Self {
+        Self { center: [0.0; 3], size: size.into(), lattice_rotation: Rotation::default(), extra: Extra::new() }
+    }
+
+    /// With another centre [m].
+    #[must_use]
+    pub fn with_center(self, center: impl Into<[f64; 3]>) -> Self {
+        Self { center: center.into(), ..self }
+    }
+}
+
 /// A rotation about an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Rotation {
@@ -66,6 +123,11 @@ pub struct Rotation {
 }
 
 impl Rotation {
+    /// A turn by an angle [degrees], right-handed about an axis of any length but zero.
+    pub fn about(axis: impl Into<[f64; 3]>, degrees: f64) -> Self {
+        Self { axis: axis.into(), degrees, extra: Extra::new() }
+    }
+
     /// As a quaternion.
     pub fn quaternion(&self) -> DQuat {
         let axis = DVec3::from_array(self.axis).normalize_or(DVec3::Y);
@@ -75,7 +137,7 @@ impl Rotation {
 
 impl Default for Rotation {
     fn default() -> Self {
-        Self { axis: [0.0, 1.0, 0.0], degrees: 0.0, extra: Extra::new() }
+        Self::about([0.0, 1.0, 0.0], 0.0)
     }
 }
 

@@ -41,3 +41,10 @@ pub struct Impulse {
     #[serde(flatten)]
     pub extra: Extra,
 }
+
+impl Impulse {
+    /// An impulse [N s, world axes] on a whole region.
+    pub fn new(region: impl Into<String>, impulse: impl Into<[f64; 3]>) -> Self {
+        Self { region: region.into(), impulse: impulse.into(), extra: Extra::new() }
+    }
+}

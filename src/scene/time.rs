@@ -45,6 +45,18 @@ pub enum TimeStep {
     Manual(Manual),
 }
 
+impl TimeStep {
+    /// A step of `dt` [s], so many to a frame.
+    pub fn manual(dt: f64, substeps_per_frame: u32) -> Self {
+        Self::Manual(Manual { dt, substeps_per_frame, extra: Extra::new() })
+    }
+
+    /// This share of the stable step, above 0 and up to 1.
+    pub fn automatic(safety: f64) -> Self {
+        Self::Automatic(Automatic { safety, extra: Extra::new() })
+    }
+}
+
 impl Default for TimeStep {
     fn default() -> Self {
         Self::Automatic(Automatic::default())

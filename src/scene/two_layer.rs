@@ -2,7 +2,9 @@
 //! (Song and Grogono: *A framework for dynamic deformation of uniform elastic two-layer 2D and 3D objects*, C3S2E 2008).
 
 use super::extra::is_false;
-use super::{Extra, Impulse, Initial, IntegratorKind, Pin, Placement, Region, TwoLayerShape};
+use super::{
+    Ball, ClosedMesh, Extra, Impulse, Initial, IntegratorKind, Pin, Placement, Region, Ring, Segment, TwoLayerShape,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -90,6 +92,69 @@ pub struct TwoLayer {
     pub extra: Extra,
 }
 
+impl TwoLayer {
+    /// A body of this shape with the paper's parameters (sec. 4.2.1). To change one, write it before the rest:
+    /// `TwoLayer { pressure: 40.0, ..TwoLayer::ball("ball") }`.
+    pub fn new(id: impl Into<String>, shape: impl Into<TwoLayerShape>) -> Self {
+        Self {
+            id: id.into(),
+            name: String::new(),
+            hidden: false,
+            color: None,
+            shape: shape.into(),
+            placement: Placement::default(),
+            ks: default_ks(),
+            kd: default_kd(),
+            rks: default_rks(),
+            rkd: default_rkd(),
+            mks: default_mks(),
+            mkd: default_mkd(),
+            pressure: default_pressure(),
+            pressure_in: PressureIn::default(),
+            mass: default_mass(),
+            inner_mass: None,
+            masses: Vec::new(),
+            air_drag: 0.0,
+            contact: TwoLayerContact::default(),
+            integrator: IntegratorKind::default(),
+            initial: Initial::default(),
+            impulses: Vec::new(),
+            regions: Vec::new(),
+            pins: Vec::new(),
+            drags: Vec::new(),
+            extra: Extra::new(),
+        }
+    }
+
+    /// The 1D body: two particles 2 m apart and a spring along X.
+    pub fn segment(id: impl Into<String>) -> Self {
+        Self::new(id, Segment::default())
+    }
+
+    /// The 2D body: two polygons of ten sides, of radius 2 m and 1 m.
+    pub fn ring(id: impl Into<String>) -> Self {
+        Self::new(id, Ring::default())
+    }
+
+    /// The 3D body: two spheres of 18 particles, of radius 2 m and 1 m.
+    pub fn ball(id: impl Into<String>) -> Self {
+        Self::new(id, Ball::default())
+    }
+
+    /// A 3D body of any shape: the surface of a closed mesh from a file or in memory, and the same moved inwards by a
+    /// quarter of half its least extent.
+    pub fn from_mesh(id: impl Into<String>, mesh: impl Into<ClosedMesh>) -> Self {
+        Self::new(id, mesh.into())
+    }
+
+    /// Dragged by its nearest outer particle as well.
+    #[must_use]
+    pub fn with_drag(mut self, drag: Drag) -> Self {
+        self.drags.push(drag);
+        self
+    }
+}
+
 /// Which space the gas of a two-layer body fills.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -115,6 +180,13 @@ pub struct RegionMass {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl RegionMass {
+    /// Mass of each particle of a region [kg].
+    pub fn new(region: impl Into<String>, mass: f64) -> Self {
+        Self { region: region.into(), mass, extra: Extra::new() }
+    }
 }
 
 /// How a two-layer body pushes on what it touches. Its particles are points. Friction is the room's.
@@ -163,6 +235,13 @@ pub struct Drag {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl Drag {
+    /// Drags to a point [m, world] and never lets go.
+    pub fn to(target: impl Into<[f64; 3]>) -> Self {
+        Self { target: target.into(), until: None, extra: Extra::new() }
+    }
 }
 
 fn default_ks() -> f64 {

@@ -32,8 +32,7 @@ impl Trial {
         let mut scene = scene.clone();
         scene.time.step = TimeStep::Manual(Manual { dt, substeps_per_frame: 1, extra: Extra::new() });
         scene.measures.clear();
-        scene.bodies.iter_mut().for_each(|body| body.integrator = integrator);
-        scene.two_layer.iter_mut().for_each(|body| body.integrator = integrator);
+        scene.all_bodies_mut().for_each(|mut body| *body.integrator_mut() = integrator);
         let mut world = bake(&scene, assets)?.world;
         for index in 0..world.bodies().len() {
             if let Some(body) = world.body_mut(index) {

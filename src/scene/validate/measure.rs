@@ -2,29 +2,26 @@
 
 use super::check::{At, Checked, Ids, direction, require};
 use super::two_layer::known_regions;
-use crate::scene::{Measure, MeasureKind, Region, Scene, SceneError, TwoLayer};
+use crate::scene::{AnyBody, Measure, MeasureKind, Region, Scene, SceneError, TwoLayer};
 
-pub(super) fn measures(at: &At<'_>, scene: &Scene) -> Checked {
-    let mut bodies = Ids::of("body");
-    for (index, body) in scene.bodies.iter().enumerate() {
-        bodies.add(&At::ROOT.field("bodies").item(index).field("id"), &body.id)?;
-    }
-    for (index, body) in scene.two_layer.iter().enumerate() {
-        bodies.add(&At::ROOT.field("two_layer").item(index).field("id"), &body.id)?;
-    }
+/// `bodies` are the identifiers of the scene's bodies.
+pub(super) fn measures(at: &At<'_>, scene: &Scene, bodies: &Ids<'_>) -> Checked {
     let mut names = Ids::of("measure");
     for (index, measure) in scene.measures.iter().enumerate() {
         let at = at.item(index);
         names.add(&at.field("name"), &measure.name)?;
         bodies.resolve(&at.field("body"), &measure.body)?;
         let at = at.field("kind");
-        if let Some(body) = scene.body(&measure.body) {
-            one_layer(&at, measure)?;
-            kind(&at, measure, &own_regions(&at, &body.regions)?)?;
-        }
-        if let Some(body) = scene.two_layer_body(&measure.body) {
-            layers(&at, measure, body)?;
-            kind(&at, measure, &known_regions(&at, body)?)?;
+        match scene.find_body(&measure.body) {
+            Some(AnyBody::Solid(body)) => {
+                one_layer(&at, measure)?;
+                kind(&at, measure, &own_regions(&at, &body.regions)?)?;
+            }
+            Some(AnyBody::TwoLayer(body)) => {
+                layers(&at, measure, body)?;
+                kind(&at, measure, &known_regions(&at, body)?)?;
+            }
+            None => {}
         }
     }
     Ok(())

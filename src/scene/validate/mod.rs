@@ -3,10 +3,12 @@
 //! The document's types say what a value may look like; the checks here say what it may be. They are ordered as
 //! the fields of a scene file, so that the first error is the first one a reader meets.
 
-mod body;
+mod bodies;
 mod check;
 mod error;
 mod measure;
+mod parts;
+mod solid;
 mod two_layer;
 
 pub use error::SceneError;
@@ -41,9 +43,8 @@ impl Scene {
         room(&root.field("room"), &self.room)?;
         panels(&root.field("panels"), &self.panels)?;
         time(&root.field("time"), &self.time)?;
-        body::bodies(&root.field("bodies"), &self.bodies)?;
-        two_layer::two_layer(&root.field("two_layer"), &self.two_layer, &self.bodies)?;
-        measure::measures(&root.field("measures"), self)
+        let bodies = bodies::bodies(&root, self)?;
+        measure::measures(&root.field("measures"), self, &bodies)
     }
 }
 

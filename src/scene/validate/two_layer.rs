@@ -1,44 +1,35 @@
 //! Checks of the two-layer bodies.
 
-use super::body::{impulses, initial, model_file, pins, regions, rotation};
 use super::check::{At, Checked, Ids, finite, not_negative, number, ordered, positive, require, vector};
-use crate::scene::{Body, InnerOffset, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
+use super::parts::{impulses, initial, model_file, pins, placement, regions};
+use crate::scene::{InnerOffset, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
 
 /// Regions that every two-layer body has.
-pub(super) const BUILT_IN: [&str; 3] = ["outer", "inner", "everything"];
+const BUILT_IN: [&str; 3] = ["outer", "inner", "everything"];
 
 /// More subdivisions of the octahedron than this are refused.
 const MOST_SUBDIVISIONS: u32 = 5;
 
-pub(super) fn two_layer(at: &At<'_>, all: &[TwoLayer], others: &[Body]) -> Checked {
-    let mut ids = Ids::of("body");
-    for (index, body) in others.iter().enumerate() {
-        ids.add(&At::ROOT.field("bodies").item(index).field("id"), &body.id)?;
-    }
-    for (index, body) in all.iter().enumerate() {
+/// Checks a two-layer body but for its identifier.
+pub(super) fn two_layer(at: &At<'_>, body: &TwoLayer) -> Checked {
+    shape(&at.field("shape"), &body.shape)?;
+    placement(&at.field("placement"), &body.placement)?;
+    parameters(at, body)?;
+    initial(&at.field("initial"), &body.initial)?;
+    let known = known_regions(at, body)?;
+    for (index, of) in body.masses.iter().enumerate() {
+        let at = at.field("masses");
         let at = at.item(index);
-        ids.add(&at.field("id"), &body.id)?;
-        shape(&at.field("shape"), &body.shape)?;
-        let placement = at.field("placement");
-        vector(&placement.field("translation"), &body.placement.translation, "m")?;
-        rotation(&placement.field("rotation"), &body.placement.rotation)?;
-        parameters(&at, body)?;
-        initial(&at.field("initial"), &body.initial)?;
-        let known = known_regions(&at, body)?;
-        for (index, of) in body.masses.iter().enumerate() {
-            let at = at.field("masses");
-            let at = at.item(index);
-            known.resolve(&at.field("region"), &of.region)?;
-            positive(&at.field("mass"), of.mass, "kg")?;
-        }
-        impulses(&at, &body.impulses, &known)?;
-        pins(&at, &body.pins, &known)?;
-        for (index, drag) in body.drags.iter().enumerate() {
-            let at = at.field("drags");
-            let at = at.item(index);
-            vector(&at.field("target"), &drag.target, "m")?;
-            drag.until.map_or(Ok(()), |until| finite(&at.field("until"), until, "s"))?;
-        }
+        known.resolve(&at.field("region"), &of.region)?;
+        positive(&at.field("mass"), of.mass, "kg")?;
+    }
+    impulses(at, &body.impulses, &known)?;
+    pins(at, &body.pins, &known)?;
+    for (index, drag) in body.drags.iter().enumerate() {
+        let at = at.field("drags");
+        let at = at.item(index);
+        vector(&at.field("target"), &drag.target, "m")?;
+        drag.until.map_or(Ok(()), |until| finite(&at.field("until"), until, "s"))?;
     }
     Ok(())
 }

@@ -1,13 +1,11 @@
-//! Checks of the bodies: shape, material, regions, pins, fibres.
+//! Checks of the fibre solids: shape, material, fibres, paint.
 
-use super::brief;
-use super::check::{
-    At, Checked, Ids, direction, finite, fraction, increasing, not_negative, number, positive, require, vector, within,
-};
+use super::check::{At, Checked, Ids, fraction, not_negative, positive, require, vector, within};
+use super::parts::{impulses, initial, model_file, pins, placement, regions, rotation};
+use super::{SceneError, brief};
 use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
-    Body, Dab, Distance, Fibre, FibreSource, Impulse, Initial, MAX_DABS, MAX_PARTICLES, Mass, Material, ModelFile,
-    Motion, Pin, Region, Rotation, Selector, Shape, Stiffness, ViewStroke,
+    Body, Dab, Fibre, FibreSource, MAX_DABS, MAX_PARTICLES, Mass, Material, Shape, Stiffness, ViewStroke,
 };
 use glam::{DMat3, DVec3};
 
@@ -24,22 +22,16 @@ const LEAST_PARTICLES: usize = 8;
 /// Memory that a material particle takes with its neighbours [bytes].
 const BYTES_PER_PARTICLE: f64 = 2500.0;
 
-pub(super) fn bodies(at: &At<'_>, bodies: &[Body]) -> Checked {
-    let mut ids = Ids::of("body");
-    let mut particles = 0.0;
-    for (index, body) in bodies.iter().enumerate() {
-        let at = at.item(index);
-        ids.add(&at.field("id"), &body.id)?;
-        shape(&at.field("shape"), &body.shape)?;
-        let placement = at.field("placement");
-        vector(&placement.field("translation"), &body.placement.translation, "m")?;
-        rotation(&placement.field("rotation"), &body.placement.rotation)?;
-        material(&at.field("material"), &body.material)?;
-        particles = count(&at, body, particles)?;
-        initial(&at.field("initial"), &body.initial)?;
-        parts(&at, body)?;
-    }
-    Ok(())
+/// Checks a fibre solid but for its identifier. `before` are the particles of the bodies before it; gives those with its
+/// own.
+pub(super) fn solid(at: &At<'_>, body: &Body, before: f64) -> Result<f64, SceneError> {
+    shape(&at.field("shape"), &body.shape)?;
+    placement(&at.field("placement"), &body.placement)?;
+    material(&at.field("material"), &body.material)?;
+    let particles = count(at, body, before)?;
+    initial(&at.field("initial"), &body.initial)?;
+    parts(at, body)?;
+    Ok(particles)
 }
 
 fn shape(at: &At<'_>, shape: &Shape) -> Checked {
@@ -64,22 +56,6 @@ fn shape(at: &At<'_>, shape: &Shape) -> Checked {
     }
 }
 
-pub(super) fn model_file(at: &At<'_>, file: ModelFile<'_>) -> Checked {
-    require(
-        &at.field("path"),
-        &file.path,
-        !file.path.trim().is_empty(),
-        "names no file",
-        || "name an OBJ, STL, PLY, glTF or GLB file, relative to the scene file",
-    )?;
-    positive(&at.field("scale"), file.scale, "m")
-}
-
-pub(super) fn rotation(at: &At<'_>, rotation: &Rotation) -> Checked {
-    direction(&at.field("axis"), &rotation.axis)?;
-    finite(&at.field("degrees"), rotation.degrees, "degrees")
-}
-
 fn material(at: &At<'_>, material: &Material) -> Checked {
     positive(&at.field("young_modulus"), material.young_modulus, "Pa")?;
     within(&at.field("poisson_ratio"), material.poisson_ratio, 0.0, MAX_POISSON, "")?;
@@ -97,7 +73,7 @@ fn material(at: &At<'_>, material: &Material) -> Checked {
 }
 
 /// Particles of the bodies so far, this one included, as their volumes and spacings have it.
-fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, crate::scene::SceneError> {
+fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, SceneError> {
     // The volume of a mesh is not in the document: baking counts its particles.
     let Shape::Box(shape) = &body.shape else { return Ok(before) };
     let material = &body.material;
@@ -130,23 +106,6 @@ fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, crate::scene::Sce
     Ok(particles)
 }
 
-pub(super) fn initial(at: &At<'_>, initial: &Initial) -> Checked {
-    vector(&at.field("velocity"), &initial.velocity, "m/s")?;
-    vector(&at.field("angular_velocity"), &initial.angular_velocity, "degrees/s")?;
-    let at = at.field("deformation");
-    for (row, components) in initial.deformation.iter().enumerate() {
-        vector(&at.item(row), components, "")?;
-    }
-    let [a, b, c] = initial.deformation.map(DVec3::from);
-    require(
-        &at,
-        &initial.deformation,
-        a.cross(b).dot(c) > 0.0,
-        "turns the body inside out or flattens it",
-        || "give three rows of positive determinant, such as [[1,0,0],[0,1,0],[0,0,1]]",
-    )
-}
-
 /// What a body's regions are made of and what refers to them.
 fn parts(at: &At<'_>, body: &Body) -> Checked {
     // In the order of the file impulses come first, but they refer to regions, which must be sound for that.
@@ -176,71 +135,6 @@ fn paint(at: &At<'_>, paint: &[Dab]) -> Checked {
         fraction(&at.field("strength"), dab.strength)?;
     }
     Ok(())
-}
-
-/// The regions of the body here, added to those that are known.
-pub(super) fn regions<'a>(at: &At<'_>, regions: &'a [Region], known: &mut Ids<'a>) -> Checked {
-    for (index, region) in regions.iter().enumerate() {
-        let at = at.field("regions");
-        let at = at.item(index);
-        known.add(&at.field("id"), &region.id)?;
-        selector(&at.field("select"), &region.select)?;
-    }
-    Ok(())
-}
-
-/// The impulses of the body here.
-pub(super) fn impulses(at: &At<'_>, impulses: &[Impulse], regions: &Ids<'_>) -> Checked {
-    for (index, impulse) in impulses.iter().enumerate() {
-        let at = at.field("impulses");
-        let at = at.item(index);
-        regions.resolve(&at.field("region"), &impulse.region)?;
-        vector(&at.field("impulse"), &impulse.impulse, "N s")?;
-    }
-    Ok(())
-}
-
-/// The pins of the body here.
-pub(super) fn pins(at: &At<'_>, all: &[Pin], regions: &Ids<'_>) -> Checked {
-    let mut ids = Ids::of("pin");
-    for (index, one) in all.iter().enumerate() {
-        let at = at.field("pins");
-        let at = at.item(index);
-        ids.add(&at.field("id"), &one.id)?;
-        regions.resolve(&at.field("region"), &one.region)?;
-        pin(&at, one)?;
-    }
-    Ok(())
-}
-
-fn selector(at: &At<'_>, selector: &Selector) -> Checked {
-    match selector {
-        Selector::Everything => Ok(()),
-        Selector::Layers { count, .. } => {
-            let at = at.field("layers");
-            let possible = (1..=MAX_PARTICLES).contains(&(*count as usize));
-            require(&at.field("count"), count, possible, "is no number of layers", || {
-                format!("give 1 to {MAX_PARTICLES}")
-            })
-        }
-        Selector::Box { min, max, .. } => {
-            let at = at.field("box");
-            vector(&at.field("min"), min, "m")?;
-            vector(&at.field("max"), max, "m")?;
-            for (axis, (least, greatest)) in min.iter().zip(max).enumerate() {
-                let at = at.field("max");
-                require(&at.item(axis), greatest, least <= greatest, "is below the least corner", || {
-                    format!("give {} m or more", number(*least))
-                })?;
-            }
-            Ok(())
-        }
-        Selector::Sphere { center, radius, .. } => {
-            let at = at.field("sphere");
-            vector(&at.field("center"), center, "m")?;
-            positive(&at.field("radius"), *radius, "m")
-        }
-    }
 }
 
 fn fibre(at: &At<'_>, fibre: &Fibre) -> Checked {
@@ -296,45 +190,4 @@ fn stroke(at: &At<'_>, stroke: &ViewStroke) -> Checked {
     require(&at, &stroke.points, stroke.points.len() >= 2, "is no line", || "give 2 points or more")?;
     let points = stroke.points.iter().enumerate();
     points.into_iter().try_for_each(|(index, point)| vector(&at.item(index), point, "m"))
-}
-
-fn pin(at: &At<'_>, pin: &Pin) -> Checked {
-    require(
-        &at.field("axes"),
-        &pin.axes,
-        !pin.axes.is_empty(),
-        "holds the region along no axis",
-        || "name an axis at least, such as [\"x\", \"y\", \"z\"]",
-    )?;
-    let at = at.field("motion");
-    match &pin.motion {
-        Motion::Fixed => Ok(()),
-        Motion::Ramp(ramp) => {
-            let at = at.field("ramp");
-            direction(&at.field("direction"), &ramp.direction)?;
-            let distance = at.field("distance");
-            match ramp.distance {
-                Distance::Metres(metres) => finite(&distance.field("metres"), metres, "m")?,
-                Distance::Fraction(fraction) => finite(&distance.field("fraction"), fraction, "of the extent")?,
-            }
-            not_negative(&at.field("start"), ramp.start, "s")?;
-            positive(&at.field("duration"), ramp.duration, "s")
-        }
-        Motion::Turn(turn) => {
-            let at = at.field("turn");
-            direction(&at.field("axis"), &turn.axis)?;
-            turn.origin.map_or(Ok(()), |origin| vector(&at.field("origin"), &origin, "m"))?;
-            finite(&at.field("degrees"), turn.degrees, "degrees")?;
-            not_negative(&at.field("start"), turn.start, "s")?;
-            positive(&at.field("duration"), turn.duration, "s")
-        }
-        Motion::Keyframes(keys) => {
-            let at = at.field("keyframes");
-            increasing(&at, keys.iter().map(|key| key.time))?;
-            for (index, key) in keys.iter().enumerate() {
-                vector(&at.item(index).field("offset"), &key.offset, "m")?;
-            }
-            Ok(())
-        }
-    }
 }

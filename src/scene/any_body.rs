@@ -1,0 +1,216 @@
+//! Bodies of both kinds behind one view.
+//!
+//! Why. A file keeps fibre solids under `bodies` and two-layer bodies under `two_layer`. Whatever lists, steps, records or
+//! draws bodies numbers them in one row: the solids first, then the two-layer bodies. This is that row.
+
+use super::{
+    Body, Fibre, Impulse, Initial, IntegratorKind, ModelFile, Pin, Placement, Region, Scene, Shape, TwoLayer,
+    TwoLayerShape,
+};
+
+/// A body of either kind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AnyBody<'a> {
+    /// A fibre solid.
+    Solid(&'a Body),
+    /// A two-layer body.
+    TwoLayer(&'a TwoLayer),
+}
+
+/// A body of either kind, to be changed.
+#[derive(Debug, PartialEq)]
+pub enum AnyBodyMut<'a> {
+    /// A fibre solid.
+    Solid(&'a mut Body),
+    /// A two-layer body.
+    TwoLayer(&'a mut TwoLayer),
+}
+
+/// What both kinds have under the same name.
+macro_rules! either {
+    ($this:expr, $body:ident => $value:expr) => {
+        match $this {
+            Self::Solid($body) => $value,
+            Self::TwoLayer($body) => $value,
+        }
+    };
+}
+
+impl<'a> AnyBody<'a> {
+    /// Stable identifier, unique among the bodies of both kinds.
+    pub fn id(self) -> &'a str {
+        either!(self, body => &body.id)
+    }
+
+    /// Its name, or its identifier where it has none.
+    pub fn title(self) -> &'a str {
+        either!(self, body => body.title())
+    }
+
+    /// Whether it is left out of what is seen.
+    pub fn hidden(self) -> bool {
+        either!(self, body => body.hidden)
+    }
+
+    /// Colour in which it is drawn, red, green and blue from 0 to 255; the theme's unless given.
+    pub fn color(self) -> Option<[u8; 3]> {
+        either!(self, body => body.color)
+    }
+
+    /// Where the model frame stands in the world.
+    pub fn placement(self) -> &'a Placement {
+        either!(self, body => &body.placement)
+    }
+
+    /// How it is stepped through time.
+    pub fn integrator(self) -> IntegratorKind {
+        either!(self, body => body.integrator)
+    }
+
+    /// Motion and deformation at the start.
+    pub fn initial(self) -> &'a Initial {
+        either!(self, body => &body.initial)
+    }
+
+    /// Impulses given to regions at the start.
+    pub fn impulses(self) -> &'a [Impulse] {
+        either!(self, body => &body.impulses)
+    }
+
+    /// Named sets of particles, without those that every two-layer body has.
+    pub fn regions(self) -> &'a [Region] {
+        either!(self, body => &body.regions)
+    }
+
+    /// Regions whose motion is prescribed.
+    pub fn pins(self) -> &'a [Pin] {
+        either!(self, body => &body.pins)
+    }
+
+    /// Embedded fibres; a two-layer body has none.
+    pub fn fibres(self) -> &'a [Fibre] {
+        self.solid().map_or(&[], |body| &body.fibres)
+    }
+
+    /// The model that its shape names, if it does.
+    pub fn model(self) -> Option<ModelFile<'a>> {
+        match self {
+            Self::Solid(Body { shape: Shape::Mesh(shape), .. }) => Some(shape.into()),
+            Self::TwoLayer(TwoLayer { shape: TwoLayerShape::Mesh(shape), .. }) => Some(shape.into()),
+            _ => None,
+        }
+    }
+
+    /// The fibre solid, if it is one.
+    pub fn solid(self) -> Option<&'a Body> {
+        if let Self::Solid(body) = self { Some(body) } else { None }
+    }
+
+    /// The two-layer body, if it is one.
+    pub fn two_layer(self) -> Option<&'a TwoLayer> {
+        if let Self::TwoLayer(body) = self { Some(body) } else { None }
+    }
+}
+
+impl<'a> AnyBodyMut<'a> {
+    /// Stable identifier, unique among the bodies of both kinds.
+    pub fn id(&self) -> &str {
+        either!(self, body => &body.id)
+    }
+
+    /// Whether it is left out of what is seen.
+    pub fn hidden_mut(&mut self) -> &mut bool {
+        either!(self, body => &mut body.hidden)
+    }
+
+    /// Colour in which it is drawn.
+    pub fn color_mut(&mut self) -> &mut Option<[u8; 3]> {
+        either!(self, body => &mut body.color)
+    }
+
+    /// How it is stepped through time.
+    pub fn integrator_mut(&mut self) -> &mut IntegratorKind {
+        either!(self, body => &mut body.integrator)
+    }
+
+    /// Named sets of particles.
+    pub fn regions_mut(&mut self) -> &mut Vec<Region> {
+        either!(self, body => &mut body.regions)
+    }
+
+    /// Regions whose motion is prescribed.
+    pub fn pins_mut(&mut self) -> &mut Vec<Pin> {
+        either!(self, body => &mut body.pins)
+    }
+
+    /// The path of the model that its shape names, if it does.
+    fn into_model_path(self) -> Option<&'a mut String> {
+        match self {
+            Self::Solid(Body { shape: Shape::Mesh(shape), .. }) => Some(&mut shape.path),
+            Self::TwoLayer(TwoLayer { shape: TwoLayerShape::Mesh(shape), .. }) => Some(&mut shape.path),
+            _ => None,
+        }
+    }
+}
+
+impl Scene {
+    /// Every body in the order in which the world numbers them: the fibre solids, then the two-layer bodies.
+    pub fn all_bodies(&self) -> impl Iterator<Item = AnyBody<'_>> {
+        self.bodies.iter().map(AnyBody::Solid).chain(self.two_layer.iter().map(AnyBody::TwoLayer))
+    }
+
+    /// [`Scene::all_bodies`], to be changed.
+    pub fn all_bodies_mut(&mut self) -> impl Iterator<Item = AnyBodyMut<'_>> {
+        self.bodies.iter_mut().map(AnyBodyMut::Solid).chain(self.two_layer.iter_mut().map(AnyBodyMut::TwoLayer))
+    }
+
+    /// The body with this number among [`Scene::all_bodies`].
+    pub fn any_body(&self, index: usize) -> Option<AnyBody<'_>> {
+        let (list, index) = self.body_place(index);
+        self.listed_body(list, index)
+    }
+
+    /// The body of either kind with this identifier.
+    pub fn find_body(&self, id: &str) -> Option<AnyBody<'_>> {
+        self.all_bodies().find(|body| body.id() == id)
+    }
+
+    /// [`Scene::find_body`], to be changed.
+    pub fn find_body_mut(&mut self, id: &str) -> Option<AnyBodyMut<'_>> {
+        self.all_bodies_mut().find(|body| body.id() == id)
+    }
+
+    /// RFC 6901 pointer to the body with this number among [`Scene::all_bodies`].
+    pub fn body_pointer(&self, index: usize) -> String {
+        let (list, index) = self.body_place(index);
+        format!("/{list}/{index}")
+    }
+
+    /// The list that holds the body with this number among [`Scene::all_bodies`], and its number there.
+    pub(super) fn body_place(&self, index: usize) -> (&'static str, usize) {
+        match index.checked_sub(self.bodies.len()) {
+            None => ("bodies", index),
+            Some(index) => ("two_layer", index),
+        }
+    }
+
+    /// The body with this number in the list with this name.
+    pub(super) fn listed_body(&self, list: &str, index: usize) -> Option<AnyBody<'_>> {
+        match list {
+            "bodies" => self.bodies.get(index).map(AnyBody::Solid),
+            "two_layer" => self.two_layer.get(index).map(AnyBody::TwoLayer),
+            _ => None,
+        }
+    }
+
+    /// The models that the scene's shapes name, each with the JSON pointer of the shape.
+    pub fn meshes(&self) -> impl Iterator<Item = (String, ModelFile<'_>)> {
+        let models = self.all_bodies().enumerate().filter_map(|(index, body)| Some((index, body.model()?)));
+        models.map(|(index, model)| (format!("{}/shape/mesh", self.body_pointer(index)), model))
+    }
+
+    /// Where the scene names its models.
+    pub fn model_paths_mut(&mut self) -> impl Iterator<Item = &mut String> {
+        self.all_bodies_mut().filter_map(AnyBodyMut::into_model_path)
+    }
+}

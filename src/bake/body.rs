@@ -75,7 +75,7 @@ pub(super) fn draft(
         sample.points.as_slice().into(),
         Elasticity::new(material.young_modulus, material.poisson_ratio, spacing),
         volume,
-        fibres::matrix_share(&fractions),
+        fibres::matrix_fractions(&fractions),
         orientation,
     ))];
     let rods = fibres::rods(body, &embedder, volume, &placed);

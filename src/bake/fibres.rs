@@ -197,7 +197,7 @@ pub(super) fn fractions(body: &Body, particles: &[DVec3], kernel: Kernel, placed
 }
 
 /// Share of matrix, `1 - l_i`.
-pub(super) fn matrix_share(fractions: &[f64]) -> Arc<[f64]> {
+pub(super) fn matrix_fractions(fractions: &[f64]) -> Arc<[f64]> {
     fractions.iter().map(|fraction| 1.0 - fraction).collect()
 }
 

@@ -42,8 +42,8 @@ impl Body {
             matrix.map_or_else(Vec::new, |matrix| of(matrix, &state.positions))
         };
         match kind {
-            FieldKind::Strain => read(MatrixForce::equivalent_strains),
-            FieldKind::Stress => read(MatrixForce::equivalent_stresses),
+            FieldKind::Strain => read(MatrixForce::von_mises_strains),
+            FieldKind::Stress => read(MatrixForce::von_mises_stresses),
             FieldKind::VolumeFraction => read(|matrix, _| matrix.fibre_fractions()),
             FieldKind::Speed => state.velocities.iter().map(|velocity| velocity.length()).collect(),
         }

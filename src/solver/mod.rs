@@ -25,4 +25,5 @@ pub mod snapshot;
 pub mod stable_step;
 pub mod state;
 pub mod volume_fraction;
+mod wide;
 pub mod world;

@@ -1,6 +1,7 @@
 //! Forces: one file a force. A body is a [`ParticleState`] with a list of these.
 
 mod air_drag;
+mod bricks;
 mod contact;
 pub mod fibre;
 mod grab;

@@ -2,87 +2,91 @@
 //!
 //! On a lattice the near bonds of every particle have the same 18 offsets, so that they are taken for four particles of
 //! a row at a time: positions and velocities are copied to rows along x, each with empty places beyond both ends, where
-//! a neighbour along x is the number beside. An empty place has no share in any bond.
+//! a neighbour along x is the number beside. An empty place has no weight in any bond.
 
+use super::bricks::{Alignment, Bricks, CELLS, Palette, brick_and_lane};
 use super::{Force, StepLimit};
 use crate::solver::energy::Energies;
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
+use crate::solver::wide::{LANES, Lanes4, Vec3x, Wide, vector_of};
 use fearless_simd::{Level, Simd, dispatch, f64x4, prelude::*};
 use glam::{DVec3, IVec3};
 use rayon::prelude::*;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// `f = g m om_ij (dv . n) n` on both ends of every near bond, equal and opposite along the line between them.
 #[derive(Clone)]
 pub struct PairDamping {
     rate: f64,
-    greatest_share: f64,
-    rows: Arc<Rows>,
+    /// Greatest sum of a particle's weights.
+    greatest_weight_sum: f64,
+    bonds: Arc<NearBonds>,
     level: Level,
-    buffers: Scratch<Buffers>,
+    buffers: Scratch<DampingBuffers>,
 }
 
 #[derive(Default)]
-struct Buffers {
+struct DampingBuffers {
     /// x, y, z of positions [m] and velocities [m/s], and masses [kg], along the rows.
     along: [Vec<f64>; 7],
     /// Damping of every brick's particles over the rate [N s], components side by side.
-    sums: Vec<[[f64; LANES]; 3]>,
+    sums: Vec<[Lanes4; 3]>,
 }
 
-impl Buffers {
-    /// Makes room for these rows. Empty places are never written and stay zero.
-    fn fit(&mut self, rows: &Rows) {
+impl DampingBuffers {
+    /// Makes room for the particles of these bonds. Empty places are never written and stay zero.
+    fn fit(&mut self, bonds: &NearBonds) {
         for along in &mut self.along {
-            along.resize(rows.length, 0.0);
+            along.resize(bonds.length, 0.0);
         }
-        self.sums.resize(rows.bricks.len(), [[0.0; LANES]; 3]);
+        self.sums.resize(bonds.around.len(), [Lanes4::default(); 3]);
     }
 }
 
-/// Where the particles lie in the rows, and their bonds.
-struct Rows {
+/// Where the particles lie along the rows, and their bonds.
+struct NearBonds {
     /// Places along the rows, empty ones among them.
     length: usize,
     /// Place of every particle along the rows.
     places: Vec<u32>,
-    /// Brick of every particle, times four, plus its place there.
-    lanes: Vec<u32>,
-    bricks: Vec<Brick>,
-    /// Shares om_ij = om_ji of the 18 pairs of a brick's particles; many bricks have the same.
-    shares: Vec<[[f64; LANES]; BONDS]>,
+    /// Place of every particle in its brick.
+    in_bricks: Vec<u32>,
+    /// Where the bricks at [`ROWS`] around every brick begin along the rows.
+    around: Vec<[u32; ROWS.len()]>,
+    /// Weights om_ij = om_ji of the 18 pairs of every brick's particles.
+    weights: Palette<[Lanes4; BONDS]>,
 }
 
-/// Four places side by side in a row.
-struct Brick {
-    /// Where the bricks at (dy, dz) begin along the rows, dy first, from (-1, -1) to (1, 1).
-    around: [u32; 9],
-    shares: u32,
-}
-
-/// Places of a brick.
-const LANES: usize = 4;
-const BRICK: i32 = 4;
 /// Offsets of |o|² = 1 and 2, up to 1.5 spacings: these bonds damp as well as all would.
 const BONDS: usize = 18;
-/// dx of the offsets for every (dy, dz), in order of [`Brick::around`].
+/// (dy, dz) of the rows around a brick, the brick's own among them.
+const ROWS: [(i32, i32); 9] = [(-1, -1), (0, -1), (1, -1), (-1, 0), (0, 0), (1, 0), (-1, 1), (0, 1), (1, 1)];
+/// Number of the brick's own row.
+const OWN_ROW: usize = 4;
+/// dx of the bonds into every one of [`ROWS`].
 const STEPS: [&[i32]; 9] = [&[0], &[-1, 0, 1], &[0], &[-1, 0, 1], &[-1, 1], &[-1, 0, 1], &[0], &[-1, 0, 1], &[0]];
+const _: () = {
+    let (mut count, mut row) = (0, 0);
+    while row < ROWS.len() {
+        let (y, z) = ROWS[row];
+        let mut k = 0;
+        while k < STEPS[row].len() {
+            let norm_squared = STEPS[row][k] * STEPS[row][k] + y * y + z * z;
+            assert!(norm_squared == 1 || norm_squared == 2, "no other bond is near");
+            (count, k) = (count + 1, k + 1);
+        }
+        row += 1;
+    }
+    assert!(count == BONDS, "every near bond is there");
+    assert!(ROWS[OWN_ROW].0 == 0 && ROWS[OWN_ROW].1 == 0);
+};
 /// A body of fewer particles stays on one thread.
 const PARALLEL_FROM: usize = 2000;
 /// Bricks, or a quarter of the particles, that a thread works on at a time.
 const CHUNK: usize = 64;
-
-/// (dy, dz) of the rows around a brick, in order of [`Brick::around`].
-fn row_offsets() -> [IVec3; 9] {
-    let mut offsets = [IVec3::ZERO; 9];
-    for (k, offset) in (0..).zip(&mut offsets) {
-        *offset = IVec3::new(0, k % 3 - 1, k / 3 - 1);
-    }
-    offsets
-}
 
 impl PairDamping {
     /// Damping at `rate` g [1/s] over the bonds of up to 1.5 spacings.
@@ -93,118 +97,105 @@ impl PairDamping {
             bonds.filter(|(_, step, _)| step.length_squared() <= 2)
         };
         let sums: Vec<f64> = (0..cells.len()).map(|i| near(i).map(|(_, _, weight)| weight).sum()).collect();
-        // The mean of both ends' shares, so that the pair agrees on it.
-        let share =
+        // The mean of both ends' normalised weights, so that the pair agrees on it.
+        let normalised =
             |i: usize, (j, step, weight): (usize, IVec3, f64)| (step, 0.5 * weight * (1.0 / sums[i] + 1.0 / sums[j]));
-        let shares: Vec<HashMap<IVec3, f64>> =
-            (0..cells.len()).map(|i| near(i).map(|bond| share(i, bond)).collect()).collect();
-        let total = |i: usize| near(i).map(|bond| share(i, bond).1).sum::<f64>();
-        let rows = Rows::new(cells, &shares);
+        let weights: Vec<HashMap<IVec3, f64>> =
+            (0..cells.len()).map(|i| near(i).map(|bond| normalised(i, bond)).collect()).collect();
+        let total = |i: usize| near(i).map(|bond| normalised(i, bond).1).sum::<f64>();
         Self {
             rate,
-            greatest_share: (0..cells.len()).map(total).fold(0.0, f64::max),
+            greatest_weight_sum: (0..cells.len()).map(total).fold(0.0, f64::max),
+            bonds: Arc::new(NearBonds::new(cells, &weights)),
             level: Level::new(),
             buffers: Scratch::default(),
-            rows: Arc::new(rows),
         }
     }
 }
 
-impl Rows {
-    /// Lays out particles with these shares by offset.
-    fn new(cells: &[IVec3], shares: &[HashMap<IVec3, f64>]) -> Self {
-        let brick_of = |cell: IVec3| IVec3::new(cell.x.div_euclid(BRICK), cell.y, cell.z);
-        let lane_of = |cell: IVec3| cell.x.rem_euclid(BRICK) as usize;
-        let mut bricks: Vec<IVec3> =
-            cells.iter().map(|&cell| brick_of(cell)).collect::<HashSet<_>>().into_iter().collect();
-        bricks.sort_unstable_by_key(|brick| (brick.z, brick.y, brick.x));
-        // Bricks 0 to 2 are empty: 1 stands for all far from any particle. Beyond the ends of a row lies an empty brick
-        // each, one in common where they are the same place.
-        let mut at: HashMap<IVec3, u32> = HashMap::new();
-        let mut next = 3;
-        for (k, &brick) in bricks.iter().enumerate() {
-            let before = brick - IVec3::X;
-            if (k == 0 || bricks[k - 1] != before) && !at.contains_key(&before) {
-                at.insert(before, next);
-                next += 1;
-            }
-            at.insert(brick, next);
-            next += 1;
-            if bricks.get(k + 1) != Some(&(brick + IVec3::X)) {
-                at.insert(brick + IVec3::X, next);
-                next += 1;
+impl NearBonds {
+    /// The bonds of particles with these weights by offset.
+    fn new(cells: &[IVec3], weights: &[HashMap<IVec3, f64>]) -> Self {
+        let Bricks { positions: bricks, places: in_bricks, .. } = Bricks::new(cells, Alignment::default());
+        let (beginnings, length) = along_rows(&bricks);
+        let begin = |brick: IVec3| beginnings.get(&brick).copied().unwrap_or(LANES as u32);
+        let mut places = Vec::with_capacity(cells.len());
+        let mut of_brick = vec![[Lanes4::default(); BONDS]; bricks.len()];
+        for (&place, weights) in in_bricks.iter().zip(weights) {
+            let (brick, lane) = brick_and_lane(place);
+            places.push(begin(bricks[brick]) + lane as u32);
+            let steps = ROWS.iter().zip(STEPS);
+            let steps = steps.flat_map(|(&(y, z), steps)| steps.iter().map(move |&dx| IVec3::new(dx, y, z)));
+            for (weight, step) in of_brick[brick].iter_mut().zip(steps) {
+                weight.0[lane] = weights.get(&step).copied().unwrap_or(0.0);
             }
         }
-        let begin = |brick: IVec3| LANES as u32 * at.get(&brick).copied().unwrap_or(1);
-        let number: HashMap<IVec3, u32> = (0..).zip(&bricks).map(|(k, &brick)| (brick, k)).collect();
-        let mut of_brick = vec![[[0.0; LANES]; BONDS]; bricks.len()];
-        let (mut places, mut lanes) = (Vec::new(), Vec::new());
-        for (&cell, shares) in cells.iter().zip(shares) {
-            let (brick, lane) = (brick_of(cell), lane_of(cell));
-            places.push(begin(brick) + lane as u32);
-            lanes.push(LANES as u32 * number[&brick] + lane as u32);
-            let steps = row_offsets().into_iter().zip(STEPS);
-            let steps = steps.flat_map(|(row, steps)| steps.iter().map(move |&dx| row + dx * IVec3::X));
-            for (share, step) in of_brick[number[&brick] as usize].iter_mut().zip(steps) {
-                share[lane] = shares.get(&step).copied().unwrap_or(0.0);
-            }
-        }
-        let mut known: HashMap<Vec<u64>, u32> = HashMap::new();
-        let mut distinct = Vec::new();
-        let with_shares = |(&brick, shares): (&IVec3, [[f64; LANES]; BONDS])| Brick {
-            around: row_offsets().map(|offset| begin(brick + offset)),
-            shares: *known.entry(shares.iter().flatten().map(|share| share.to_bits()).collect()).or_insert_with(|| {
-                distinct.push(shares);
-                distinct.len() as u32 - 1
-            }),
-        };
-        let bricks = bricks.iter().zip(of_brick).map(with_shares).collect();
-        // One more, so that the last empty brick has one behind it, too.
-        Self { length: LANES * (next as usize + 1), places, lanes, bricks, shares: distinct }
+        let around = bricks.iter().map(|&brick| ROWS.map(|(y, z)| begin(brick + IVec3::new(0, y, z)))).collect();
+        Self { length, places, in_bricks, around, weights: Palette::new(of_brick.into_iter()) }
     }
 
     /// Damping over the rate of a brick's particles.
     #[inline(always)]
-    fn sum<S: Simd>(&self, simd: S, along: &[Vec<f64>; 7], brick: &Brick) -> [[f64; LANES]; 3] {
+    fn sum<S: Simd>(&self, simd: S, along: &[Vec<f64>; 7], brick: usize) -> [Lanes4; 3] {
         let least = f64x4::splat(simd, f64::MIN_POSITIVE);
         let half = f64x4::splat(simd, 0.5);
-        let zero = f64x4::splat(simd, 0.0);
-        let mut here = [zero; 7];
-        for (here, along) in here.iter_mut().zip(along) {
-            *here = beside(simd, window(along, brick.around[4]), 0);
-        }
-        let mut shares = self.shares[brick.shares as usize].iter();
-        let mut sum = [zero; 3];
-        for (&begin, steps) in brick.around.iter().zip(STEPS) {
-            let [x, y, z, u, v, w, m] = along;
-            let (x, y, z) = (window(x, begin), window(y, begin), window(z, begin));
-            let (u, v, w, m) = (window(u, begin), window(v, begin), window(w, begin), window(m, begin));
-            for (&dx, share) in steps.iter().zip(&mut shares) {
-                let x = beside(simd, x, dx) - here[0];
-                let y = beside(simd, y, dx) - here[1];
-                let z = beside(simd, z, dx) - here[2];
-                let u = beside(simd, u, dx) - here[3];
-                let v = beside(simd, v, dx) - here[4];
-                let w = beside(simd, w, dx) - here[5];
-                let mass = half * (beside(simd, m, dx) + here[6]);
-                let closing = w.mul_add(z, v.mul_add(y, u * x));
+        let [x, y, z, u, v, w, m] = along;
+        let around = &self.around[brick];
+        let own = around[OWN_ROW];
+        let position = vectors_beside(simd, [window(x, own), window(y, own), window(z, own)], 0);
+        let velocity = vectors_beside(simd, [window(u, own), window(v, own), window(w, own)], 0);
+        let mass = beside(simd, window(m, own), 0);
+        let mut weights = self.weights.of(brick).iter();
+        let mut sum = Vec3x::splat(f64x4::splat(simd, 0.0));
+        for (&begin, steps) in around.iter().zip(STEPS) {
+            let positions = [window(x, begin), window(y, begin), window(z, begin)];
+            let velocities = [window(u, begin), window(v, begin), window(w, begin)];
+            let masses = window(m, begin);
+            for (&dx, weight) in steps.iter().zip(&mut weights) {
+                let offset = vectors_beside(simd, positions, dx) - position;
+                let relative = vectors_beside(simd, velocities, dx) - velocity;
+                let mean_mass = half * (beside(simd, masses, dx) + mass);
+                let closing = relative.dot(offset);
                 // Two particles at one place, or two empty places, have no line between them: 0 / least is no force.
-                let length_squared = z.mul_add(z, y.mul_add(y, x * x)) + least;
-                let factor = f64x4::simd_from(simd, *share) * mass * closing / length_squared;
-                sum[0] = x.mul_add(factor, sum[0]);
-                sum[1] = y.mul_add(factor, sum[1]);
-                sum[2] = z.mul_add(factor, sum[2]);
+                let length_squared = offset.dot(offset) + least;
+                let factor = f64x4::load(simd, weight) * mean_mass * closing / length_squared;
+                sum = offset.mul_add(factor, sum);
             }
         }
-        [sum[0].into(), sum[1].into(), sum[2].into()]
+        sum.store()
     }
 
     #[inline(always)]
-    fn sums<S: Simd>(&self, simd: S, along: &[Vec<f64>; 7], first: usize, sums: &mut [[[f64; LANES]; 3]]) {
-        for (sum, brick) in sums.iter_mut().zip(&self.bricks[first..]) {
-            *sum = self.sum(simd, along, brick);
+    fn sums<S: Simd>(&self, simd: S, along: &[Vec<f64>; 7], first: usize, sums: &mut [[Lanes4; 3]]) {
+        for (k, sum) in sums.iter_mut().enumerate() {
+            *sum = self.sum(simd, along, first + k);
         }
     }
+}
+
+/// Where bricks begin along the rows, those among them that are empty too, and the number of places there.
+///
+/// Bricks 0 to 2 are empty: 1 stands for all far from any particle. Beyond the ends of a row lies an empty brick each, one
+/// in common where they are the same place.
+fn along_rows(bricks: &[IVec3]) -> (HashMap<IVec3, u32>, usize) {
+    let mut beginnings: HashMap<IVec3, u32> = HashMap::new();
+    let mut next = 3 * LANES as u32;
+    let mut add = |brick: IVec3, beginnings: &mut HashMap<IVec3, u32>| {
+        beginnings.insert(brick, next);
+        next += LANES as u32;
+    };
+    for (k, &brick) in bricks.iter().enumerate() {
+        let before = brick - IVec3::X;
+        if (k == 0 || bricks[k - 1] != before) && !beginnings.contains_key(&before) {
+            add(before, &mut beginnings);
+        }
+        add(brick, &mut beginnings);
+        if bricks.get(k + 1) != Some(&(brick + IVec3::X)) {
+            add(brick + IVec3::X, &mut beginnings);
+        }
+    }
+    // One more, so that the last empty brick has one behind it, too.
+    (beginnings, next as usize + LANES)
 }
 
 /// A brick with the ones before and behind it in its row.
@@ -217,35 +208,40 @@ fn window(along: &[f64], begin: u32) -> &[f64; 3 * LANES] {
 /// The places `dx` beside those of a window's brick.
 #[inline(always)]
 fn beside<S: Simd>(simd: S, window: &[f64; 3 * LANES], dx: i32) -> f64x4<S> {
-    let at = (BRICK + dx) as usize;
+    let at = (CELLS + dx) as usize;
     f64x4::from_slice(simd, &window[at..at + LANES])
+}
+
+/// The same of the three components of vectors.
+#[inline(always)]
+fn vectors_beside<S: Simd>(simd: S, [x, y, z]: [&[f64; 3 * LANES]; 3], dx: i32) -> Vec3x<f64x4<S>> {
+    Vec3x([beside(simd, x, dx), beside(simd, y, dx), beside(simd, z, dx)])
 }
 
 impl Force for PairDamping {
     fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        let Self { rows, buffers, level, rate, .. } = self;
-        buffers.fit(rows);
-        let Buffers { along, sums } = &mut **buffers;
+        let Self { bonds, buffers, level, rate, .. } = self;
+        buffers.fit(bonds);
+        let DampingBuffers { along, sums } = &mut **buffers;
         let [x, y, z, u, v, w, m] = &mut *along;
-        for (i, &place) in rows.places.iter().enumerate() {
+        for (i, &place) in bonds.places.iter().enumerate() {
             let place = place as usize;
             [x[place], y[place], z[place]] = state.positions[i].to_array();
             [u[place], v[place], w[place]] = state.velocities[i].to_array();
             m[place] = state.masses[i];
         }
         let along = &*along;
-        let work = |(chunk, sums): (usize, &mut [[[f64; LANES]; 3]])| {
-            dispatch!(*level, simd => rows.sums(simd, along, chunk * CHUNK, sums));
+        let work = |(chunk, sums): (usize, &mut [[Lanes4; 3]])| {
+            dispatch!(*level, simd => bonds.sums(simd, along, chunk * CHUNK, sums));
         };
         if state.len() < PARALLEL_FROM {
             sums.chunks_mut(CHUNK).enumerate().for_each(work);
         } else {
             sums.par_chunks_mut(CHUNK).enumerate().for_each(work);
         }
-        for (force, &lane) in forces.iter_mut().zip(&rows.lanes) {
-            let (brick, lane) = (lane as usize / LANES, lane as usize % LANES);
-            let [x, y, z] = &sums[brick];
-            *force += *rate * DVec3::new(x[lane], y[lane], z[lane]);
+        for (force, &place) in forces.iter_mut().zip(&bonds.in_bricks) {
+            let (brick, lane) = brick_and_lane(place);
+            *force += *rate * vector_of(&sums[brick], lane);
         }
     }
 
@@ -253,7 +249,7 @@ impl Force for PairDamping {
 
     fn step_limit(&self, _state: &ParticleState) -> StepLimit {
         // Gershgorin: no row of the damping matrix sums to more than twice the particle's own entry.
-        StepLimit { damping_rate: 2.0 * self.rate * self.greatest_share, ..StepLimit::default() }
+        StepLimit { damping_rate: 2.0 * self.rate * self.greatest_weight_sum, ..StepLimit::default() }
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

@@ -5,7 +5,8 @@
 //! complete: positions are summed along rows, forces along columns, each in the order in which its weights stand in memory.
 
 use super::lines::Columns;
-use super::strip::{Places, WIDTH, Wide, Window};
+use super::strip::{Places, WIDTH, Window};
+use crate::solver::wide::{Lanes8, Vec3x, Wide};
 use fearless_simd::{Simd, f64x8, prelude::*};
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -23,7 +24,7 @@ pub(super) struct Band<const N: usize> {
 pub(super) struct Points<const N: usize> {
     count: usize,
     /// Weights of a point and a window.
-    entries: BTreeMap<[usize; 2], [Wide; N]>,
+    entries: BTreeMap<[usize; 2], [Lanes8; N]>,
 }
 
 impl<const N: usize> Points<N> {
@@ -31,7 +32,7 @@ impl<const N: usize> Points<N> {
     pub(super) fn add(&mut self, places: &Places, particles: impl Iterator<Item = (u32, [f64; N])>) {
         for (particle, weights) in particles {
             let (window, place) = places.of(particle);
-            let entry = self.entries.entry([self.count, window]).or_insert([Wide::default(); N]);
+            let entry = self.entries.entry([self.count, window]).or_insert([Lanes8::default(); N]);
             for (entry, weight) in entry.iter_mut().zip(weights) {
                 entry.0[place] += weight;
             }
@@ -52,11 +53,11 @@ impl<const N: usize> Points<N> {
 struct Runs<const N: usize> {
     /// First column of each row, and where its entries begin and end.
     rows: Vec<(u32, Range<u32>)>,
-    entries: Vec<[Wide; N]>,
+    entries: Vec<[Lanes8; N]>,
 }
 
 impl<const N: usize> Runs<N> {
-    fn new<'a>(rows: usize, entries: impl Iterator<Item = ([usize; 2], &'a [Wide; N])> + Clone) -> Self {
+    fn new<'a>(rows: usize, entries: impl Iterator<Item = ([usize; 2], &'a [Lanes8; N])> + Clone) -> Self {
         let mut columns = vec![0..0; rows];
         for ([row, column], _) in entries.clone() {
             let Range { start, end } = &mut columns[row];
@@ -66,7 +67,7 @@ impl<const N: usize> Runs<N> {
         let mut this = Self { rows: Vec::new(), entries: Vec::new() };
         for columns in &columns {
             let begun = this.entries.len();
-            this.entries.resize(begun + columns.len(), [Wide::default(); N]);
+            this.entries.resize(begun + columns.len(), [Lanes8::default(); N]);
             this.rows.push((columns.start as u32, begun as u32..this.entries.len() as u32));
         }
         for ([row, column], weights) in entries {
@@ -78,7 +79,7 @@ impl<const N: usize> Runs<N> {
 
     /// Columns of a row and the entries there.
     #[inline(always)]
-    fn row(&self, row: usize) -> (Range<usize>, &[[Wide; N]]) {
+    fn row(&self, row: usize) -> (Range<usize>, &[[Lanes8; N]]) {
         let (first, entries) = &self.rows[row];
         let entries = &self.entries[entries.start as usize..entries.end as usize];
         (*first as usize..*first as usize + entries.len(), entries)
@@ -91,13 +92,11 @@ impl<const N: usize> Band<N> {
     pub(super) fn gather<S: Simd>(&self, simd: S, point: usize, windows: &[Window]) -> [DVec3; N] {
         let (columns, weights) = self.points.row(point);
         let windows = &windows[columns];
-        let mut sums = [[f64x8::splat(simd, 0.0); 3]; N];
+        let mut sums = [Vec3x::splat(f64x8::splat(simd, 0.0)); N];
         for k in 0..weights.len().min(windows.len()) {
             for kind in 0..N {
-                let weights = f64x8::simd_from(simd, weights[k][kind].0);
-                for c in 0..3 {
-                    sums[kind][c] = weights.mul_add(f64x8::simd_from(simd, windows[k][c].0), sums[kind][c]);
-                }
+                let weights = f64x8::load(simd, &weights[k][kind]);
+                sums[kind] = Vec3x::load(simd, &windows[k]).mul_add(weights, sums[kind]);
             }
         }
         let mut gathered = [DVec3::ZERO; N];
@@ -110,16 +109,15 @@ impl<const N: usize> Band<N> {
 
     /// Adds to the vectors of a window's particles `sum w value` over the points around it, for every kind of weight.
     #[inline(always)]
-    pub(super) fn scatter<S: Simd>(&self, simd: S, window: usize, values: &[Columns; N], sums: &mut [f64x8<S>; 3]) {
+    pub(super) fn scatter<S: Simd>(&self, simd: S, window: usize, values: &[Columns; N], sums: &mut Vec3x<f64x8<S>>) {
         let (points, weights) = self.windows.row(window);
         for kind in 0..N {
             let [x, y, z] = &values[kind];
             let (x, y, z) = (&x[points.clone()], &y[points.clone()], &z[points.clone()]);
             for k in 0..weights.len() {
-                let weights = f64x8::simd_from(simd, weights[k][kind].0);
-                sums[0] = weights.mul_add(f64x8::splat(simd, x[k]), sums[0]);
-                sums[1] = weights.mul_add(f64x8::splat(simd, y[k]), sums[1]);
-                sums[2] = weights.mul_add(f64x8::splat(simd, z[k]), sums[2]);
+                let weights = f64x8::load(simd, &weights[k][kind]);
+                let value = Vec3x([f64x8::splat(simd, x[k]), f64x8::splat(simd, y[k]), f64x8::splat(simd, z[k])]);
+                *sums = value.mul_add(weights, *sums);
             }
         }
     }
@@ -194,7 +192,7 @@ mod tests {
         let (mut forces, mut one_by_one) = (vec![DVec3::X; 30], vec![DVec3::X; 30]);
         dispatch!(Level::new(), simd => {
             for window in 0..strip.len() {
-                let mut sums = [f64x8::splat(simd, 0.0); 3];
+                let mut sums = Vec3x::splat(f64x8::splat(simd, 0.0));
                 Band::scatter(&band, simd, window, &values, &mut sums);
                 Strip::pass_on(&strip, window, sums, &mut forces);
             }

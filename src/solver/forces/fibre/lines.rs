@@ -6,7 +6,7 @@
 
 use super::corner::{Corner, Edge, FOLD};
 use super::rest::FibreRest;
-use crate::solver::forces::matrix::lanes::{LANES, Lanes, Vectors, dot, load, load_all, scaled, store, store_all};
+use crate::solver::wide::{LANES, Lanes4, Vec3x, Wide, vector_of};
 use fearless_simd::{Simd, f64x4, prelude::*};
 use glam::DVec3;
 
@@ -26,17 +26,17 @@ pub(super) struct Lines {
 /// Four vertices with the edges and corners that begin with them.
 #[derive(Clone, Debug, Default)]
 struct Four {
-    stretching: Lanes,
-    rest_lengths: Lanes,
-    bending: Lanes,
-    positions: [Lanes; 3],
-    tangents: [Lanes; 3],
-    lengths: Lanes,
-    inverse_lengths: Lanes,
+    stretching: Lanes4,
+    rest_lengths: Lanes4,
+    bending: Lanes4,
+    positions: [Lanes4; 3],
+    tangents: [Lanes4; 3],
+    lengths: Lanes4,
+    inverse_lengths: Lanes4,
     /// Gradients by edges: of stretching and of the corner that begins with the same vertex.
-    slopes: [Lanes; 3],
+    slopes: [Lanes4; 3],
     /// Of that corner, by the edge after.
-    slopes_after: [Lanes; 3],
+    slopes_after: [Lanes4; 3],
 }
 
 impl Lines {
@@ -101,40 +101,33 @@ impl Lines {
         for k in 1..self.fours.len() {
             let (before, after) = self.fours.split_at_mut(k);
             let (this, next) = (&mut before[k - 1], &after[0]);
-            let positions = load_all(simd, &this.positions);
-            let mut edge = shifted(simd, positions, load_all(simd, &next.positions));
-            for c in 0..3 {
-                edge[c] -= positions[c];
-            }
-            let length = dot(&edge, &edge).sqrt();
+            let positions = Vec3x::load(simd, &this.positions);
+            let edge = shifted(simd, positions, Vec3x::load(simd, &next.positions)) - positions;
+            let length = edge.dot(edge).sqrt();
             let inverse = length.simd_gt(zero).select(one / length, zero);
-            let tangent = scaled(inverse, edge);
-            let pull = load(simd, &this.stretching) * (length - load(simd, &this.rest_lengths));
-            this.tangents = store_all(tangent);
-            this.lengths = store(length);
-            this.inverse_lengths = store(inverse);
-            this.slopes = store_all(scaled(pull, tangent));
+            let tangent = edge * inverse;
+            let pull = f64x4::load(simd, &this.stretching) * (length - f64x4::load(simd, &this.rest_lengths));
+            this.tangents = tangent.store();
+            this.lengths = length.store();
+            this.inverse_lengths = inverse.store();
+            this.slopes = (tangent * pull).store();
         }
         let (eight, fold) = (f64x4::splat(simd, 8.0), f64x4::splat(simd, FOLD));
         for k in 1..self.fours.len() {
             let (before, after) = self.fours.split_at_mut(k);
             let (this, next) = (&mut before[k - 1], &after[0]);
-            let before = load_all(simd, &this.tangents);
-            let after = shifted(simd, before, load_all(simd, &next.tangents));
-            let inverse_before = load(simd, &this.inverse_lengths);
-            let inverse_after = simd.slide_f64x4::<1>(inverse_before, load(simd, &next.inverse_lengths));
-            let cosine = dot(&before, &after);
+            let before = Vec3x::load(simd, &this.tangents);
+            let after = shifted(simd, before, Vec3x::load(simd, &next.tangents));
+            let inverse_before = f64x4::load(simd, &this.inverse_lengths);
+            let inverse_after = simd.slide_f64x4::<1>(inverse_before, f64x4::load(simd, &next.inverse_lengths));
+            let cosine = before.dot(after);
             let inverse = one / (one + cosine);
             // `-d/dc (1 - c) / (1 + c)`, twice over: 8 stands for 4 times 2 beyond the fold's 4 times 8, too.
             let steepness = cosine.simd_lt(fold).select(f64x4::splat(simd, 4.0), inverse * inverse);
-            let slope = zero - eight * load(simd, &this.bending) * steepness;
+            let slope = zero - eight * f64x4::load(simd, &this.bending) * steepness;
             let by_before = across(before, after, cosine, slope * inverse_before);
-            let mut slopes = load_all(simd, &this.slopes);
-            for c in 0..3 {
-                slopes[c] += by_before[c];
-            }
-            this.slopes = store_all(slopes);
-            this.slopes_after = store_all(across(after, before, cosine, slope * inverse_after));
+            this.slopes = (Vec3x::load(simd, &this.slopes) + by_before).store();
+            this.slopes_after = across(after, before, cosine, slope * inverse_after).store();
         }
     }
 
@@ -142,8 +135,7 @@ impl Lines {
     pub(super) fn corner(&self, k: usize) -> Option<Corner> {
         let edge = |k: usize| {
             let (four, lane) = (&self.fours[k / LANES], k % LANES);
-            let tangent = DVec3::from_array([0, 1, 2].map(|c: usize| four.tangents[c].0[lane]));
-            Edge { tangent, length: four.lengths.0[lane] }
+            Edge { tangent: vector_of(&four.tangents, lane), length: four.lengths.0[lane] }
         };
         Corner::between(edge(k), edge(k + 1))
     }
@@ -162,11 +154,12 @@ impl Lines {
     pub(super) fn forces<S: Simd>(&mut self, simd: S) -> &Columns {
         let zero = f64x4::splat(simd, 0.0);
         // Of the four before: gradients by the edges after, and all gradients by edges.
-        let (mut after_before, mut sums_before) = ([zero; 3], [zero; 3]);
+        let (mut after_before, mut sums_before) = (Vec3x::splat(zero), Vec3x::splat(zero));
         let [x, y, z] = &mut self.forces;
         let columns = [x.as_chunks_mut().0, y.as_chunks_mut().0, z.as_chunks_mut().0];
         for (k, four) in self.fours.iter().enumerate().take(columns[0].len()) {
-            let (slopes, after) = (load_all(simd, &four.slopes), load_all(simd, &four.slopes_after));
+            let slopes: Vec3x<f64x4<S>> = Vec3x::load(simd, &four.slopes);
+            let after = Vec3x::load(simd, &four.slopes_after);
             for c in 0..3 {
                 let sum = slopes[c] + simd.slide_f64x4::<3>(after_before[c], after[c]);
                 columns[c][k] = (sum - simd.slide_f64x4::<3>(sums_before[c], sum)).into();
@@ -180,7 +173,7 @@ impl Lines {
 
 /// The vectors that follow those of four, of which the next four are given.
 #[inline(always)]
-fn shifted<S: Simd>(simd: S, four: Vectors<S>, next: Vectors<S>) -> Vectors<S> {
+fn shifted<S: Simd>(simd: S, four: Vec3x<f64x4<S>>, next: Vec3x<f64x4<S>>) -> Vec3x<f64x4<S>> {
     let mut out = four;
     for c in 0..3 {
         out[c] = simd.slide_f64x4::<1>(four[c], next[c]);
@@ -190,12 +183,8 @@ fn shifted<S: Simd>(simd: S, four: Vectors<S>, next: Vectors<S>) -> Vectors<S> {
 
 /// The part of another tangent that lies across a tangent, times a factor.
 #[inline(always)]
-fn across<S: Simd>(tangent: Vectors<S>, other: Vectors<S>, cosine: f64x4<S>, factor: f64x4<S>) -> Vectors<S> {
-    let mut part = other;
-    for c in 0..3 {
-        part[c] -= tangent[c] * cosine;
-    }
-    scaled(factor, part)
+fn across<V: Wide>(tangent: Vec3x<V>, other: Vec3x<V>, cosine: V, factor: V) -> Vec3x<V> {
+    (other - tangent * cosine) * factor
 }
 
 /// Puts a vector into a place.

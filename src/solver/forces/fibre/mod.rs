@@ -26,6 +26,7 @@ use crate::solver::neighbourhood::outer;
 use crate::solver::rotation::{nearest_rotation, turn_stiffness};
 use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
+use crate::solver::wide::Vec3x;
 use band::{Band, Points};
 use breaking::{Breakage, FibreBreak};
 use corner::{Corner, straight_energy};
@@ -163,7 +164,7 @@ impl FibreForce {
         }
         let pulls = std::array::from_ref(lines.forces(simd));
         for window in 0..strip.len() {
-            let mut sums = [f64x8::splat(simd, 0.0); 3];
+            let mut sums = Vec3x::splat(f64x8::splat(simd, 0.0));
             vertices.scatter(simd, window, pulls, &mut sums);
             if !curved.is_empty() {
                 turning.scatter(simd, window, spins, &mut sums);

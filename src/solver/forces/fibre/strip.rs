@@ -4,6 +4,7 @@
 //! fibre after fibre, in the order in which the vertices come to them: the particles around any vertex then stand next to
 //! each other, and so do the vertices around any particle.
 
+use crate::solver::wide::{Lanes8, Vec3x, Wide};
 use fearless_simd::{Simd, f64x8, prelude::*};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -11,13 +12,8 @@ use std::collections::HashMap;
 /// Particles in a window.
 pub(super) const WIDTH: usize = 8;
 
-/// A number of each particle of a window, in memory.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(C, align(64))]
-pub(super) struct Wide(pub(super) [f64; WIDTH]);
-
 /// Vectors of the particles of a window, by components.
-pub(super) type Window = [Wide; 3];
+pub(super) type Window = [Lanes8; 3];
 
 /// Which particles stand where.
 #[derive(Clone, Debug, Default)]
@@ -75,15 +71,15 @@ impl Strip {
             let [a, b, c, d, e, f, g, h] = at;
             for axis in 0..3 {
                 let lanes = [a[axis], b[axis], c[axis], d[axis], e[axis], f[axis], g[axis], h[axis]];
-                window[axis].0 = (f64x8::simd_from(simd, lanes) - f64x8::splat(simd, origin[axis])).into();
+                window[axis] = (f64x8::load(simd, &Lanes8(lanes)) - f64x8::splat(simd, origin[axis])).store();
             }
         }
     }
 
     /// Adds the forces [N] on a window to those on its particles.
     #[inline(always)]
-    pub(super) fn pass_on<S: Simd>(&self, window: usize, sums: [f64x8<S>; 3], forces: &mut [DVec3]) {
-        let [x, y, z]: [[f64; WIDTH]; 3] = [sums[0].into(), sums[1].into(), sums[2].into()];
+    pub(super) fn pass_on<S: Simd>(&self, window: usize, sums: Vec3x<f64x8<S>>, forces: &mut [DVec3]) {
+        let [Lanes8(x), Lanes8(y), Lanes8(z)] = sums.store();
         let particles = &self.particles[window];
         for k in 0..WIDTH {
             forces[particles[k] as usize] += DVec3::new(x[k], y[k], z[k]);

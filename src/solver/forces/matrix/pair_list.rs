@@ -1,8 +1,10 @@
-//! The matrix force from the pair list: particle by particle through its neighbours, four-wide in x, y, z.
+//! The matrix force from the pair list: particle by particle through its neighbours, x, y and z of a vector side by side in
+//! a register.
 
-use super::lanes::mean_turn;
-use super::{Elasticity, Matter};
-use crate::solver::neighbourhood::{Neighbourhood, outer};
+use super::elasticity::Elasticity;
+use super::mean_rotation::mean_rotation;
+use super::reference::ReferenceConfiguration;
+use crate::solver::neighbourhood::outer;
 use crate::solver::rotation::nearest_rotation;
 use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
@@ -14,28 +16,29 @@ use rayon::prelude::*;
 const CHUNK: usize = 128;
 const PARALLEL_FROM: usize = 512;
 
-/// The kernel: warm starts and buffers.
+/// The evaluation by pairs: warm starts and buffers.
 #[derive(Clone)]
 pub(super) struct PairList {
     level: Level,
     rotations: Vec<DQuat>,
-    buffers: Scratch<Buffers>,
+    buffers: Scratch<PairListBuffers>,
 }
 
 #[derive(Default)]
-struct Buffers {
+struct PairListBuffers {
     deviations: Vec<[f64; 4]>,
-    fields: Vec<Field>,
+    stresses: Vec<ParticleStress>,
+    /// The part of every particle's force that is its own [N].
     own: Vec<DVec3>,
 }
 
-/// What a particle offers its neighbours: the columns of Q, then Y with `al` in the fourth lane.
+/// What a particle's neighbours feel of it: the columns of Q, then Y with `al` in the fourth lane.
 #[derive(Clone, Copy, Default)]
 #[repr(C, align(32))]
-struct Field([[f64; 4]; 4]);
+struct ParticleStress([[f64; 4]; 4]);
 
 impl PairList {
-    /// The kernel of particles that start with these rotations.
+    /// The evaluation of particles that start with these rotations.
     pub(super) fn new(rotations: Vec<DQuat>) -> Self {
         Self { level: Level::new(), rotations, buffers: Scratch::default() }
     }
@@ -51,50 +54,50 @@ impl PairList {
     }
 
     /// Adds the forces [N].
-    pub(super) fn add_forces(&mut self, matter: &Matter, state: &ParticleState, forces: &mut [DVec3]) {
+    pub(super) fn add_forces(
+        &mut self,
+        reference: &ReferenceConfiguration,
+        state: &ParticleState,
+        forces: &mut [DVec3],
+    ) {
         let Self { level, rotations, buffers } = self;
         let n = rotations.len();
-        let Buffers { deviations, fields, own } = &mut **buffers;
+        let PairListBuffers { deviations, stresses, own } = &mut **buffers;
         deviations.resize(n, [0.0; 4]);
-        fields.resize(n, Field::default());
+        stresses.resize(n, ParticleStress::default());
         own.resize(n, DVec3::ZERO);
-        let body_turn = DMat3::from_quat(mean_turn(rotations.iter().copied()));
-        for (deviation, (&x, &rest)) in deviations.iter_mut().zip(state.positions.iter().zip(matter.rest.iter())) {
+        let body_turn = DMat3::from_quat(mean_rotation(rotations.iter().copied()));
+        for (deviation, (&x, &rest)) in
+            deviations.iter_mut().zip(state.positions.iter().zip(reference.positions.iter()))
+        {
             // Differences to particle 0 first: they are exact far from the origin, too.
-            let u = (x - state.positions[0]) - body_turn * (rest - matter.rest[0]);
+            let u = (x - state.positions[0]) - body_turn * (rest - reference.positions[0]);
             *deviation = [u.x, u.y, u.z, 0.0];
         }
-        let pass = Pass {
-            neighbourhood: &matter.neighbourhood,
-            elasticity: matter.elasticity,
-            volume: matter.volume,
-            share: &matter.share,
-            body_turn,
-            deviations,
-        };
+        let passes = PairListPasses { reference, body_turn, deviations };
         let level = *level;
-        let first_pass = |(chunk, ((rotations, fields), own)): (usize, FirstChunk<'_>)| {
-            dispatch!(level, simd => pass.stresses(simd, chunk * CHUNK, rotations, fields, own));
+        let first_pass = |(chunk, ((rotations, stresses), own)): (usize, FirstChunk<'_>)| {
+            dispatch!(level, simd => passes.stresses(simd, chunk * CHUNK, rotations, stresses, own));
         };
         let parallel = rotations.len() >= PARALLEL_FROM;
         if parallel {
             rotations
                 .par_chunks_mut(CHUNK)
-                .zip(fields.par_chunks_mut(CHUNK))
+                .zip(stresses.par_chunks_mut(CHUNK))
                 .zip(own.par_chunks_mut(CHUNK))
                 .enumerate()
                 .for_each(first_pass);
         } else {
             rotations
                 .chunks_mut(CHUNK)
-                .zip(fields.chunks_mut(CHUNK))
+                .zip(stresses.chunks_mut(CHUNK))
                 .zip(own.chunks_mut(CHUNK))
                 .enumerate()
                 .for_each(first_pass);
         }
-        let fields: &[Field] = fields;
+        let stresses: &[ParticleStress] = stresses;
         let second_pass = |(chunk, (own, forces)): (usize, (&[DVec3], &mut [DVec3]))| {
-            dispatch!(level, simd => pass.gather(simd, chunk * CHUNK, fields, own, forces));
+            dispatch!(level, simd => passes.gather(simd, chunk * CHUNK, stresses, own, forces));
         };
         if parallel {
             own.par_chunks(CHUNK).zip(forces.par_chunks_mut(CHUNK)).enumerate().for_each(second_pass);
@@ -105,20 +108,17 @@ impl PairList {
 }
 
 /// What the first pass writes for some consecutive particles.
-type FirstChunk<'a> = ((&'a mut [DQuat], &'a mut [Field]), &'a mut [DVec3]);
+type FirstChunk<'a> = ((&'a mut [DQuat], &'a mut [ParticleStress]), &'a mut [DVec3]);
 
-/// Read-only part of an evaluation, shared by all threads.
-struct Pass<'a> {
-    neighbourhood: &'a Neighbourhood,
-    elasticity: Elasticity,
-    volume: f64,
-    share: &'a [f64],
+/// The two passes of an evaluation and what they read, which all threads share.
+struct PairListPasses<'a> {
+    reference: &'a ReferenceConfiguration,
     /// Rigid turn R_b of the whole body, and every particle's deviation u from it [m].
     body_turn: DMat3,
     deviations: &'a [[f64; 4]],
 }
 
-impl Pass<'_> {
+impl PairListPasses<'_> {
     /// Pass 1: deformation gradient, rotation and stress of the particles from `first` on.
     #[inline(always)]
     fn stresses<S: Simd>(
@@ -126,10 +126,10 @@ impl Pass<'_> {
         simd: S,
         first: usize,
         rotations: &mut [DQuat],
-        fields: &mut [Field],
+        stresses: &mut [ParticleStress],
         own: &mut [DVec3],
     ) {
-        let rest = self.neighbourhood;
+        let rest = &self.reference.neighbourhood;
         for (k, rotation) in rotations.iter_mut().enumerate() {
             let i = first + k;
             let here = f64x4::simd_from(simd, self.deviations[i]);
@@ -143,44 +143,42 @@ impl Pass<'_> {
                 sum = u.mul_add(f64x4::splat(simd, bond.weight), sum);
             }
             let moment = DMat3::from_cols(vec3(c0), vec3(c1), vec3(c2));
-            let (field, base) = self.finish(i, moment, vec3(sum), rotation);
-            fields[k] = field;
-            own[k] = base;
+            (stresses[k], own[k]) = self.finish(i, moment, vec3(sum), rotation);
         }
     }
 
     /// Stress and what follows from it, once the sums of pass 1 are there.
     #[inline]
-    fn finish(&self, i: usize, moment: DMat3, sum: DVec3, rotation: &mut DQuat) -> (Field, DVec3) {
-        let rest = self.neighbourhood;
+    fn finish(&self, i: usize, moment: DMat3, sum: DVec3, rotation: &mut DQuat) -> (ParticleStress, DVec3) {
+        let ReferenceConfiguration { neighbourhood: rest, elasticity, volume, matrix_fraction, .. } = self.reference;
         let inverse = rest.inverse_moment[i];
         let weighted_sum = rest.weighted_sum[i];
         let g = moment * inverse;
         let f = self.body_turn + g;
         let residual_sum = sum - g * weighted_sum;
         *rotation = nearest_rotation(f, *rotation);
-        let (stress, _) = self.elasticity.stress(f, DMat3::from_quat(*rotation));
-        let scale = self.share[i] * self.volume;
-        let Elasticity { residual_penalty: a, sum_penalty: beta, .. } = self.elasticity;
+        let (stress, _) = elasticity.stress(f, DMat3::from_quat(*rotation));
+        let scale = matrix_fraction[i] * volume;
+        let Elasticity { residual_penalty: a, sum_penalty: beta, .. } = *elasticity;
         let q = scale * (stress * inverse - a * g - beta * outer(residual_sum, inverse * weighted_sum));
         let y = scale * beta * residual_sum;
         let al = scale * a;
         let columns = q.to_cols_array_2d();
         let [q0, q1, q2] = columns.map(|[x, y, z]| [x, y, z, 0.0]);
         let own = q * weighted_sum + al * sum + rest.weight_sum[i] * y;
-        (Field([q0, q1, q2, [y.x, y.y, y.z, al]]), own)
+        (ParticleStress([q0, q1, q2, [y.x, y.y, y.z, al]]), own)
     }
 
     /// Pass 2: forces on the particles from `first` on.
     #[inline(always)]
-    fn gather<S: Simd>(&self, simd: S, first: usize, fields: &[Field], own: &[DVec3], forces: &mut [DVec3]) {
+    fn gather<S: Simd>(&self, simd: S, first: usize, stresses: &[ParticleStress], own: &[DVec3], forces: &mut [DVec3]) {
         for (k, force) in forces.iter_mut().enumerate() {
             let i = first + k;
             let here = f64x4::simd_from(simd, self.deviations[i]);
             let zero = f64x4::splat(simd, 0.0);
             let (mut sum, mut sum2) = (zero, zero);
-            for (j, bond) in self.neighbourhood.bonds(i) {
-                let [q0, q1, q2, y] = &fields[j].0;
+            for (j, bond) in self.reference.neighbourhood.bonds(i) {
+                let [q0, q1, q2, y] = &stresses[j].0;
                 let u = f64x4::simd_from(simd, self.deviations[j]) - here;
                 sum = f64x4::simd_from(simd, *q0).mul_add(f64x4::splat(simd, bond.weighted_offset.x), sum);
                 sum2 = f64x4::simd_from(simd, *q1).mul_add(f64x4::splat(simd, bond.weighted_offset.y), sum2);

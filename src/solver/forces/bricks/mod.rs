@@ -1,0 +1,16 @@
+//! Particles of a lattice in bricks of four along a row, so that vector code takes four neighbours of a row at a time.
+//!
+//! ```text
+//!   a row of the lattice      . o o o o o o .      o a particle, . a cell without one
+//!   its bricks                [. o o o][o o o .]
+//! ```
+//!
+//! A place of a brick without a particle holds zeros wherever bricks hold numbers, so that no sum has to ask what is there.
+
+mod alignment;
+mod layout;
+mod palette;
+
+pub use alignment::{Alignment, CELLS};
+pub use layout::{Bricks, NO_PARTICLE, brick_and_lane};
+pub use palette::Palette;

@@ -1,0 +1,124 @@
+//! The force itself, evaluated in one of two ways.
+
+use super::elasticity::Elasticity;
+use super::pair_list::PairList;
+use super::reference::ReferenceConfiguration;
+use super::stencil::Stencil;
+use crate::solver::energy::Energies;
+use crate::solver::forces::Force;
+use crate::solver::neighbourhood::Neighbourhood;
+use crate::solver::state::ParticleState;
+use glam::{DQuat, DVec3};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Particles that a thread computes at a time, where each is taken by itself.
+pub(super) const CHUNK: usize = 128;
+
+/// Elastic force of the matrix.
+#[derive(Clone)]
+pub struct MatrixForce {
+    pub(super) reference: ReferenceConfiguration,
+    evaluation: Evaluation,
+}
+
+/// How the sums over neighbours are computed, with warm starts and buffers kept between evaluations.
+#[derive(Clone)]
+enum Evaluation {
+    Stencil(Stencil),
+    PairList(PairList),
+}
+
+impl MatrixForce {
+    /// Elastic force over rest neighbourhoods of particles at `rest` [m] (model frame); `volume` is a particle's [m³],
+    /// `matrix_fraction` the part of the material at every particle that is matrix, `orientation` the turn of the model
+    /// frame in the world at the start.
+    pub fn new(
+        neighbourhood: Arc<Neighbourhood>,
+        rest: Arc<[DVec3]>,
+        elasticity: Elasticity,
+        volume: f64,
+        matrix_fraction: Arc<[f64]>,
+        orientation: DQuat,
+    ) -> Self {
+        let reference = ReferenceConfiguration { neighbourhood, positions: rest, elasticity, volume, matrix_fraction };
+        let evaluation = match Stencil::new(&reference, orientation) {
+            Some(stencil) => Evaluation::Stencil(stencil),
+            None => Evaluation::PairList(PairList::new(vec![orientation; reference.positions.len()])),
+        };
+        Self { reference, evaluation }
+    }
+
+    /// The same force, computed from the pair list: slower, for comparison.
+    #[must_use]
+    pub fn with_pair_list(self) -> Self {
+        let rotations = (0..self.reference.positions.len()).map(|i| self.rotation(i)).collect();
+        Self { evaluation: Evaluation::PairList(PairList::new(rotations)), reference: self.reference }
+    }
+
+    /// Fibre fraction `l_i` of every particle.
+    pub fn fibre_fractions(&self) -> Vec<f64> {
+        self.reference.matrix_fraction.iter().map(|matrix| 1.0 - matrix).collect()
+    }
+
+    /// Memory of the rest data, which copies share [bytes].
+    pub(in crate::solver) fn shared_bytes(&self) -> usize {
+        let ReferenceConfiguration { neighbourhood, positions, matrix_fraction, .. } = &self.reference;
+        neighbourhood.bytes() + size_of_val(&**positions) + size_of_val(&**matrix_fraction)
+    }
+
+    /// Whether it is computed by a stencil, not from the pair list.
+    pub fn is_stencil(&self) -> bool {
+        matches!(self.evaluation, Evaluation::Stencil(_))
+    }
+
+    /// Rotation of particle i at the last evaluation.
+    pub(super) fn rotation(&self, i: usize) -> DQuat {
+        match &self.evaluation {
+            Evaluation::Stencil(stencil) => stencil.rotation(i),
+            Evaluation::PairList(pairs) => pairs.rotation(i),
+        }
+    }
+}
+
+impl Force for MatrixForce {
+    fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
+        match &mut self.evaluation {
+            Evaluation::Stencil(stencil) => stencil.add_forces(self.reference.elasticity, state, forces),
+            Evaluation::PairList(pairs) => pairs.add_forces(&self.reference, state, forces),
+        }
+    }
+
+    fn add_energy(&self, _time: f64, state: &ParticleState, energies: &mut Energies) {
+        // Collected in order, then summed in order: the same bits on any number of threads.
+        let each: Vec<(f64, f64)> = (0..state.len())
+            .into_par_iter()
+            .with_min_len(CHUNK)
+            .map(|i| self.reference.energy(i, &state.positions, self.rotation(i)))
+            .collect();
+        for (matrix, zero_energy) in each {
+            energies.matrix += matrix;
+            energies.zero_energy += zero_energy;
+        }
+    }
+
+    fn name(&self) -> &'static str {
+        "matrix"
+    }
+
+    fn matrix(&self) -> Option<&MatrixForce> {
+        Some(self)
+    }
+
+    fn bytes(&self) -> usize {
+        let rotations = match &self.evaluation {
+            Evaluation::Stencil(stencil) => stencil.bytes(),
+            Evaluation::PairList(pairs) => pairs.bytes(),
+        };
+        size_of_val(self) + rotations
+    }
+
+    fn clone_box(&self) -> Box<dyn Force> {
+        Box::new(self.clone())
+    }
+}

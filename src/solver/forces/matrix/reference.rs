@@ -1,0 +1,52 @@
+//! The body at rest, which strains are measured against, and the sums of the module's head as they are written there.
+
+use super::elasticity::Elasticity;
+use crate::solver::neighbourhood::{Neighbourhood, outer};
+use crate::solver::rotation::nearest_rotation;
+use glam::{DMat3, DQuat, DVec3};
+use std::sync::Arc;
+
+/// The reference configuration of a body and its material: all that the force depends on beside the positions, whichever
+/// way it is evaluated.
+#[derive(Clone)]
+pub(super) struct ReferenceConfiguration {
+    pub(super) neighbourhood: Arc<Neighbourhood>,
+    /// Rest positions X [m], model frame.
+    pub(super) positions: Arc<[DVec3]>,
+    pub(super) elasticity: Elasticity,
+    /// Volume V of a particle [m³].
+    pub(super) volume: f64,
+    /// Matrix fraction of every particle, `s_i = 1 - l_i`.
+    pub(super) matrix_fraction: Arc<[f64]>,
+}
+
+impl ReferenceConfiguration {
+    /// Deformation gradient F of particle i and the sum L of its residuals, by the plain sums.
+    pub(super) fn deformation_gradient(&self, i: usize, positions: &[DVec3]) -> (DMat3, DVec3) {
+        let (mut moment, mut sum) = (DMat3::ZERO, DVec3::ZERO);
+        for (j, bond) in self.neighbourhood.bonds(i) {
+            let x = positions[j] - positions[i];
+            moment += outer(x, bond.weighted_offset);
+            sum += bond.weight * x;
+        }
+        let f = moment * self.neighbourhood.inverse_moment[i];
+        (f, sum - f * self.neighbourhood.weighted_sum[i])
+    }
+
+    /// Elastic and zero-energy energy of particle i [J], whose rotation is near `start`.
+    pub(super) fn energy(&self, i: usize, positions: &[DVec3], start: DQuat) -> (f64, f64) {
+        let Elasticity { residual_penalty: a, sum_penalty: beta, .. } = self.elasticity;
+        let (f, residual_sum) = self.deformation_gradient(i, positions);
+        let rotation = nearest_rotation(f, start);
+        let (_, density) = self.elasticity.stress(f, DMat3::from_quat(rotation));
+        let offsets = self.neighbourhood.offsets(i);
+        let residuals: f64 = self
+            .neighbourhood
+            .bonds(i)
+            .zip(offsets)
+            .map(|((j, bond), (_, offset))| bond.weight * (positions[j] - positions[i] - f * offset).length_squared())
+            .sum();
+        let scale = self.matrix_fraction[i] * self.volume;
+        (scale * density, 0.5 * scale * (a * residuals + beta * residual_sum.length_squared()))
+    }
+}

@@ -161,14 +161,45 @@ impl Action {
         self.entry().menu
     }
 
-    /// Whether it is about the selected fibres.
-    pub fn edits_fibres(self) -> bool {
-        self.menu() == Menu::Fibre || (self.menu() == Menu::Edit && !matches!(self, Self::Undo | Self::Redo))
-    }
-
     /// Keys; the first is shown.
     pub fn shortcuts(self) -> &'static [KeyboardShortcut] {
         self.entry().shortcuts
+    }
+}
+
+/// How an action stands in a frame.
+#[derive(Clone, Debug, Default)]
+pub struct ActionState {
+    /// Why it cannot be asked for just now; none where it can.
+    pub disabled: Option<&'static str>,
+    /// Whether the switch that it is is on; none for what is no switch.
+    pub on: Option<bool>,
+    /// What exactly it would do, to be said behind its name.
+    pub detail: Option<String>,
+}
+
+/// How every action stands in a frame.
+pub struct ActionStates([ActionState; Action::COUNT]);
+
+impl ActionStates {
+    /// As `state` gives them.
+    pub fn new(state: impl FnMut(Action) -> ActionState) -> Self {
+        Self(Action::ALL.map(state))
+    }
+}
+
+impl Default for ActionStates {
+    fn default() -> Self {
+        Self::new(|_| ActionState::default())
+    }
+}
+
+impl std::ops::Index<Action> for ActionStates {
+    type Output = ActionState;
+
+    fn index(&self, action: Action) -> &ActionState {
+        // Actions are declared in the order in which they are listed.
+        &self.0[action as usize]
     }
 }
 

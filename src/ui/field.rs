@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 
 /// A number that a person can change.
 #[derive(Clone, Debug)]
-pub(super) struct Field {
+pub struct NumberField {
     /// What it is called.
     pub label: &'static str,
     /// Its unit; may be empty.
@@ -19,9 +19,9 @@ pub(super) struct Field {
     pub tooltip: &'static str,
 }
 
-impl Field {
+impl NumberField {
     /// A field.
-    pub(super) const fn new(
+    pub const fn new(
         label: &'static str,
         unit: &'static str,
         range: RangeInclusive<f64>,
@@ -32,7 +32,7 @@ impl Field {
     }
 
     /// Shows it over the width of a panel; whether it was changed.
-    pub(super) fn show(&self, ui: &mut Ui, value: &mut f64) -> bool {
+    pub fn show(&self, ui: &mut Ui, value: &mut f64) -> bool {
         let tooltip = self.explained();
         ui.horizontal(|ui| {
             let text = ui.label(self.label).on_hover_text(&tooltip);
@@ -85,7 +85,7 @@ impl Field {
 }
 
 /// Three numbers in a row, one an axis; whether one was changed.
-pub(super) fn vector(ui: &mut Ui, label: &str, unit: &str, value: &mut [f64; 3], tooltip: &str) -> bool {
+pub fn vector(ui: &mut Ui, label: &str, unit: &str, value: &mut [f64; 3], tooltip: &str) -> bool {
     let mut changed = false;
     ui.label(label).on_hover_text(tooltip);
     ui.horizontal(|ui| {

@@ -1,21 +1,28 @@
 //! What the selected fibres are like: what is changed of one is changed of all.
 
 use super::action::Action;
-use super::app::App;
-use super::field::Field;
+use super::context::{Context, Step};
+use super::controls::button;
+use super::field::NumberField;
+use super::stroke_choices::stroke_choices;
 use super::theme::GRID;
 use crate::edit::Command;
 use crate::edit::fibre_ops::{displaced, rigidity_of};
 use crate::scene::{Extra, Fibre, FibreSource, Material, PaperStiffness, RestShape, Rigidity, Stiffness};
 use egui::{Slider, SliderClamping, Ui};
 
-const EA: Field =
-    Field::new("EA", "N", 0.0..=1e9, None, "Axial rigidity: resistance to stretching, l_f EA / 2 l0 per edge");
-const EI: Field =
-    Field::new("EI", "N m²", 0.0..=1e6, None, "Bending stiffness, l_f EI / L0 per vertex (eq. 7 with EI = Kb / 2)");
-const KB: Field = Field::new("Kb", "", 0.0..=1e12, None, "Table 1's bending stiffness: EI = Kb V / 2");
-const KS: Field = Field::new("Ks", "", 0.0..=1e9, None, "Table 1's stretching stiffness: EA = 2 Ks");
-const VOLUME_FRACTION: Field = Field::new(
+const EA: NumberField =
+    NumberField::new("EA", "N", 0.0..=1e9, None, "Axial rigidity: resistance to stretching, l_f EA / 2 l0 per edge");
+const EI: NumberField = NumberField::new(
+    "EI",
+    "N m²",
+    0.0..=1e6,
+    None,
+    "Bending stiffness, l_f EI / L0 per vertex (eq. 7 with EI = Kb / 2)",
+);
+const KB: NumberField = NumberField::new("Kb", "", 0.0..=1e12, None, "Table 1's bending stiffness: EI = Kb V / 2");
+const KS: NumberField = NumberField::new("Ks", "", 0.0..=1e9, None, "Table 1's stretching stiffness: EA = 2 Ks");
+const VOLUME_FRACTION: NumberField = NumberField::new(
     "Volume fraction",
     "",
     0.0..=1.0,
@@ -24,7 +31,7 @@ const VOLUME_FRACTION: Field = Field::new(
 );
 
 /// Radius of the round rod that has the fibre's EA and EI.
-const RADIUS: Field = Field::new(
+const RADIUS: NumberField = NumberField::new(
     "Radius",
     "m",
     1e-6..=10.0,
@@ -35,43 +42,40 @@ const RADIUS: Field = Field::new(
 /// A fibre may be so many times softer or stiffer than what it displaces.
 const TIMES: std::ops::RangeInclusive<f64> = 0.1..=1000.0;
 
-impl App {
-    pub(super) fn inspector(&mut self, ui: &mut Ui, body: &str) {
-        let Some((of, fibre)) = self.selected_fibre() else { return };
-        let (material, fibre) = (of.material.clone(), fibre.clone());
-        let count = self.editing.selection.fibres().len();
-        ui.heading(if count > 1 { format!("{count} fibres") } else { fibre.title().to_owned() });
-        let mut edited = fibre.clone();
-        stiffness(ui, &mut edited, &material);
-        VOLUME_FRACTION.show(ui, &mut edited.volume_fraction);
-        ui.horizontal(|ui| {
-            ui.label("Rest shape");
-            ui.selectable_value(&mut edited.rest_shape, RestShape::AsDrawn, "As drawn")
-                .on_hover_text("Nothing moves by itself");
-            ui.selectable_value(&mut edited.rest_shape, RestShape::Straight, "Straight")
-                .on_hover_text("A fibre drawn curved pulls the solid straight");
-        });
-        if edited != fibre {
-            let changed = self.selected_fibres().into_iter().map(|other| with_change(other, &fibre, &edited)).collect();
-            self.apply(&Command::set_fibres("Change", body, changed));
-        }
-        ui.add_space(GRID);
-        if matches!(fibre.source, FibreSource::Strokes(_))
-            && self.drawn_last.as_ref() != self.editing.selection.active()
-        {
-            self.stroke_choices(ui);
-        }
-        ui.horizontal_wrapped(|ui| {
-            self.control(ui, Action::Vertices, "Edit vertices");
-            self.control(ui, Action::Duplicate, "Duplicate");
-            let delete = match (self.editing.selection.vertices(), count) {
-                (Some(_), _) => "Delete vertices",
-                (None, 1) => "Delete fibre",
-                (None, _) => "Delete fibres",
-            };
-            self.control(ui, Action::Delete, delete);
-        });
+/// Shows what the selected fibres of a body are like.
+pub fn inspector(ui: &mut Ui, cx: &mut Context, body: &str) {
+    let Some((of, fibre)) = cx.selected_fibre() else { return };
+    let (material, fibre) = (of.material.clone(), fibre.clone());
+    let count = cx.selection.fibres().len();
+    ui.heading(if count > 1 { format!("{count} fibres") } else { fibre.title().to_owned() });
+    let mut edited = fibre.clone();
+    stiffness(ui, &mut edited, &material);
+    VOLUME_FRACTION.show(ui, &mut edited.volume_fraction);
+    ui.horizontal(|ui| {
+        ui.label("Rest shape");
+        ui.selectable_value(&mut edited.rest_shape, RestShape::AsDrawn, "As drawn")
+            .on_hover_text("Nothing moves by itself");
+        ui.selectable_value(&mut edited.rest_shape, RestShape::Straight, "Straight")
+            .on_hover_text("A fibre drawn curved pulls the solid straight");
+    });
+    if edited != fibre {
+        let changed = cx.selected_fibres().into_iter().map(|other| with_change(other, &fibre, &edited)).collect();
+        cx.edit(&Command::set_fibres("Change", body, changed), Step::Present);
     }
+    ui.add_space(GRID);
+    if matches!(fibre.source, FibreSource::Strokes(_)) && cx.status.drawn_fibre.as_ref() != cx.selection.active() {
+        stroke_choices(ui, cx);
+    }
+    ui.horizontal_wrapped(|ui| {
+        button(ui, cx, Action::Vertices, "Edit vertices");
+        button(ui, cx, Action::Duplicate, "Duplicate");
+        let delete = match (cx.selection.vertices(), count) {
+            (Some(_), _) => "Delete vertices",
+            (None, 1) => "Delete fibre",
+            (None, _) => "Delete fibres",
+        };
+        button(ui, cx, Action::Delete, delete);
+    });
 }
 
 /// Stiffness by either pair of numbers, and by how it compares with the material around.

@@ -1,141 +1,140 @@
 //! The left panel: bodies and fibres by name, colour and visibility.
 
-use super::app::App;
+use super::context::{Context, Request, Step};
+use super::editing::{Editing, brush_panel};
+use super::inspector::inspector;
 use super::theme::{self, GRID, SIDE_WIDTH};
 use crate::edit::{Command, Item};
 use crate::scene::Fibre;
 use crate::solver::snapshot::SpringKind;
 use egui::{Color32, Id, Panel, Pos2, Rect, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo};
 
-impl App {
-    pub(super) fn left_panel(&mut self, ui: &mut Ui) {
-        Panel::left("outliner").default_size(SIDE_WIDTH).frame(theme::panel(ui)).show(ui, |ui| {
-            // The same width whatever stands in it: the views must not jump when a fibre is selected.
-            ui.set_min_width(ui.available_width());
-            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                ui.add_space(GRID);
-                self.bodies(ui);
-                self.layers(ui);
-                self.fibres(ui);
-                self.brush_panel(ui);
-            });
+/// Shows what the document consists of, the selected fibres' properties, and the brush while it is in use.
+pub fn left_panel(ui: &mut Ui, cx: &mut Context, editing: &mut Editing) {
+    Panel::left("outliner").default_size(SIDE_WIDTH).frame(theme::panel(ui)).show(ui, |ui| {
+        // The same width whatever stands in it: the views must not jump when a fibre is selected.
+        ui.set_min_width(ui.available_width());
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            ui.add_space(GRID);
+            bodies(ui, cx);
+            layers(ui, cx);
+            fibres(ui, cx);
+            brush_panel(editing, ui, cx);
         });
-    }
+    });
+}
 
-    fn bodies(&mut self, ui: &mut Ui) {
-        let scene = self.scene();
-        let solids = scene.bodies.iter().map(|body| (body.id.clone(), body.title().to_owned(), body.hidden));
-        let layered = scene.two_layer.iter().map(|body| (body.id.clone(), body.title().to_owned(), body.hidden));
-        let bodies: Vec<(String, String, bool)> = solids.chain(layered).collect();
-        if bodies.is_empty() {
-            ui.label("The scene has no body. Open a scene or a model, or start from the soft bar (Ctrl+N).");
-            return;
-        }
-        ui.heading("Bodies");
-        for (index, (id, name, hidden)) in bodies.into_iter().enumerate() {
-            ui.horizontal(|ui| {
-                let item = Item::Body(id);
-                if self.row(ui, &item, &name, hidden, index == self.active) {
-                    self.activate(index);
-                }
-            });
-        }
-        ui.add_space(2.0 * GRID);
+fn bodies(ui: &mut Ui, cx: &mut Context) {
+    let scene = cx.scene();
+    let solids = scene.bodies.iter().map(|body| (body.id.clone(), body.title().to_owned(), body.hidden));
+    let layered = scene.two_layer.iter().map(|body| (body.id.clone(), body.title().to_owned(), body.hidden));
+    let bodies: Vec<(String, String, bool)> = solids.chain(layered).collect();
+    if bodies.is_empty() {
+        ui.label("The scene has no body. Open a scene or a model, or start from the soft bar (Ctrl+N).");
+        return;
     }
-
-    /// Name and visibility of something; whether its name was clicked. A second click renames it.
-    fn row(&mut self, ui: &mut Ui, item: &Item, name: &str, hidden: bool, chosen: bool) -> bool {
-        let (spot, eye) = ui.allocate_exact_size(egui::vec2(16.0, 16.0), Sense::click());
-        let eye = eye.on_hover_text(if hidden { "Show" } else { "Hide; it acts all the same" });
-        eye.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, !hidden, format!("Show {name}")));
-        paint_eye(ui, spot, hidden, eye.hovered());
-        if eye.clicked() {
-            self.gesture += 1;
-            self.apply(&Command::SetHidden { items: vec![item.clone()], hidden: !hidden });
-        }
-        let id = Id::unique(("rename", item));
-        if let Some(mut text) = ui.data(|data| data.get_temp::<String>(id)) {
-            let edit = ui.add(TextEdit::singleline(&mut text).desired_width(f32::INFINITY));
-            edit.request_focus();
-            let escaped = ui.input(|input| input.key_pressed(egui::Key::Escape));
-            if edit.lost_focus() || ui.input(|input| input.key_pressed(egui::Key::Enter)) || escaped {
-                ui.data_mut(|data| data.remove::<String>(id));
-                if !escaped && text != name {
-                    self.gesture += 1;
-                    self.apply(&Command::SetName { item: item.clone(), name: text });
-                }
-            } else {
-                ui.data_mut(|data| data.insert_temp(id, text));
-            }
-            return false;
-        }
-        let label = ui.selectable_label(chosen, name).on_hover_text("Double-click renames it");
-        if label.double_clicked() {
-            ui.data_mut(|data| data.insert_temp(id, name.to_owned()));
-        }
-        label.clicked()
-    }
-
-    /// What a two-layer body is made of.
-    fn layers(&self, ui: &mut Ui) {
-        let (Some(body), Some(shown)) = (self.active_two_layer(), self.model.bodies.first()) else { return };
-        ui.heading(body.title());
-        let Some(layers) = &shown.layers else { return };
-        ui.label(format!("Two-layer body of {} dimensions", body.shape.dimension()));
-        ui.label(format!("{} particles outside, {} inside", layers.outer, shown.particles.len() - layers.outer));
-        let theme = self.tone.pictures();
-        for (kind, range) in &layers.kinds {
-            let (name, colour) = match kind {
-                SpringKind::Structural => ("structural", theme.text),
-                SpringKind::Radius => ("radius", theme.axes[1]),
-                SpringKind::ShearLeft => ("shear-left", theme.axes[0]),
-                SpringKind::ShearRight => ("shear-right", theme.axes[2]),
-            };
-            ui.colored_label(theme::color(colour), format!("{} {name} springs", range.len()));
-        }
-    }
-
-    fn fibres(&mut self, ui: &mut Ui) {
-        let Some(body) = self.active_body() else { return };
-        let (fibres, id) = (body.fibres.clone(), body.id.clone());
-        ui.heading("Fibres");
-        if fibres.is_empty() {
-            ui.label("None yet: draw one stroke in each of the two drawing views.");
-        }
-        for (k, fibre) in fibres.iter().enumerate() {
-            let item = Item::Fibre { body: id.clone(), fibre: fibre.id.clone() };
-            ui.horizontal(|ui| {
-                self.colour(ui, &item, fibre, k);
-                let chosen = self.editing.selection.contains(&fibre.id);
-                if self.row(ui, &item, fibre.title(), fibre.hidden, chosen) {
-                    let adding = ui.input(|input| input.modifiers.shift || input.modifiers.command);
-                    if chosen && !adding && self.editing.selection.fibres().len() == 1 {
-                        self.editing.selection.clear();
-                    } else {
-                        self.editing.selection.click(Some(&fibre.id), adding);
-                    }
-                }
-            });
-        }
-        ui.add_space(2.0 * GRID);
-        if self.editing.selection.active().is_some() {
-            ui.separator();
-            self.inspector(ui, &id);
-        }
-    }
-
-    /// The colour of a fibre, which can be changed.
-    fn colour(&mut self, ui: &mut Ui, item: &Item, fibre: &Fibre, k: usize) {
-        let hue = theme::color(self.tone.pictures().fibre(k));
-        let now = fibre.color.map_or(hue, |[r, g, b]| Color32::from_rgb(r, g, b));
-        let mut color = [now.r(), now.g(), now.b()];
-        ui.scope(|ui| {
-            ui.spacing_mut().interact_size = egui::vec2(14.0, 14.0);
-            if ui.color_edit_button_srgb(&mut color).on_hover_text("Colour").changed() {
-                self.apply(&Command::SetColor { items: vec![item.clone()], color: Some(color) });
+    ui.heading("Bodies");
+    for (index, (id, name, hidden)) in bodies.into_iter().enumerate() {
+        ui.horizontal(|ui| {
+            let item = Item::Body(id);
+            if row(ui, cx, &item, &name, hidden, index == cx.active.index) {
+                cx.request(Request::Activate(index));
             }
         });
     }
+    ui.add_space(2.0 * GRID);
+}
+
+/// Name and visibility of something; whether its name was clicked. A second click renames it.
+fn row(ui: &mut Ui, cx: &mut Context, item: &Item, name: &str, hidden: bool, chosen: bool) -> bool {
+    let (spot, eye) = ui.allocate_exact_size(egui::vec2(16.0, 16.0), Sense::click());
+    let eye = eye.on_hover_text(if hidden { "Show" } else { "Hide; it acts all the same" });
+    eye.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, !hidden, format!("Show {name}")));
+    paint_eye(ui, spot, hidden, eye.hovered());
+    if eye.clicked() {
+        cx.edit(&Command::SetHidden { items: vec![item.clone()], hidden: !hidden }, Step::Own);
+    }
+    let id = Id::unique(("rename", item));
+    if let Some(mut text) = ui.data(|data| data.get_temp::<String>(id)) {
+        let edit = ui.add(TextEdit::singleline(&mut text).desired_width(f32::INFINITY));
+        edit.request_focus();
+        let escaped = ui.input(|input| input.key_pressed(egui::Key::Escape));
+        if edit.lost_focus() || ui.input(|input| input.key_pressed(egui::Key::Enter)) || escaped {
+            ui.data_mut(|data| data.remove::<String>(id));
+            if !escaped && text != name {
+                cx.edit(&Command::SetName { item: item.clone(), name: text }, Step::Own);
+            }
+        } else {
+            ui.data_mut(|data| data.insert_temp(id, text));
+        }
+        return false;
+    }
+    let label = ui.selectable_label(chosen, name).on_hover_text("Double-click renames it");
+    if label.double_clicked() {
+        ui.data_mut(|data| data.insert_temp(id, name.to_owned()));
+    }
+    label.clicked()
+}
+
+/// What a two-layer body is made of.
+fn layers(ui: &mut Ui, cx: &Context) {
+    let (Some(body), Some(shown)) = (cx.active_two_layer(), cx.active.model.bodies.first()) else { return };
+    ui.heading(body.title());
+    let Some(layers) = &shown.layers else { return };
+    ui.label(format!("Two-layer body of {} dimensions", body.shape.dimension()));
+    ui.label(format!("{} particles outside, {} inside", layers.outer, shown.particles.len() - layers.outer));
+    let theme = cx.tone.pictures();
+    for (kind, range) in &layers.kinds {
+        let (name, colour) = match kind {
+            SpringKind::Structural => ("structural", theme.text),
+            SpringKind::Radius => ("radius", theme.axes[1]),
+            SpringKind::ShearLeft => ("shear-left", theme.axes[0]),
+            SpringKind::ShearRight => ("shear-right", theme.axes[2]),
+        };
+        ui.colored_label(theme::color(colour), format!("{} {name} springs", range.len()));
+    }
+}
+
+fn fibres(ui: &mut Ui, cx: &mut Context) {
+    let Some(body) = cx.active_body() else { return };
+    let (fibres, id) = (body.fibres.clone(), body.id.clone());
+    ui.heading("Fibres");
+    if fibres.is_empty() {
+        ui.label("None yet: draw one stroke in each of the two drawing views.");
+    }
+    for (k, fibre) in fibres.iter().enumerate() {
+        let item = Item::Fibre { body: id.clone(), fibre: fibre.id.clone() };
+        ui.horizontal(|ui| {
+            colour(ui, cx, &item, fibre, k);
+            let chosen = cx.selection.contains(&fibre.id);
+            if row(ui, cx, &item, fibre.title(), fibre.hidden, chosen) {
+                let adding = ui.input(|input| input.modifiers.shift || input.modifiers.command);
+                if chosen && !adding && cx.selection.fibres().len() == 1 {
+                    cx.selection.clear();
+                } else {
+                    cx.selection.click(Some(&fibre.id), adding);
+                }
+            }
+        });
+    }
+    ui.add_space(2.0 * GRID);
+    if cx.selection.active().is_some() {
+        ui.separator();
+        inspector(ui, cx, &id);
+    }
+}
+
+/// The colour of a fibre, which can be changed.
+fn colour(ui: &mut Ui, cx: &mut Context, item: &Item, fibre: &Fibre, k: usize) {
+    let hue = theme::color(cx.tone.pictures().fibre(k));
+    let now = fibre.color.map_or(hue, |[r, g, b]| Color32::from_rgb(r, g, b));
+    let mut color = [now.r(), now.g(), now.b()];
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size = egui::vec2(14.0, 14.0);
+        if ui.color_edit_button_srgb(&mut color).on_hover_text("Colour").changed() {
+            cx.edit(&Command::SetColor { items: vec![item.clone()], color: Some(color) }, Step::Present);
+        }
+    });
 }
 
 /// An eye, open or shut.

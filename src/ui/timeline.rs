@@ -1,9 +1,10 @@
 //! The timeline: what is kept of the motion, to be scrubbed, stepped through, replayed and gone on from.
 
 use super::action::Action;
-use super::app::{App, Gravity};
+use super::context::{Context, Request, Severity};
+use super::controls::{button, key_of};
 use super::theme::{self, GRID};
-use super::timescale::Scale;
+use super::timescale::TimeScale;
 use crate::sim::{DEFAULT_MEMORY, Published, SimCommand};
 use crate::text::number::{duration, memory, moment};
 use egui::{Align2, FontId, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2};
@@ -27,22 +28,22 @@ const MIB: usize = 1 << 20;
 
 /// What is remembered of the timeline from one start to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Kept {
+pub struct RememberedTimeline {
     shown: bool,
     /// Memory that frames may take [MiB].
     memory: usize,
 }
 
-impl Default for Kept {
+impl Default for RememberedTimeline {
     fn default() -> Self {
         Self { shown: true, memory: DEFAULT_MEMORY / MIB }
     }
 }
 
-/// The timeline's own state.
+/// The bar below the views in which the motion is scrubbed, with its buttons.
 #[derive(Default)]
-pub(super) struct Timeline {
-    kept: Kept,
+pub struct Timeline {
+    remembered: RememberedTimeline,
     /// Time under the pointer while it drags [s]; the last one that was asked for, and what was shown then.
     held: Option<f64>,
     asked: Option<(f64, Arc<Published>)>,
@@ -60,123 +61,77 @@ enum Sign {
     Forward,
 }
 
-impl App {
-    /// What is to be remembered of the timeline.
-    pub(super) fn timeline_kept(&self) -> Kept {
-        self.timeline.kept
+impl Timeline {
+    /// What is to be remembered of it.
+    pub fn to_remember(&self) -> RememberedTimeline {
+        self.remembered
     }
 
     /// Goes on with the timeline of the last time.
-    pub(super) fn recall_timeline(&mut self, kept: Kept) {
-        self.timeline.kept.shown = kept.shown;
-        self.choose_memory(kept.memory.clamp(CHOICES[0], CHOICES[CHOICES.len() - 1]));
+    pub fn recall(&mut self, last: RememberedTimeline, cx: &Context) {
+        self.remembered.shown = last.shown;
+        self.choose_memory(last.memory.clamp(CHOICES[0], CHOICES[CHOICES.len() - 1]), cx);
     }
 
-    pub(super) fn timeline_shown(&self) -> bool {
-        self.timeline.kept.shown
+    /// Whether it is shown rather than folded away.
+    pub fn is_shown(&self) -> bool {
+        self.remembered.shown
     }
 
-    pub(super) fn fold_timeline(&mut self) {
-        self.timeline.kept.shown = !self.timeline.kept.shown;
+    /// Folds it away, or shows it again.
+    pub fn fold(&mut self) {
+        self.remembered.shown = !self.remembered.shown;
     }
 
-    fn choose_memory(&mut self, mebibytes: usize) {
-        self.timeline.kept.memory = mebibytes;
-        self.ask(SimCommand::Memory(mebibytes * MIB));
+    fn choose_memory(&mut self, mebibytes: usize, cx: &Context) {
+        self.remembered.memory = mebibytes;
+        cx.ask(SimCommand::Memory(mebibytes * MIB));
     }
 
-    /// Whether there are earlier frames to be seen.
-    pub(super) fn has_frames(&self) -> bool {
-        self.published.compared.is_empty() && self.published.status.recording.frames > 1
-    }
-
-    /// Whether an earlier frame is shown.
-    pub(super) fn in_replay(&self) -> bool {
-        self.published.status.recording.in_replay
-    }
-
-    /// Asks for earlier frames; what was held by the pointer is let go.
-    pub(super) fn look_back(&mut self, command: SimCommand) {
-        self.pull = None;
-        self.ask(command);
-    }
-
-    /// Asks for the first frame that is kept.
-    pub(super) fn show_first(&mut self) {
-        if let Some([first, _]) = self.published.status.recording.span {
-            self.look_back(SimCommand::Show(first));
-        }
-    }
-
-    pub(super) fn timeline(&mut self, ui: &mut Ui) {
-        let (count, said) = &self.published.status.recording.continued;
-        if *count != self.timeline.said {
+    /// Passes on what the simulation says of going on from an earlier frame, and shows the timeline unless it is folded
+    /// away.
+    pub fn show(&mut self, ui: &mut Ui, cx: &mut Context) {
+        let (count, said) = &cx.simulation.published().status.recording.continued;
+        if *count != self.said {
+            self.said = *count;
             let said = said.clone();
-            self.timeline.said = *count;
-            self.say(Gravity::Note, said);
+            cx.say(Severity::Note, said);
             ui.ctx().request_repaint();
         }
-        if !self.timeline.kept.shown {
+        if !self.remembered.shown {
             return;
         }
         egui::Panel::bottom("timeline").exact_size(HEIGHT + GRID).frame(theme::panel(ui)).show(ui, |ui| {
             ui.horizontal_centered(|ui| {
                 ui.spacing_mut().item_spacing.x = 0.5 * GRID;
-                self.sign(ui, Action::FirstFrame, Sign::First);
-                self.sign(ui, Action::StepBack, Sign::Back);
-                if self.published.status.playing {
-                    self.sign(ui, Action::PlayPause, Sign::Pause);
+                sign_button(ui, cx, Action::FirstFrame, Sign::First);
+                sign_button(ui, cx, Action::StepBack, Sign::Back);
+                if cx.simulation.is_playing() {
+                    sign_button(ui, cx, Action::PlayPause, Sign::Pause);
                 } else {
-                    self.sign(ui, Action::Replay, Sign::Replay);
+                    sign_button(ui, cx, Action::Replay, Sign::Replay);
                 }
-                self.sign(ui, Action::Step, Sign::Forward);
+                sign_button(ui, cx, Action::Step, Sign::Forward);
                 ui.spacing_mut().item_spacing.x = 2.0 * GRID;
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    self.memory(ui);
-                    self.control(ui, Action::Live, "Live");
-                    self.control(ui, Action::GoOn, "Go on from here");
-                    self.track(ui);
+                    self.memory_menu(ui, cx);
+                    button(ui, cx, Action::Live, "Live");
+                    button(ui, cx, Action::GoOn, "Go on from here");
+                    self.track(ui, cx);
                 });
             });
         });
     }
 
-    /// A button for an action that shows a sign in place of its name.
-    fn sign(&mut self, ui: &mut Ui, action: Action, sign: Sign) {
-        let key = action.shortcuts().first().map_or_else(String::new, |shortcut| ui.ctx().format_shortcut(shortcut));
-        let name = match sign {
-            Sign::Pause => "Hold the motion",
-            _ => action.name(),
-        };
-        let obstacle = self.obstacle(action);
-        let response = ui.add_enabled_ui(obstacle.is_none(), |ui| {
-            let (place, response) = ui.allocate_exact_size(BUTTON, Sense::click());
-            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
-            let visuals = ui.style().interact(&response);
-            if response.hovered() || response.has_focus() {
-                ui.painter().rect_filled(place, visuals.corner_radius, visuals.weak_bg_fill);
-            }
-            for shape in sign.shapes(place.center(), visuals.text_color()) {
-                ui.painter().add(shape);
-            }
-            response
-        });
-        let response = response.inner.on_hover_text(format!("{} ({key})", action.tooltip()));
-        if response.on_disabled_hover_text(obstacle.unwrap_or_default()).clicked() {
-            let ctx = ui.ctx().clone();
-            self.perform(&ctx, action);
-        }
-    }
-
     /// How much is kept; opens what may be.
-    fn memory(&mut self, ui: &mut Ui) {
-        let timeline = &self.published.status.recording;
-        let length = timeline.span.map_or(0.0, |[first, last]| last - first);
-        let text = format!("{} kept, {}", duration(length), memory(timeline.bytes, timeline.limit));
+    fn memory_menu(&mut self, ui: &mut Ui, cx: &Context) {
+        let recording = &cx.simulation.published().status.recording;
+        let length = recording.span.map_or(0.0, |[first, last]| last - first);
+        let text = format!("{} kept, {}", duration(length), memory(recording.bytes, recording.limit));
         let tooltip = format!(
             "{} frames of the motion are kept in {} of memory; the oldest make room for new ones. Click to change how much",
-            timeline.frames,
-            memory(timeline.bytes, timeline.limit)
+            recording.frames,
+            memory(recording.bytes, recording.limit)
         );
         let size = Vec2::new(MEMORY_WIDTH, HEIGHT);
         ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -185,8 +140,8 @@ impl App {
                 ui.label(egui::RichText::new("Memory for the motion").weak());
                 for choice in CHOICES {
                     let name = if choice < 1024 { format!("{choice} MiB") } else { format!("{} GiB", choice / 1024) };
-                    if ui.selectable_label(self.timeline.kept.memory == choice, name).clicked() {
-                        self.choose_memory(choice);
+                    if ui.selectable_label(self.remembered.memory == choice, name).clicked() {
+                        self.choose_memory(choice, cx);
                         ui.close();
                     }
                 }
@@ -196,16 +151,16 @@ impl App {
     }
 
     /// The bar in which the motion is scrubbed.
-    fn track(&mut self, ui: &mut Ui) {
+    fn track(&mut self, ui: &mut Ui, cx: &mut Context) {
         let place = Rect::from_min_size(ui.max_rect().min, Vec2::new(ui.available_width(), HEIGHT));
         let response = ui.allocate_rect(place, Sense::click_and_drag());
         let bar = Rect::from_min_size(place.min + Vec2::new(0.0, 0.5 * GRID), Vec2::new(place.width(), BAR));
-        let span = self.published.status.recording.span.filter(|_| self.published.compared.is_empty());
+        let span = cx.simulation.published().status.recording.span.filter(|_| !cx.simulation.is_comparing());
         let Some(span) = span.filter(|_| bar.width() > 4.0 * INSET) else {
-            let why = if self.published.compared.is_empty() {
-                "Nothing is kept yet"
-            } else {
+            let why = if cx.simulation.is_comparing() {
                 "Nothing is recorded while integrators are compared"
+            } else {
+                "Nothing is kept yet"
             };
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, why));
             ui.painter().rect_filled(bar, 4.0, ui.visuals().extreme_bg_color);
@@ -213,91 +168,114 @@ impl App {
             ui.painter().text(bar.center(), Align2::CENTER_CENTER, why, FontId::proportional(11.0), ink);
             return;
         };
-        let frame = self.scene().time.frame_seconds();
-        let scale = Scale::new(span, frame, bar.shrink2(Vec2::new(INSET, 0.0)).x_range());
-        self.scrub(&response, &scale, span);
-        let shown = self.timeline.held.unwrap_or(self.published.status.time).clamp(span[0], span[1]);
+        let frame = cx.scene().time.frame_seconds();
+        let scale = TimeScale::new(span, frame, bar.shrink2(Vec2::new(INSET, 0.0)).x_range());
+        self.scrub(&response, &scale, span, cx);
+        let shown = self.held.unwrap_or(cx.simulation.published().status.time).clamp(span[0], span[1]);
         let spoken = format!("Timeline from {} to {}", moment(span[0], frame), moment(span[1], frame));
         response.widget_info(|| egui::WidgetInfo::slider(true, shown, &spoken));
-        self.paint_track(ui, bar, &scale, span, shown);
+        paint_track(ui, cx, bar, &scale, span, shown);
         if let Some(at) = response.hover_pos() {
-            self.hint = "Drag to see the motion at another time; pulls, strikes and edits go on from there";
+            cx.status.hint = "Drag to see the motion at another time; pulls, strikes and edits go on from there";
             // Above the pointer, where it hides neither labels nor the hint.
             let under = scale.time(at.x).clamp(span[0], span[1]);
             let mut tip = egui::Tooltip::for_enabled(&response);
             tip.popup = tip.popup.anchor(Rect::from_x_y_ranges(at.x..=at.x, bar.y_range())).align(egui::RectAlign::TOP);
-            tip.show(|ui| ui.label(self.words_at(&scale, at.x, under)));
+            tip.show(|ui| ui.label(words_at(cx, &scale, at.x, under)));
         }
-    }
-
-    /// What is to be said of a place of the bar, at which a time [s] lies.
-    fn words_at(&self, scale: &Scale, x: f32, time: f64) -> String {
-        let timeline = &self.published.status.recording;
-        let near = |marks: &[f64]| marks.iter().any(|mark| (scale.place(*mark) - x).abs() <= MARK);
-        let mut words = moment(time, self.scene().time.frame_seconds());
-        if near(&timeline.edits) {
-            words.push_str("\nThe scene was changed");
-        }
-        if near(&timeline.breaks) {
-            words.push_str("\nA fibre broke");
-        }
-        words
     }
 
     /// Asks for the frame under the pointer while it is pressed: one at a time, the newest.
-    fn scrub(&mut self, response: &Response, scale: &Scale, span: [f64; 2]) {
+    fn scrub(&mut self, response: &Response, scale: &TimeScale, span: [f64; 2], cx: &mut Context) {
         let pressed = response.is_pointer_button_down_on().then(|| response.interact_pointer_pos()).flatten();
         if let Some(at) = pressed {
-            self.timeline.held = Some(scale.time(at.x).clamp(span[0], span[1]));
-            self.pull = None;
+            self.held = Some(scale.time(at.x).clamp(span[0], span[1]));
         }
-        let Some(time) = self.timeline.held else { return };
-        let waits = self.timeline.asked.as_ref().filter(|(asked, _)| *asked == time);
+        let Some(time) = self.held else { return };
+        let waits = self.asked.as_ref().filter(|(asked, _)| *asked == time);
         match waits {
-            // Where too much is waiting already, it is asked for again in the next frame.
             None => {
-                if self.worker.send(SimCommand::Show(time)) {
-                    self.timeline.asked = Some((time, Arc::clone(&self.published)));
-                }
+                cx.simulation.replay(SimCommand::Show(time));
+                self.asked = Some((time, Arc::clone(cx.simulation.published())));
             }
             // The head stays under the pointer until what was asked for last has come.
-            Some((_, shown)) if pressed.is_none() && !Arc::ptr_eq(shown, &self.published) => {
-                (self.timeline.held, self.timeline.asked) = (None, None);
+            Some((_, shown)) if pressed.is_none() && !Arc::ptr_eq(shown, cx.simulation.published()) => {
+                (self.held, self.asked) = (None, None);
             }
             Some(_) => {}
         }
     }
+}
 
-    fn paint_track(&self, ui: &Ui, bar: Rect, scale: &Scale, span: [f64; 2], shown: f64) {
-        let painter = ui.painter();
-        let visuals = ui.visuals();
-        let accent = theme::color(self.tone.pictures().accent);
-        painter.rect_filled(bar, 4.0, visuals.extreme_bg_color);
-        let [first, last, head] = [span[0], span[1], shown].map(|time| scale.place(time));
-        let kept = Rect::from_x_y_ranges(first..=last.max(first + 1.0), bar.y_range());
-        painter.rect_filled(kept, 2.0, accent.gamma_multiply(0.25));
-        let played = Rect::from_x_y_ranges(first..=head.max(first + 1.0), bar.y_range());
-        painter.rect_filled(played, 2.0, accent.gamma_multiply(0.35));
-        let ink = visuals.weak_text_color();
-        for (time, text) in scale.ticks() {
-            let x = scale.place(time);
-            painter.vline(x, bar.bottom()..=bar.bottom() + GRID, Stroke::new(1.0, ink.gamma_multiply(0.6)));
-            let at = Pos2::new(x, bar.bottom() + GRID);
-            painter.text(at, Align2::CENTER_TOP, text, FontId::proportional(10.0), ink);
+/// A button for an action that shows a sign in place of its name.
+fn sign_button(ui: &mut Ui, cx: &mut Context, action: Action, sign: Sign) {
+    let name = match sign {
+        Sign::Pause => "Hold the motion",
+        _ => action.name(),
+    };
+    let disabled = cx.actions[action].disabled;
+    let response = ui.add_enabled_ui(disabled.is_none(), |ui| {
+        let (place, response) = ui.allocate_exact_size(BUTTON, Sense::click());
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
+        let visuals = ui.style().interact(&response);
+        if response.hovered() || response.has_focus() {
+            ui.painter().rect_filled(place, visuals.corner_radius, visuals.weak_bg_fill);
         }
-        let timeline = &self.published.status.recording;
-        for time in &timeline.edits {
-            let top = Pos2::new(scale.place(*time), bar.top());
-            painter.add(wedge(top, visuals.text_color()));
+        for shape in sign.shapes(place.center(), visuals.text_color()) {
+            ui.painter().add(shape);
         }
-        for time in &timeline.breaks {
-            let at = Pos2::new(scale.place(*time), bar.bottom() - 1.5 * GRID);
-            painter.circle_filled(at, 0.75 * MARK, self.tone.error());
-        }
-        painter.vline(head, bar.y_range(), Stroke::new(2.0, accent));
-        let knob = Pos2::new(head, bar.center().y);
-        painter.circle(knob, 1.5 * GRID, accent, Stroke::new(1.5, visuals.panel_fill));
+        response
+    });
+    let response = response.inner.on_hover_text(format!("{} ({})", action.tooltip(), key_of(ui, action)));
+    if response.on_disabled_hover_text(disabled.unwrap_or_default()).clicked() {
+        cx.request(Request::Do(action));
     }
+}
+
+/// What is to be said of a place of the bar, at which a time [s] lies.
+fn words_at(cx: &Context, scale: &TimeScale, x: f32, time: f64) -> String {
+    let recording = &cx.simulation.published().status.recording;
+    let near = |marks: &[f64]| marks.iter().any(|mark| (scale.place(*mark) - x).abs() <= MARK);
+    let mut words = moment(time, cx.scene().time.frame_seconds());
+    if near(&recording.edits) {
+        words.push_str("\nThe scene was changed");
+    }
+    if near(&recording.breaks) {
+        words.push_str("\nA fibre broke");
+    }
+    words
+}
+
+/// Paints the bar with what is kept of the motion and the time that is shown.
+fn paint_track(ui: &Ui, cx: &Context, bar: Rect, scale: &TimeScale, span: [f64; 2], shown: f64) {
+    let painter = ui.painter();
+    let visuals = ui.visuals();
+    let accent = theme::color(cx.tone.pictures().accent);
+    painter.rect_filled(bar, 4.0, visuals.extreme_bg_color);
+    let [first, last, head] = [span[0], span[1], shown].map(|time| scale.place(time));
+    let kept = Rect::from_x_y_ranges(first..=last.max(first + 1.0), bar.y_range());
+    painter.rect_filled(kept, 2.0, accent.gamma_multiply(0.25));
+    let played = Rect::from_x_y_ranges(first..=head.max(first + 1.0), bar.y_range());
+    painter.rect_filled(played, 2.0, accent.gamma_multiply(0.35));
+    let ink = visuals.weak_text_color();
+    for (time, text) in scale.ticks() {
+        let x = scale.place(time);
+        painter.vline(x, bar.bottom()..=bar.bottom() + GRID, Stroke::new(1.0, ink.gamma_multiply(0.6)));
+        let at = Pos2::new(x, bar.bottom() + GRID);
+        painter.text(at, Align2::CENTER_TOP, text, FontId::proportional(10.0), ink);
+    }
+    let recording = &cx.simulation.published().status.recording;
+    for time in &recording.edits {
+        let top = Pos2::new(scale.place(*time), bar.top());
+        painter.add(wedge(top, visuals.text_color()));
+    }
+    for time in &recording.breaks {
+        let at = Pos2::new(scale.place(*time), bar.bottom() - 1.5 * GRID);
+        painter.circle_filled(at, 0.75 * MARK, cx.tone.error());
+    }
+    painter.vline(head, bar.y_range(), Stroke::new(2.0, accent));
+    let knob = Pos2::new(head, bar.center().y);
+    painter.circle(knob, 1.5 * GRID, accent, Stroke::new(1.5, visuals.panel_fill));
 }
 
 /// A small mark that points down from the upper edge of the bar.

@@ -19,16 +19,16 @@ const APART: f32 = 60.0;
 /// A stretch of time along a stretch of the window. It is longer than what is kept, so that what is there stays where it
 /// is while more comes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Scale {
+pub struct TimeScale {
     first: f64,
     length: f64,
     places: Rangef,
 }
 
-impl Scale {
+impl TimeScale {
     /// The scale of what is kept from a first to a last time [s] in frames of this length [s], over places of the window
     /// [points].
-    pub(super) fn new([first, last]: [f64; 2], frame: f64, places: Rangef) -> Self {
+    pub fn new([first, last]: [f64; 2], frame: f64, places: Rangef) -> Self {
         let kept = last - first;
         let least = kept.max(ROOM * frame * (1.0 - 1e-6));
         let mut length =
@@ -40,17 +40,17 @@ impl Scale {
     }
 
     /// Where a time is [points].
-    pub(super) fn place(&self, time: f64) -> f32 {
+    pub fn place(&self, time: f64) -> f32 {
         self.places.min + ((time - self.first) / self.length) as f32 * self.places.span()
     }
 
     /// The time at a place [s].
-    pub(super) fn time(&self, place: f32) -> f64 {
+    pub fn time(&self, place: f32) -> f64 {
         self.first + self.length * f64::from((place - self.places.min) / self.places.span())
     }
 
     /// Round times along it [s], with what is written there.
-    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
+    pub fn ticks(&self) -> Vec<(f64, String)> {
         let least = self.length * f64::from(APART / self.places.span().max(1.0));
         let step = STEPS.into_iter().find(|step| *step >= least).unwrap_or(least);
         let from = (self.first / step - 1e-9).ceil() as i64;
@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn times_and_places_are_each_others_inverse() {
-        let scale = Scale::new([3.0, 11.0], 1.0 / 60.0, Rangef::new(100.0, 800.0));
+        let scale = TimeScale::new([3.0, 11.0], 1.0 / 60.0, Rangef::new(100.0, 800.0));
         assert!((scale.place(3.0) - 100.0).abs() < 1e-3 && (scale.place(13.0) - 800.0).abs() < 1e-3, "{scale:?}");
         for time in [3.0, 4.25, 11.0] {
             assert!((scale.time(scale.place(time)) - time).abs() < 1e-4);
@@ -82,7 +82,7 @@ mod tests {
         let fast = [(0.0, 700.0), (0.004, 700.0), (0.05, 150.0), (0.05, 2000.0)];
         let cases = slow.map(|case| (1.0 / 60.0, case)).into_iter().chain(fast.map(|case| (5e-5, case)));
         for (frame, (length, width)) in cases {
-            let scale = Scale::new([7.3, 7.3 + length], frame, Rangef::new(0.0, width));
+            let scale = TimeScale::new([7.3, 7.3 + length], frame, Rangef::new(0.0, width));
             let ticks = scale.ticks();
             for pair in ticks.windows(2) {
                 assert!(scale.place(pair[1].0) - scale.place(pair[0].0) >= APART - 0.1, "{length} s: {ticks:?}");

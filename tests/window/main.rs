@@ -1,6 +1,7 @@
 //! The window through pointer and key events, without a screen: events in, scene and messages out.
 #![cfg(feature = "gui")]
 
+mod autosave;
 mod commands;
 mod comparing;
 mod editing;
@@ -15,7 +16,6 @@ mod running;
 mod seeing;
 mod sketching;
 mod timeline;
-mod trust;
 
 use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Vec2};
 use egui_kittest::Harness;

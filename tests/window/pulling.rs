@@ -56,7 +56,7 @@ fn a_drag_moves_the_body_where_the_pointer_goes_and_release_lets_go() {
     move_to(&mut window, from, to);
     // To the right on the screen, as the camera stands: along X and away from Z.
     let right = DVec3::new(0.85, 0.0, -0.53);
-    let (body, vertex, target) = window.state().pulled().expect("it is held");
+    let (body, vertex, target) = window.state().grabbed().expect("it is held");
     let held = move |app: &App| app.published().snapshot.bodies[body].surface()[vertex];
     until(&mut window, |app| held(app).distance(target) < 2e-3);
     assert!((center(window.state()) - start).dot(right) > 1e-3, "the body has come along");
@@ -69,7 +69,7 @@ fn a_drag_moves_the_body_where_the_pointer_goes_and_release_lets_go() {
     let time = window.state().published().status.time;
     until(&mut window, |app| app.published().status.time > time + 0.1);
     assert!((center(window.state()) - drift).length() < 5e-3, "no spring is left");
-    assert!(window.state().pulled().is_none());
+    assert!(window.state().grabbed().is_none());
 }
 
 #[test]
@@ -126,7 +126,7 @@ fn a_two_layer_body_hangs_from_the_pointer_by_its_own_spring() {
     window.event(Event::PointerMoved(at + Vec2::new(0.0, -8.0)));
     window.step();
     window.step();
-    let (body, vertex, target) = window.state().pulled().expect("it is held");
+    let (body, vertex, target) = window.state().grabbed().expect("it is held");
     super::press_key(&mut window, Modifiers::NONE, Key::Space);
     until(&mut window, |app| app.published().status.time > 15.0);
     let held = window.state().published().snapshot.bodies[body].particles[vertex];
@@ -138,7 +138,7 @@ fn a_two_layer_body_hangs_from_the_pointer_by_its_own_spring() {
     button(&window, at, PointerButton::Primary, false);
     window.step();
     window.step();
-    assert!(window.state().pulled().is_none());
+    assert!(window.state().grabbed().is_none());
     let particles = |app: &App| app.published().snapshot.bodies[body].particles.clone();
     let start = std::time::Instant::now();
     let rest = loop {
@@ -173,7 +173,7 @@ fn frames_until_it_leaves(dt: f64) -> u32 {
     let at = window.state().shown_at(farthest).expect("it is seen");
     press(&mut window, at);
     move_to(&mut window, at, at - Vec2::new(40.0, 0.0));
-    assert!(window.state().pulled().is_some());
+    assert!(window.state().grabbed().is_some());
     for frame in 1..500 {
         let time = window.state().published().status.time;
         super::press_key(&mut window, Modifiers::NONE, Key::Period);

@@ -104,7 +104,7 @@ fn the_solid_is_cut_open_and_what_is_gone_is_not_pulled() {
         let at = window.state().shown_at(middle).expect("before the eye");
         super::pulling::press(window, at);
         super::pulling::move_to(window, at, at + egui::vec2(12.0, 0.0));
-        let pulled = window.state().pulled();
+        let pulled = window.state().grabbed();
         super::button(window, at, egui::PointerButton::Primary, false);
         window.step();
         window.step();

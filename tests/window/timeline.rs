@@ -181,7 +181,7 @@ fn an_edit_and_a_pull_go_on_from_the_frame_that_is_shown() {
     window.step();
     window.event(Event::PointerMoved(at + egui::Vec2::new(40.0, 0.0)));
     window.step();
-    assert!(window.state().pulled().is_some(), "it is held");
+    assert!(window.state().grabbed().is_some(), "it is held");
     until(&mut window, |app| !timeline(app).in_replay && timeline(app).frames == 1);
     window.step();
     let said = window.state().message().unwrap_or_default().to_owned();

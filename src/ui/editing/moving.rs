@@ -17,25 +17,25 @@ pub enum Kind {
 /// A gesture under way. All places are in the model frame.
 #[derive(Clone, Debug)]
 pub struct Moving {
-    pub(super) kind: Kind,
+    pub kind: Kind,
     /// Axis to which it is locked.
-    pub(super) axis: Option<usize>,
+    pub axis: Option<usize>,
     /// Number that is typed.
-    pub(super) typed: String,
+    pub typed: String,
     /// Whether it ends with the release of a button rather than with a click.
-    pub(super) by_drag: bool,
+    pub by_drag: bool,
     /// Where the pointer began [points].
-    pub(super) start: Pos2,
+    pub start: Pos2,
     /// Where what is moved has its middle [m].
-    pub(super) pivot: DVec3,
+    pub pivot: DVec3,
     /// The fibres as they were.
-    pub(super) originals: Vec<Fibre>,
+    pub originals: Vec<Fibre>,
     /// Vertices of the one fibre; all of every fibre if none.
-    pub(super) vertices: Option<Vec<usize>>,
+    pub vertices: Option<Vec<usize>>,
     /// Changes of this gesture are one step of undo.
-    pub(super) gesture: u64,
+    pub gesture: u64,
     /// Steps in which it snaps [m].
-    pub(super) step: f64,
+    pub step: f64,
 }
 
 /// What a pointer and the keys beside it ask for.
@@ -79,7 +79,7 @@ impl Moving {
     ///
     /// # Errors
     /// An axis without a direction.
-    pub(super) fn transform(&self, asked: &Asked) -> Result<Transform, FibreEditError> {
+    pub fn transform(&self, asked: &Asked) -> Result<Transform, FibreEditError> {
         let share = if asked.fine { FINE } else { 1.0 };
         let stepped = |value: f64, step: f64| if asked.snap { (value / step).round() * step } else { value };
         match self.kind {
@@ -105,7 +105,7 @@ impl Moving {
     }
 
     /// What is going on, for the status bar.
-    pub(super) fn hint(&self) -> String {
+    pub fn hint(&self) -> String {
         let what = match self.kind {
             Kind::Move => "Move",
             Kind::Turn => "Turn",
@@ -125,14 +125,14 @@ impl Moving {
 }
 
 /// Steps in which things of this size [m] are moved: about a fortieth, as 1, 2 or 5 times a power of ten.
-pub(super) fn step_for(diagonal: f64) -> f64 {
+pub fn step_for(diagonal: f64) -> f64 {
     let wanted = (diagonal / 40.0).max(f64::MIN_POSITIVE);
     let power = 10_f64.powf(wanted.log10().floor());
     [5.0, 2.0].into_iter().map(|times| times * power).find(|step| *step <= wanted).unwrap_or(power)
 }
 
 /// Turn from one pixel to another about a third, counter-clockwise as seen [rad].
-pub(super) fn seen_angle(from: DVec2, to: DVec2, about: DVec2) -> f64 {
+pub fn seen_angle(from: DVec2, to: DVec2, about: DVec2) -> f64 {
     // Pixels count downwards.
     let up = |v: DVec2| DVec2::new(v.x, -v.y);
     let (from, to) = (up(from - about), up(to - about));

@@ -1,26 +1,18 @@
 //! The start screen: every scene that ships, with a picture and what to look at.
 
 mod examples;
+mod models;
 
-pub use examples::{EXAMPLES, Example, Group};
+pub use examples::{EXAMPLES, Example, Group, shipped_assets};
+pub use models::with_models_in;
 
 use super::action::Action;
-use super::app::App;
-use super::dialogs::Dialog;
-use super::document::Document;
 use super::theme::{self, GRID};
 use super::thumbs::Thumbs;
 use crate::draw::Theme;
-use crate::io::{IoError, put_beside};
-use crate::scene::Scene;
-use crate::sim::SimCommand;
 use egui::{
     Align2, CornerRadius, FontId, Frame, Pos2, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
 };
-use examples::shipped;
-pub(super) use examples::shipped_assets;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// Width of a card, height of its picture and of what stands below [points].
 const CARD: f32 = 216.0;
@@ -29,15 +21,10 @@ const BELOW: f32 = 56.0;
 /// Cards beside each other at most.
 const COLUMNS: usize = 4;
 
-/// Under this name is remembered that the start screen was shown.
-const KEY: &str = "start screen";
-
-/// What the gallery keeps.
+/// The start screen, with the pictures that have been seen.
 #[derive(Default)]
-pub(super) struct Gallery {
+pub struct Gallery {
     thumbs: Thumbs,
-    /// Whether the open document is an example, whose models lie in no folder.
-    pub(super) shipped: bool,
     /// Whether the start screen has been shown.
     welcomed: bool,
     /// Whether it is shown over a scene that nobody has seen start.
@@ -45,80 +32,51 @@ pub(super) struct Gallery {
 }
 
 /// What a person wants of the gallery.
-pub(super) enum Choice {
+pub enum Choice {
     /// To go on with what is open.
     Draw,
     /// To open an example.
     Open(&'static Example),
 }
 
-impl App {
-    /// Shows the start screen over the scene that runs, unless it was shown before.
-    pub fn welcome(&mut self) {
-        if !self.gallery.welcomed {
-            self.gallery.welcomed = true;
-            self.gallery.welcoming = true;
-            self.dialog = Some(Dialog::Examples);
-        }
-    }
-
-    /// Starts the scene anew that the start screen was shown over.
-    pub(super) fn welcomed(&mut self) {
-        if std::mem::take(&mut self.gallery.welcoming) {
-            self.ask(SimCommand::Reset);
-        }
-    }
-
-    /// Whether the examples are shown.
-    pub fn shows_examples(&self) -> bool {
-        matches!(self.dialog, Some(Dialog::Examples))
-    }
-
-    /// How many of the examples' pictures have been decoded.
-    pub fn decoded_examples(&self) -> usize {
-        EXAMPLES.iter().filter(|example| self.gallery.thumbs.has(example.name)).count()
-    }
-
-    pub(super) fn recall_welcome(&mut self, storage: &dyn eframe::Storage) {
-        self.gallery.welcomed = eframe::get_value(storage, KEY).unwrap_or(false);
-    }
-
-    pub(super) fn remember_welcome(&self, storage: &mut dyn eframe::Storage) {
-        eframe::set_value(storage, KEY, &self.gallery.welcomed);
-    }
-
-    /// The scene of an example as it can be saved in a folder: its models are put there beside it.
-    pub(super) fn with_models_in(&mut self, folder: &Path) -> Result<Scene, IoError> {
-        let mut scene = Scene::clone(self.editor.scene());
-        for path in scene.model_paths_mut() {
-            if let Some(bytes) = shipped(path) {
-                *path = put_beside(folder, path, bytes)?;
-            }
-        }
-        Ok(scene)
-    }
-}
-
-impl Document {
-    /// An example: a document without a file, whose models come with the program.
-    ///
-    /// # Errors
-    /// None for what ships.
-    pub fn of_example(example: &Example) -> Result<Self, IoError> {
-        let (scene, assets) = example.load()?;
-        let note = Some(format!("Opened {}: {}", example.title, example.line));
-        Ok(Self { scene, assets: Arc::new(assets), path: None, folder: PathBuf::new(), note })
-    }
-}
-
 impl Gallery {
+    /// Whether the start screen is to be shown now, over the scene that runs: it is unless it was shown before.
+    pub fn begin_welcome(&mut self) -> bool {
+        let is_first = !self.welcomed;
+        if is_first {
+            self.welcomed = true;
+            self.welcoming = true;
+        }
+        is_first
+    }
+
+    /// The start screen was closed: whether the scene that it was shown over is to be started anew.
+    pub fn end_welcome(&mut self) -> bool {
+        std::mem::take(&mut self.welcoming)
+    }
+
     /// The scene that the start screen was shown over is there no more.
-    pub(super) fn forget_welcome(&mut self) {
+    pub fn forget_welcome(&mut self) {
         self.welcoming = false;
     }
 
+    /// Goes on from whether the start screen was shown the last time.
+    pub fn recall(&mut self, welcomed: bool) {
+        self.welcomed = welcomed;
+    }
+
+    /// Whether the start screen has been shown, to be remembered.
+    pub fn was_welcomed(&self) -> bool {
+        self.welcomed
+    }
+
+    /// Whether the picture of an example, by its name, has been decoded.
+    pub fn has_decoded(&self, example: &str) -> bool {
+        self.thumbs.has(example)
+    }
+
     /// Shows everything; what was chosen, if something was.
-    pub(super) fn show(&mut self, ui: &mut Ui) -> Option<Choice> {
+    pub fn show(&mut self, ui: &mut Ui) -> Option<Choice> {
         Frame::NONE.inner_margin(2.0 * GRID).show(ui, |ui| self.sections(ui)).inner
     }
 

@@ -1,0 +1,222 @@
+//! What becomes of every action: why it cannot be asked for just now, and what performs it, side by side.
+//!
+//! How it works. [`App::dispatch`] answers for each action with a [`Dispatch`]. Its match has no branch for the rest, so
+//! that an action that is listed in [`crate::ui::action`] and has no branch here does not compile.
+
+use super::App;
+use crate::draw::SkinStyle;
+use crate::sim::SimCommand;
+use crate::ui::action::{Action, ActionState, ActionStates};
+use crate::ui::autosave::Question;
+use crate::ui::context::Severity;
+use crate::ui::dialogs::{Dialog, PathPurpose};
+use crate::ui::editing::{self, Kind};
+use crate::ui::export;
+use crate::ui::next::Next;
+use crate::ui::right_panel::PropertyTab;
+use crate::ui::views::ViewOptions;
+use glam::DVec3;
+
+/// What performs an action.
+type Performer = fn(&mut App, &egui::Context);
+
+/// What there is to know of an action just now.
+struct Dispatch {
+    state: ActionState,
+    perform: Performer,
+}
+
+impl Dispatch {
+    /// Whether the switch is on.
+    fn on(mut self, on: bool) -> Self {
+        self.state.on = Some(on);
+        self
+    }
+
+    /// What exactly would be done.
+    fn detail(mut self, detail: Option<&str>) -> Self {
+        self.state.detail = detail.map(str::to_owned);
+        self
+    }
+}
+
+/// An action that can always be asked for.
+fn always(perform: Performer) -> Dispatch {
+    Dispatch { state: ActionState::default(), perform }
+}
+
+/// An action that can be asked for where a condition is met; elsewhere it is greyed and says why.
+fn when(met: bool, why: &'static str, perform: Performer) -> Dispatch {
+    unless((!met).then_some(why), perform)
+}
+
+/// An action that can be asked for unless something speaks against it.
+fn unless(disabled: Option<&'static str>, perform: Performer) -> Dispatch {
+    Dispatch { state: ActionState { disabled, ..ActionState::default() }, perform }
+}
+
+impl App {
+    /// How an action stands, and what performs it.
+    #[allow(clippy::too_many_lines, reason = "one branch an action")]
+    fn dispatch(&self, action: Action) -> Dispatch {
+        let (document, simulation) = (&self.cx.document, &self.cx.simulation);
+        let display = &self.views.options.display;
+        let replay = |perform| unless(self.no_replay(), perform);
+        let selected = |perform| when(self.cx.selection.active().is_some(), "Select a fibre first", perform);
+        match action {
+            Action::New => always(|app, ctx| app.leave(ctx, Next::New)),
+            Action::Open => always(|app, _| {
+                app.dialog = Some(Dialog::path(PathPurpose::Open, app.cx.document.path.as_deref()));
+            }),
+            Action::Examples => always(|app, _| app.dialog = Some(Dialog::Examples)),
+            Action::Reload => when(document.path.is_some(), "The scene has no file yet", |app, _| app.reload()),
+            Action::Save => always(|app, ctx| app.save_then(ctx, None)),
+            Action::SaveAs => always(|app, _| app.ask_where(None)),
+            Action::Export => always(|app, _| export::ask_where_to_export(&mut app.cx)),
+            Action::Recover => {
+                let any = !self.autosave.offers().is_empty();
+                when(any, "Nothing was left unsaved", |app, _| app.dialog = Some(Dialog::Question(Question::Recover)))
+            }
+            Action::Quit => always(|app, ctx| app.leave(ctx, Next::Quit)),
+            Action::Undo => {
+                let step = document.editor.undo_name();
+                when(step.is_some(), "There is nothing to undo", |app, _| app.cx.undo()).detail(step)
+            }
+            Action::Redo => {
+                let step = document.editor.redo_name();
+                when(step.is_some(), "There is nothing to redo", |app, _| app.cx.redo()).detail(step)
+            }
+            Action::Delete => unless(self.nothing_to_delete(), |app, _| editing::delete(&mut app.cx)),
+            Action::Duplicate => selected(|app, ctx| {
+                editing::duplicate(&mut app.cx);
+                app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx);
+            }),
+            Action::SelectAll => self.with_fibres(|app, _| editing::select_all(&mut app.cx)),
+            Action::BoxSelect => self.with_fibres(|app, _| app.views.editing_mut().begin_box()),
+            Action::Vertices => selected(|app, _| app.toggle_vertices()).on(self.cx.selection.vertices().is_some()),
+            Action::Move => selected(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx)),
+            Action::Turn => selected(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Turn, &mut app.cx)),
+            Action::MirrorX => selected(|app, _| editing::mirror(&mut app.cx, DVec3::X)),
+            Action::MirrorY => selected(|app, _| editing::mirror(&mut app.cx, DVec3::Y)),
+            Action::MirrorZ => selected(|app, _| editing::mirror(&mut app.cx, DVec3::Z)),
+            Action::Reverse => selected(|app, _| editing::reverse(&mut app.cx)),
+            Action::Smooth => selected(|app, _| editing::smooth(&mut app.cx)),
+            Action::Resample => selected(|app, _| editing::resample(&mut app.cx)),
+            Action::SnapToSurface => selected(|app, _| editing::snap(&mut app.cx)),
+            Action::Detach => selected(|app, _| editing::detach(&mut app.cx)),
+            Action::InsertVertex => {
+                let met = self.cx.selection.vertices().is_some_and(|chosen| chosen.len() > 1);
+                when(met, "Select two vertices of a fibre first", |app, _| editing::insert_vertices(&mut app.cx))
+            }
+            Action::Split => {
+                let met = self.cx.selection.vertices().is_some_and(|chosen| chosen.len() == 1);
+                when(met, "Select one vertex of a fibre first", |app, _| editing::split(&mut app.cx))
+            }
+            Action::Redraw => {
+                let met = !self.cx.selected_views().is_empty();
+                when(met, "Select a fibre that was drawn by strokes first", |app, _| {
+                    app.views.sketching().toggle_redraw(&mut app.cx);
+                })
+                .on(self.views.redraws())
+            }
+            Action::Paint => {
+                let met = self.cx.active_body().is_some();
+                when(met, "Only fibre solids are painted", |app, _| {
+                    editing::toggle_brush(app.views.editing_mut(), &app.cx);
+                })
+                .on(self.views.editing().paints())
+            }
+            Action::Patterns => always(|app, _| app.right_panel.show_tab(PropertyTab::Patterns)),
+            Action::KeepPattern => self.with_fibres(|app, _| app.patterns.ask_to_keep(&mut app.cx)),
+            Action::Hide => selected(|app, _| editing::hide(&mut app.cx)),
+            Action::ShowAll => {
+                let met = self.cx.active_body().is_some_and(|body| body.fibres.iter().any(|fibre| fibre.hidden));
+                when(met, "No fibre of the body is hidden", |app, _| editing::show_all(&mut app.cx))
+            }
+            Action::PlayPause => always(|app, _| {
+                let playing = app.cx.simulation.is_playing();
+                app.cx.ask(if playing { SimCommand::Pause } else { SimCommand::Play });
+            }),
+            Action::Step => always(|app, _| app.cx.ask(SimCommand::Step)),
+            Action::StepBack => replay(|app, _| app.cx.simulation.replay(SimCommand::StepBack)),
+            Action::FirstFrame => replay(|app, _| app.cx.simulation.show_first()),
+            Action::Replay => replay(|app, _| app.cx.simulation.replay(SimCommand::Replay)),
+            Action::GoOn => when(simulation.is_replaying(), "The present is shown already", |app, _| {
+                app.cx.ask(SimCommand::ContinueHere);
+            }),
+            Action::Live => when(simulation.is_replaying(), "The present is shown already", |app, _| {
+                app.cx.ask(SimCommand::Live);
+            }),
+            Action::Reset => always(|app, _| app.cx.ask(SimCommand::Reset)),
+            Action::ReleasePins => always(|app, _| app.cx.ask(SimCommand::ReleaseAll)),
+            Action::Frame => always(|app, _| app.views.reframe(true)),
+            Action::FrameAll => always(|app, _| app.views.reframe(false)),
+            Action::XRay => always(|app, _| app.views.options.toggle_see_through()).on(display.skin == SkinStyle::XRay),
+            Action::Particles => always(|app, _| app.views.options.toggle_particles()).on(display.particles),
+            Action::Springs => always(|app, _| flip(&mut app.views.options.display.springs)).on(display.springs),
+            Action::Strokes => always(|app, _| flip(&mut app.views.options.display.strokes)).on(display.strokes),
+            Action::Grid => always(|app, _| flip(&mut app.views.options.display.grid)).on(display.grid),
+            Action::ColourMap => always(|app, _| app.views.options.next_field(&app.cx)),
+            Action::Tension => {
+                always(|app, _| app.views.options.toggle_tension(&mut app.cx)).on(self.views.options.tension)
+            }
+            Action::Slice => always(|app, _| app.views.options.next_slice(&app.cx)),
+            Action::Ghost => always(|app, _| ViewOptions::next_ghost(&mut app.cx)),
+            Action::Timeline => always(|app, _| app.timeline.fold()).on(self.timeline.is_shown()),
+            Action::Plots => always(|app, _| flip(&mut app.time_series.open)).on(self.time_series.open),
+            Action::Theme => always(|app, ctx| {
+                app.cx.tone = app.cx.tone.other();
+                app.cx.tone.apply(ctx);
+            }),
+            Action::Palette => always(|app, _| app.dialog = Some(Dialog::palette())),
+            Action::Help => always(|app, _| app.dialog = Some(Dialog::Help)),
+        }
+    }
+
+    /// How every action stands just now.
+    pub(super) fn action_states(&self) -> ActionStates {
+        ActionStates::new(|action| self.dispatch(action).state)
+    }
+
+    /// Does what was asked for, or says why that cannot be done just now.
+    pub fn perform(&mut self, ctx: &egui::Context, action: Action) {
+        let Dispatch { state, perform } = self.dispatch(action);
+        match state.disabled {
+            None => perform(self, ctx),
+            Some(why) => self.cx.say(Severity::Note, format!("{}: {why}", action.name())),
+        }
+    }
+
+    /// An action on what the fibres of the body are.
+    fn with_fibres(&self, perform: Performer) -> Dispatch {
+        let met = self.cx.active_body().is_some_and(|body| !body.fibres.is_empty());
+        when(met, "The body has no fibres", perform)
+    }
+
+    /// Why no earlier frame can be shown.
+    fn no_replay(&self) -> Option<&'static str> {
+        if self.cx.simulation.is_comparing() {
+            return Some("Nothing is recorded while integrators are compared");
+        }
+        (!self.cx.simulation.has_frames()).then_some("There are no earlier frames yet")
+    }
+
+    /// Why nothing can be deleted.
+    fn nothing_to_delete(&self) -> Option<&'static str> {
+        match self.cx.selection.vertices() {
+            Some(chosen) => chosen.is_empty().then_some("Select vertices first"),
+            None => self.cx.selection.active().is_none().then_some("Select a fibre first"),
+        }
+    }
+
+    /// Goes into the vertices of the active fibre, or back to whole fibres.
+    fn toggle_vertices(&mut self) {
+        let enter = self.cx.selection.vertices().is_none();
+        self.cx.selection.enter_vertices(enter);
+        self.views.editing_mut().note_tab();
+    }
+}
+
+fn flip(switch: &mut bool) {
+    *switch = !*switch;
+}

@@ -1,0 +1,135 @@
+//! Opening and saving the document.
+
+use super::App;
+use crate::io::{FileStamp, IoError, Origin, is_model, load_assets, save_scene};
+use crate::ui::autosave::{Question, RecoveryOffer};
+use crate::ui::context::{ActiveBody, OpenDocument, Severity};
+use crate::ui::dialogs::{Dialog, PathPurpose};
+use crate::ui::document::{Document, moved};
+use crate::ui::gallery::{Example, shipped_assets, with_models_in};
+use crate::ui::next::Next;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+impl App {
+    /// Opens a file, or the built-in scene, whatever becomes of the changes: [`Self::leave`] asks first.
+    pub(super) fn open_document(&mut self, path: Option<PathBuf>) {
+        // Before it is read: what is written in between is found later then.
+        let stamp = path.as_deref().filter(|path| !is_model(path)).and_then(|path| FileStamp::of(path).ok());
+        match Document::load(path.clone()) {
+            Ok(document) => {
+                if let Some(path) = &path {
+                    self.recent.add(path);
+                }
+                let name = path.map_or_else(|| "the soft bar".to_owned(), |path| path.display().to_string());
+                let said = document.note.clone().unwrap_or_else(|| format!("Opened {name}"));
+                self.take_up(document, stamp);
+                self.cx.say(Severity::Note, said);
+            }
+            Err(error) => self.cx.say(Severity::Error, error.to_string()),
+        }
+    }
+
+    /// Opens an example as a document without a file.
+    pub(super) fn open_example(&mut self, example: &Example) {
+        match Document::of_example(example) {
+            Ok(document) => {
+                let said = document.note.clone().unwrap_or_default();
+                self.take_up(document, None);
+                self.cx.document.is_example = true;
+                self.cx.say(Severity::Note, said);
+            }
+            Err(error) => self.cx.say(Severity::Error, error.to_string()),
+        }
+    }
+
+    /// Opens a document that was left behind, as changed.
+    pub(super) fn recover(&mut self, offer: &RecoveryOffer) {
+        let load = || -> Result<_, IoError> {
+            let scene = offer.document.load()?;
+            let Origin { folder, shipped, .. } = &offer.document.origin;
+            let assets = if *shipped { shipped_assets(&scene) } else { load_assets(&scene, folder, &mut |_| {}) };
+            Ok((scene, Arc::new(assets?)))
+        };
+        match load() {
+            Ok((scene, assets)) => {
+                let origin = offer.document.origin.clone();
+                let said = format!("Recovered {}; save it to keep it", offer.name());
+                // What the file became since then is not known to be what the document grew from.
+                let known = !offer.is_older && !origin.doubtful;
+                let stamp = origin.file.as_deref().filter(|_| known).and_then(|file| FileStamp::of(file).ok());
+                self.take_up(Document { scene, assets, path: origin.file, folder: origin.folder, note: None }, stamp);
+                self.cx.document.is_example = origin.shipped;
+                self.cx.document.editor.mark_unsaved();
+                self.autosave.recovered(offer, &self.cx.document);
+                self.cx.say(Severity::Note, said);
+            }
+            Err(error) => {
+                self.cx.say(Severity::Error, format!("{} cannot be recovered: {error}", offer.name()));
+            }
+        }
+    }
+
+    /// Shows another document.
+    fn take_up(&mut self, document: Document, stamp: Option<FileStamp>) {
+        self.cx.document = OpenDocument::new(document);
+        // Nothing of the last document stands for this one until it is put together.
+        self.cx.active = ActiveBody::default();
+        self.cx.forget_selection();
+        self.cx.status.drawn_fibre = None;
+        self.views.forget_gestures();
+        self.views.options.forget_slice();
+        self.gallery.forget_welcome();
+        self.patterns.forget_region();
+        self.autosave.watch(stamp);
+        self.cx.simulation.open(&self.cx.document);
+        self.views.reframe(false);
+    }
+
+    /// Saves to the document's file, or asks for one, and goes on.
+    pub(super) fn save_then(&mut self, ctx: &egui::Context, next: Option<Next>) {
+        match self.cx.document.path.clone() {
+            Some(path) => self.save_to(ctx, path, next),
+            None => self.ask_where(next),
+        }
+    }
+
+    /// Asks for the file to save to before it goes on.
+    pub(super) fn ask_where(&mut self, next: Option<Next>) {
+        self.dialog = Some(Dialog::path(PathPurpose::Save, self.cx.document.path.as_deref()).then(next));
+    }
+
+    /// Saves to a file and goes on, after asking where that would lose what the file holds.
+    pub(super) fn save_to(&mut self, ctx: &egui::Context, path: PathBuf, next: Option<Next>) {
+        match self.autosave.loss(&path, self.cx.document.path.as_deref()) {
+            Some(loss) => self.dialog = Some(Dialog::Question(Question::Replace { path, loss, next })),
+            None => self.write_then(ctx, &path, next),
+        }
+    }
+
+    /// Saves to a file, whatever it holds, and goes on unless that fails.
+    pub(super) fn write_then(&mut self, ctx: &egui::Context, path: &Path, next: Option<Next>) {
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        let document = &self.cx.document;
+        // Models that came with the program are put beside the scene, others stay where they are.
+        let scene = if document.is_example {
+            with_models_in(&folder, document.scene())
+        } else {
+            Ok(moved(document.scene(), &document.folder, &folder))
+        };
+        match scene.and_then(|scene| save_scene(path, &scene)) {
+            Ok(()) => {
+                self.cx.document.editor.mark_saved();
+                self.cx.document.path = Some(path.to_owned());
+                self.autosave.watch(FileStamp::of(path).ok());
+                self.autosave.note(&self.cx.document);
+                self.recent.add(path);
+                self.cx.say(Severity::Note, format!("Saved {}", path.display()));
+                if let Some(next) = next {
+                    self.go_on(ctx, next);
+                }
+            }
+            Err(error) => self.cx.say(Severity::Error, error.to_string()),
+        }
+    }
+}

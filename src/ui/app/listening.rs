@@ -1,0 +1,89 @@
+//! What the window takes up before it shows anything: the newest state of the simulation, keys and drops.
+
+use super::App;
+use crate::sim::Published;
+use crate::ui::action::Action;
+use crate::ui::context::Severity;
+use crate::ui::editing;
+use crate::ui::next::Next;
+use egui::{KeyboardShortcut, Modifiers};
+
+impl App {
+    /// Takes the newest state of the simulation and what the person asks for by keys and drops.
+    pub(super) fn listen(&mut self, ctx: &egui::Context) {
+        if let Some(before) = self.cx.simulation.take() {
+            self.take_state(&before);
+        }
+        if ctx.input(|input| input.pointer.any_released()) {
+            self.cx.begin_gesture();
+        }
+        let dropped = ctx.input(|input| input.raw.dropped_files.iter().map(|file| file.path().to_owned()).next());
+        if let Some(path) = dropped {
+            self.leave(ctx, Next::Open(path));
+        }
+        // Keys belong to what stands in front of everything.
+        if self.dialog.is_some() || editing::take_keys(self.views.editing_mut(), ctx, &mut self.cx) {
+            return;
+        }
+        if ctx.input(|input| input.key_pressed(egui::Key::Escape)) {
+            self.views.sketching().cancel();
+            self.prepare_pattern();
+            if self.cx.pattern.takes_region {
+                self.patterns.leave_region();
+            }
+        }
+        self.perform_keys(ctx);
+    }
+
+    /// Takes up a state that follows another one.
+    fn take_state(&mut self, before: &Published) {
+        let now = self.cx.simulation.published().clone();
+        // What was noticed before the motion began is said before what happened in it.
+        if now.status.notes != before.status.notes
+            && let Some(text) = now.status.notes.last()
+        {
+            let more = match now.status.notes.len() - 1 {
+                0 => String::new(),
+                more => format!(" (and {more} more: `sinew check` lists them)"),
+            };
+            let said = self.cx.scene().with_names(text) + &more;
+            self.cx.say(Severity::Warning, said);
+        }
+        self.breaks.watch(before, &mut self.cx);
+        if now.compared.len() != before.compared.len() {
+            self.views.reframe(false);
+        }
+        self.comparison.record(&now.compared);
+        if !std::sync::Arc::ptr_eq(&now.at_rest, &before.at_rest) {
+            let last = now.at_rest.bodies.len().saturating_sub(1);
+            self.cx.active.index = self.cx.active.index.min(last);
+            self.cx.take_model();
+        }
+    }
+
+    /// Does what was asked for by keys.
+    fn perform_keys(&mut self, ctx: &egui::Context) {
+        // While something is typed, plain keys belong to the text, with Shift, too.
+        let typing = ctx.egui_wants_keyboard_input();
+        let mut keys: Vec<(Action, KeyboardShortcut)> = Action::ALL
+            .into_iter()
+            .flat_map(|action| action.shortcuts().iter().map(move |shortcut| (action, *shortcut)))
+            .filter(|(_, shortcut)| !typing || shortcut.modifiers.alt || shortcut.modifiers.command)
+            .collect();
+        // Those with most modifiers first: Ctrl+Shift+Z must not be taken for Ctrl+Z, nor Alt+H for H.
+        let held = |shortcut: &KeyboardShortcut| {
+            let Modifiers { alt, shift, ctrl, command, .. } = shortcut.modifiers;
+            [alt, shift, ctrl || command].into_iter().filter(|held| *held).count()
+        };
+        keys.sort_by_key(|(_, shortcut)| std::cmp::Reverse(held(shortcut)));
+        let asked: Vec<Action> = ctx.input_mut(|input| {
+            keys.into_iter()
+                .filter(|(_, shortcut)| input.consume_shortcut(shortcut))
+                .map(|(action, _)| action)
+                .collect()
+        });
+        for action in asked {
+            self.perform(ctx, action);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! What is remembered from one start to the next.
+
+use super::App;
+use crate::io::RecentFiles;
+use crate::ui::theme::Tone;
+use crate::ui::timeline::RememberedTimeline;
+use crate::ui::views::Pane;
+use egui_tiles::Tree;
+use serde::{Deserialize, Serialize};
+
+/// Under these names things are remembered.
+const WINDOW: &str = "window";
+const RECENT: &str = "recent";
+const START_SCREEN: &str = "start screen";
+
+/// How the window was left.
+#[derive(Deserialize)]
+struct Recalled {
+    views: Tree<Pane>,
+    light: bool,
+    coach: bool,
+    #[serde(default)]
+    timeline: RememberedTimeline,
+    #[serde(default)]
+    plots: bool,
+}
+
+/// How the window is left.
+#[derive(Serialize)]
+struct Remembered<'a> {
+    views: &'a Tree<Pane>,
+    light: bool,
+    coach: bool,
+    timeline: RememberedTimeline,
+    plots: bool,
+}
+
+impl App {
+    /// Goes on with the views, colours and files of the last time.
+    pub fn recall(&mut self, ctx: &egui::Context, storage: &dyn eframe::Storage) {
+        if let Some(mut recent) = eframe::get_value::<RecentFiles>(storage, RECENT) {
+            recent.drop_missing();
+            if let Some(path) = &self.cx.document.path {
+                recent.add(path);
+            }
+            self.recent = recent;
+        }
+        self.gallery.recall(eframe::get_value(storage, START_SCREEN).unwrap_or(false));
+        let Some(last) = eframe::get_value::<Recalled>(storage, WINDOW) else { return };
+        self.views.recall(last.views, last.coach);
+        self.timeline.recall(last.timeline, &self.cx);
+        self.time_series.open = last.plots;
+        if last.light != (self.cx.tone == Tone::Light) {
+            self.cx.tone = self.cx.tone.other();
+            self.cx.tone.apply(ctx);
+        }
+    }
+
+    /// Remembers the views, colours and files for the next time.
+    pub(super) fn remember(&self, storage: &mut dyn eframe::Storage) {
+        let now = Remembered {
+            views: self.views.panes(),
+            light: self.cx.tone == Tone::Light,
+            coach: self.views.coach(),
+            timeline: self.timeline.to_remember(),
+            plots: self.time_series.open,
+        };
+        eframe::set_value(storage, WINDOW, &now);
+        eframe::set_value(storage, START_SCREEN, &self.gallery.was_welcomed());
+        eframe::set_value(storage, RECENT, &self.recent);
+    }
+}

@@ -1,0 +1,178 @@
+//! The window: what it is made of, and one frame of it.
+
+mod answers;
+mod dispatch;
+mod files;
+mod leaving;
+mod listening;
+mod memory;
+mod probe;
+mod requests;
+
+use super::autosave::Autosave;
+use super::breaks::BreakWatch;
+use super::comparison::Comparison;
+use super::context::{Context, OpenDocument, Severity, Simulation};
+use super::dialogs::Dialog;
+use super::document::Document;
+use super::gallery::Gallery;
+use super::patterns::Patterns;
+use super::right_panel::{PropertyTab, RightPanel};
+use super::theme::Tone;
+use super::time_series::TimeSeriesPanel;
+use super::timeline::Timeline;
+use super::top_bar::TopBar;
+use super::views::{Painter, Views};
+use super::{outliner, status_bar};
+use crate::io::RecentFiles;
+use std::path::PathBuf;
+
+/// The window: the document with its simulation, and the panels that show and change them.
+pub struct App {
+    cx: Context,
+    views: Views,
+    top_bar: TopBar,
+    right_panel: RightPanel,
+    timeline: Timeline,
+    time_series: TimeSeriesPanel,
+    comparison: Comparison,
+    patterns: Patterns,
+    gallery: Gallery,
+    autosave: Autosave,
+    breaks: BreakWatch,
+    recent: RecentFiles,
+    /// What is open over the window.
+    dialog: Option<Dialog>,
+    title: String,
+}
+
+impl App {
+    /// A window on a document. Without a render state nothing is painted into the views, but
+    /// everything else works.
+    pub fn new(ctx: &egui::Context, render: Option<egui_wgpu::RenderState>, document: Document) -> Self {
+        let note = document.note.clone();
+        let tone = Tone::Dark;
+        tone.apply(ctx);
+        let document = OpenDocument::new(document);
+        let autosave = Autosave::start(ctx, &document);
+        let mut recent = RecentFiles::default();
+        if let Some(path) = &document.path {
+            recent.add(path);
+        }
+        let repaint = ctx.clone();
+        let simulation = Simulation::start(&document, move || repaint.request_repaint());
+        let mut cx = Context::new(document, simulation, tone);
+        cx.status.message = note.map(|note| (Severity::Note, note));
+        Self {
+            cx,
+            views: Views::new(render.map(Painter::new)),
+            top_bar: TopBar::default(),
+            right_panel: RightPanel::default(),
+            timeline: Timeline::default(),
+            time_series: TimeSeriesPanel::default(),
+            comparison: Comparison::default(),
+            patterns: Patterns::default(),
+            gallery: Gallery::default(),
+            autosave,
+            breaks: BreakWatch::default(),
+            recent,
+            dialog: None,
+            title: String::new(),
+        }
+    }
+
+    /// Keeps a person's own patterns in this folder; nowhere unless one is given.
+    #[must_use]
+    pub fn with_pattern_folder(self, folder: PathBuf) -> Self {
+        Self { patterns: self.patterns.with_folder(folder), ..self }
+    }
+
+    /// Keeps changed documents in a folder, from which they are recovered when the program ended without asking; without
+    /// one nothing is kept.
+    #[must_use]
+    pub fn with_recovery(self, folder: impl Into<PathBuf>) -> Self {
+        self.autosave.keep_in(folder.into());
+        self
+    }
+
+    /// Shows the start screen over the scene that runs, unless it was shown before.
+    pub fn welcome(&mut self) {
+        if self.gallery.begin_welcome() {
+            self.dialog = Some(Dialog::Examples);
+        }
+    }
+
+    /// One frame of the window.
+    pub fn show(&mut self, ui: &mut egui::Ui) {
+        let ctx = ui.ctx().clone();
+        self.listen(&ctx);
+        self.top_bar.count_frame(&ctx);
+        self.prepare();
+        let in_software = self.views.draws_in_software();
+        self.top_bar.show(ui, &mut self.cx, self.recent.paths(), in_software == Some(true));
+        self.carry_out(&ctx);
+        // The bar shows what the views found under the pointer one frame ago.
+        status_bar::status_bar(ui, &mut self.cx);
+        self.carry_out(&ctx);
+        self.cx.status.hint = "Draw a stroke in a drawing view to begin a fibre";
+        self.timeline.show(ui, &mut self.cx);
+        self.carry_out(&ctx);
+        outliner::left_panel(ui, &mut self.cx, self.views.editing_mut());
+        self.carry_out(&ctx);
+        // Strips play by themselves where a graphics card draws; where that is work, only the one under the pointer does.
+        let (comparison, patterns) = (&mut self.comparison, &mut self.patterns);
+        self.right_panel.show(ui, &mut self.cx, comparison, patterns, in_software == Some(false));
+        self.carry_out(&ctx);
+        if self.cx.simulation.is_comparing() {
+            self.comparison.plots(ui, &self.cx);
+        } else {
+            self.time_series.show(ui, &mut self.cx);
+        }
+        self.carry_out(&ctx);
+        self.prepare_pattern();
+        self.views.show(ui, &mut self.cx);
+        self.carry_out(&ctx);
+        self.show_dialog(&ctx);
+        self.views.editing_mut().keep_keys(&ctx);
+        self.show_title(&ctx);
+    }
+
+    /// Works out what the panels are told of each other in this frame.
+    fn prepare(&mut self) {
+        self.cx.has_dialog = self.dialog.is_some();
+        self.prepare_pattern();
+        self.cx.actions = self.action_states();
+    }
+
+    fn prepare_pattern(&mut self) {
+        let is_shown = self.right_panel.tab() == PropertyTab::Patterns;
+        self.cx.pattern = self.patterns.preview(is_shown, &self.cx);
+    }
+
+    fn show_title(&mut self, ctx: &egui::Context) {
+        let mark = if self.cx.document.editor.is_changed() { " •" } else { "" };
+        let title = format!("{}{mark} — sinew", self.cx.document.name());
+        if title != self.title {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
+        self.look_after(ctx);
+    }
+
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        self.show(ui);
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.panel_fill.to_normalized_gamma_f32()
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        self.remember(storage);
+    }
+}

@@ -1,0 +1,13 @@
+//! Nothing is lost: changes are saved or given up only when that is asked for, a document outlives the program, and what
+//! other programs do to its file is noticed.
+
+mod ask;
+mod offer;
+mod question;
+mod state;
+mod thread;
+
+pub use ask::{About, ask};
+pub use offer::RecoveryOffer;
+pub use question::{Loss, Question, Reply};
+pub use state::Autosave;

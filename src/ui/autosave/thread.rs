@@ -1,0 +1,283 @@
+//! The thread that keeps the changed document where it can be recovered, and looks after its file: the window waits for
+//! no disk.
+
+use super::offer::RecoveryOffer;
+use crate::io::{
+    FileStamp, FileState, IoError, Origin, RecoverableDocument, RecoveryFile, load_scene, recoverable_documents,
+};
+use crate::scene::Scene;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// A document is kept this long after its last change,
+const QUIET: Duration = Duration::from_secs(5);
+/// and this long after its first one at the latest: who never pauses is kept too.
+const LATEST: Duration = Duration::from_secs(30);
+/// The file of the document is looked at this often.
+const EVERY: Duration = Duration::from_secs(2);
+
+/// A document that waits in the slot.
+struct WaitingDocument {
+    number: u64,
+    origin: Origin,
+    scene: Arc<Scene>,
+}
+
+/// What is asked of the thread.
+pub enum AutosaveRequest {
+    /// Keeps documents in this folder from now on, and tells which were left there.
+    Folder(PathBuf),
+    /// Keeps the newest document in the slot before long.
+    Keep,
+    /// Keeps at once what waits.
+    KeepNow,
+    /// Forgets documents up to this number: they are saved, or their changes are not wanted.
+    Forget(u64),
+    /// What was recovered goes as soon as it is kept here, or forgotten.
+    Recovered(RecoverableDocument),
+    /// Looks after this file from now on; its reports bear this number.
+    Watch(u64, Option<FileStamp>),
+    /// Looks whether the watched file holds this.
+    Compare(Arc<Scene>),
+    /// Looks after the file now.
+    Look,
+}
+
+/// What the thread tells.
+pub enum AutosaveReport {
+    /// What was left behind.
+    Offers(Vec<RecoveryOffer>),
+    /// The document cannot be kept.
+    NotKept(IoError),
+    /// The file that is watched under a number became this.
+    File(u64, FileState),
+}
+
+/// The newest document that is to be kept: earlier ones are of no use.
+type LatestSlot = Arc<Mutex<Option<WaitingDocument>>>;
+
+/// The thread, seen from the window.
+pub struct AutosaveThread {
+    requests: Option<Sender<AutosaveRequest>>,
+    reports: Receiver<AutosaveReport>,
+    slot: LatestSlot,
+    /// Of the document that was put in the slot last.
+    number: u64,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl AutosaveThread {
+    /// Starts the thread; `wake` is called whenever there is something to tell.
+    pub fn start(wake: impl Fn() + Send + 'static) -> Self {
+        let (requests, asked) = channel();
+        let (told, reports) = channel();
+        let slot = LatestSlot::default();
+        let autosaver = Autosaver {
+            slot: Arc::clone(&slot),
+            folder: None,
+            place: None,
+            recovered: Vec::new(),
+            due: None,
+            watched: None,
+            has_failed: false,
+            reports: told,
+            wake: Box::new(wake),
+        };
+        let thread = std::thread::Builder::new().name("autosave".into()).spawn(move || autosaver.run(&asked)).ok();
+        Self { requests: Some(requests), reports, slot, number: 0, thread }
+    }
+
+    pub fn send(&self, request: AutosaveRequest) {
+        if let Some(requests) = &self.requests {
+            // The thread outlives every request; without it nothing is kept.
+            let _ = requests.send(request);
+        }
+    }
+
+    pub fn keep(&mut self, origin: Origin, scene: Arc<Scene>) {
+        self.number += 1;
+        *locked(&self.slot) = Some(WaitingDocument { number: self.number, origin, scene });
+        self.send(AutosaveRequest::Keep);
+    }
+
+    pub fn forget(&self) {
+        self.send(AutosaveRequest::Forget(self.number));
+    }
+
+    pub fn report(&self) -> Option<AutosaveReport> {
+        self.reports.try_recv().ok()
+    }
+}
+
+impl Drop for AutosaveThread {
+    fn drop(&mut self) {
+        // Without a sender the thread does what it was asked for, keeps what still waits and ends.
+        self.requests = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+fn locked(slot: &LatestSlot) -> MutexGuard<'_, Option<WaitingDocument>> {
+    slot.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+struct Watched {
+    number: u64,
+    stamp: FileStamp,
+    /// What was told of it last.
+    told: FileState,
+    next: Instant,
+}
+
+/// When the document is to be kept.
+struct Due {
+    first: Instant,
+    last: Instant,
+}
+
+impl Due {
+    fn at(&self) -> Instant {
+        (self.last + QUIET).min(self.first + LATEST)
+    }
+}
+
+/// The thread's own state.
+struct Autosaver {
+    slot: LatestSlot,
+    folder: Option<PathBuf>,
+    /// Where this document is kept, from the first time on.
+    place: Option<RecoveryFile>,
+    recovered: Vec<RecoverableDocument>,
+    due: Option<Due>,
+    watched: Option<Watched>,
+    /// Whether it was told that nothing can be kept: once is enough.
+    has_failed: bool,
+    reports: Sender<AutosaveReport>,
+    wake: Box<dyn Fn() + Send>,
+}
+
+impl Autosaver {
+    fn run(mut self, requests: &Receiver<AutosaveRequest>) {
+        loop {
+            match self.wait(requests) {
+                Ok(request) => self.go(request),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+            let now = Instant::now();
+            if self.due.as_ref().is_some_and(|due| due.at() <= now) {
+                self.keep();
+            }
+            if self.watched.as_ref().is_some_and(|watched| watched.next <= now) {
+                self.look();
+            }
+        }
+        self.keep();
+    }
+
+    fn wait(&self, requests: &Receiver<AutosaveRequest>) -> Result<AutosaveRequest, RecvTimeoutError> {
+        let due = self.due.as_ref().map(Due::at);
+        let next = due.into_iter().chain(self.watched.as_ref().map(|watched| watched.next)).min();
+        match next {
+            Some(next) => requests.recv_timeout(next.saturating_duration_since(Instant::now())),
+            None => requests.recv().map_err(|_| RecvTimeoutError::Disconnected),
+        }
+    }
+
+    fn go(&mut self, request: AutosaveRequest) {
+        let now = Instant::now();
+        match request {
+            AutosaveRequest::Folder(folder) => {
+                let found = recoverable_documents(&folder).into_iter().map(RecoveryOffer::new).collect();
+                self.folder = Some(folder);
+                self.tell(AutosaveReport::Offers(found));
+            }
+            AutosaveRequest::Keep => self.due.get_or_insert(Due { first: now, last: now }).last = now,
+            AutosaveRequest::KeepNow => self.keep(),
+            AutosaveRequest::Forget(number) => self.forget(number),
+            AutosaveRequest::Recovered(what) => self.recovered.push(what),
+            AutosaveRequest::Watch(number, stamp) => {
+                self.watched = stamp.map(|stamp| Watched { number, stamp, told: FileState::Same, next: now + EVERY });
+            }
+            AutosaveRequest::Compare(scene) => self.compare(&scene),
+            AutosaveRequest::Look => self.look(),
+        }
+    }
+
+    fn keep(&mut self) {
+        self.due = None;
+        let Some(folder) = &self.folder else { return };
+        let Some(kept) = locked(&self.slot).take() else { return };
+        let outcome = match self.place.take() {
+            Some(place) => Ok(place),
+            None => RecoveryFile::open(folder),
+        };
+        let outcome = outcome.and_then(|place| self.place.insert(place).write(&kept.origin, &kept.scene));
+        let Err(error) = outcome else {
+            self.has_failed = false;
+            self.drop_recovered();
+            return;
+        };
+        // It is tried again: a full disk may have room later.
+        let now = Instant::now();
+        locked(&self.slot).get_or_insert(kept);
+        self.due = Some(Due { first: now, last: now });
+        if !std::mem::replace(&mut self.has_failed, true) {
+            self.tell(AutosaveReport::NotKept(error));
+        }
+    }
+
+    fn forget(&mut self, number: u64) {
+        // What was put in the slot since then waits.
+        locked(&self.slot).take_if(|kept| kept.number <= number);
+        if let Some(place) = &self.place {
+            // What cannot be removed is offered at the next start: too much, but nothing is lost.
+            place.clear().ok();
+        }
+        self.drop_recovered();
+    }
+
+    /// What is kept here, or wanted no more, need not be offered again.
+    fn drop_recovered(&mut self) {
+        for what in std::mem::take(&mut self.recovered) {
+            // One that cannot be removed is offered once more: nothing is lost.
+            what.discard().ok();
+        }
+    }
+
+    fn compare(&mut self, scene: &Scene) {
+        let Some(watched) = &self.watched else { return };
+        if load_scene(watched.stamp.path()).is_ok_and(|found| found != *scene) {
+            self.tell(AutosaveReport::File(watched.number, FileState::Changed));
+        }
+    }
+
+    fn look(&mut self) {
+        let Some(watched) = &mut self.watched else { return };
+        watched.next = Instant::now() + EVERY;
+        let state = watched.stamp.state();
+        let is_news = state != watched.told && state != FileState::Same;
+        watched.told = state;
+        if state == FileState::Changed
+            && let Ok(stamp) = FileStamp::of(watched.stamp.path())
+        {
+            // From here on it is looked for the next change.
+            (watched.stamp, watched.told) = (stamp, FileState::Same);
+        }
+        if is_news {
+            let number = watched.number;
+            self.tell(AutosaveReport::File(number, state));
+        }
+    }
+
+    fn tell(&self, report: AutosaveReport) {
+        // The window may be gone.
+        let _ = self.reports.send(report);
+        (self.wake)();
+    }
+}

@@ -1,0 +1,66 @@
+//! The right panel's first tab: what the active body is made of and how it is stepped.
+
+use super::context::{Context, Step};
+use super::material_fields::material_fields;
+use super::theme::GRID;
+use super::two_layer_fields::two_layer_fields;
+use crate::edit::Command;
+use crate::scene::IntegratorKind;
+use egui::{ComboBox, RichText, Ui};
+
+/// Shows what the active body is made of and how it is stepped.
+pub fn body_tab(ui: &mut Ui, cx: &mut Context) {
+    if let Some(body) = cx.active_body().cloned() {
+        let mut material = body.material.clone();
+        material_fields(ui, &mut material);
+        if material != body.material {
+            cx.edit(&Command::SetMaterial { body: body.id.clone(), material }, Step::Present);
+        }
+        integrator(ui, cx, body.id, body.integrator);
+    } else if let Some(body) = cx.active_two_layer().cloned() {
+        let mut changed = body.clone();
+        two_layer_fields(ui, &mut changed);
+        if changed != body {
+            cx.edit(&Command::SetTwoLayer(Box::new(changed)), Step::Present);
+        }
+        integrator(ui, cx, body.id, body.integrator);
+    } else {
+        ui.label("No body is chosen");
+    }
+    if let Some(baking) = &cx.simulation.published().status.baking {
+        ui.add_space(GRID);
+        // On as many lines as it needs: a wider panel would make the views jump.
+        ui.horizontal_wrapped(|ui| {
+            ui.spinner();
+            ui.label(format!("Putting together {baking}…"));
+        });
+    }
+}
+
+/// The body's integrator, its step and what that must not exceed.
+fn integrator(ui: &mut Ui, cx: &mut Context, body: String, present: IntegratorKind) {
+    ui.add_space(2.0 * GRID);
+    let title = ui.heading("Integrator");
+    let mut chosen = present;
+    let choice = ComboBox::from_id_salt("integrator").selected_text(present.name()).show_ui(ui, |ui| {
+        for kind in IntegratorKind::ALL {
+            ui.selectable_value(&mut chosen, kind, kind.name());
+        }
+    });
+    choice.response.labelled_by(title.id);
+    if chosen != present {
+        cx.edit(&Command::SetIntegrator { body, integrator: chosen }, Step::Own);
+    }
+    let Some(step) = cx.simulation.published().status.bodies.get(cx.active.index) else { return };
+    let exceeded = step.dt > step.stable_dt;
+    let text = format!("DT    {:.3e} s\nlimit {:.3e} s", step.dt, step.stable_dt);
+    let colour = if exceeded { cx.tone.error() } else { ui.visuals().text_color() };
+    let set_by = cx.set_by(step.limited_by.as_deref());
+    let why = format!("The limit is the stable step of this integrator{set_by}");
+    ui.label(RichText::new(text).monospace().color(colour)).on_hover_text(&why);
+    if exceeded {
+        ui.colored_label(cx.tone.error(), format!("Beyond the limit{set_by}"));
+    } else if let Some(pointer) = &step.limited_by {
+        ui.label(RichText::new(format!("Set by {}", cx.scene().with_names(pointer))).weak().small());
+    }
+}

@@ -1,0 +1,54 @@
+//! Curves and vertices of fibres, lifted from their strokes once and not in every frame of every view.
+
+use crate::edit::fibre_ops::Sampling;
+use crate::scene::{Fibre, FibreSource};
+use crate::sketch::{Lifted, structure_particles};
+use glam::DVec3;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// What fibres came out as, by their identifiers.
+#[derive(Debug, Default)]
+pub struct Lifts(RefCell<HashMap<String, Rc<Lift>>>);
+
+/// What a fibre came out as.
+#[derive(Debug)]
+pub struct Lift {
+    source: FibreSource,
+    sampling: Sampling,
+    /// The curve of its strokes; none where it has none, or they give none.
+    pub lifted: Option<Lifted>,
+    /// Its vertices in the model frame [m]; none where its strokes give no curve.
+    pub vertices: Vec<DVec3>,
+}
+
+impl Lifts {
+    /// What a fibre comes out as: lifted anew where its strokes or the body have changed since the last time.
+    pub fn of(&self, fibre: &Fibre, sampling: Sampling) -> Rc<Lift> {
+        let mut known = self.0.borrow_mut();
+        if let Some(lift) = known.get(&fibre.id)
+            && lift.source == fibre.source
+            && lift.sampling == sampling
+        {
+            return Rc::clone(lift);
+        }
+        let lifted = match &fibre.source {
+            FibreSource::Strokes(pair) => pair.lifted(sampling.model_diagonal).ok(),
+            FibreSource::Vertices(_) => None,
+        };
+        let vertices = match (&lifted, &fibre.source) {
+            (Some(lifted), _) => structure_particles(&lifted.curve, sampling.spacing).unwrap_or_default(),
+            (None, FibreSource::Vertices(vertices)) => vertices.iter().copied().map(DVec3::from_array).collect(),
+            (None, FibreSource::Strokes(_)) => Vec::new(),
+        };
+        let lift = Rc::new(Lift { source: fibre.source.clone(), sampling, lifted, vertices });
+        known.insert(fibre.id.clone(), Rc::clone(&lift));
+        lift
+    }
+
+    /// Forgets every fibre: another body or document is drawn into.
+    pub fn clear(&self) {
+        self.0.borrow_mut().clear();
+    }
+}

@@ -1,0 +1,172 @@
+//! What every panel and tool of the window is given: the document, the newest published state, what is selected, the
+//! theme, and the ways to ask for something.
+//!
+//! How it works. A panel owns what it alone needs and is shown with a [`Context`]. What it changes of the document goes
+//! through [`Context::edit`], what it asks of the simulation through [`Context::ask`]: both take effect at once. What
+//! concerns other panels is left as a [`Request`], which the window carries out as soon as the panel has been shown.
+//!
+//! Why not otherwise. Panels that can reach each other end in an object that knows everything; edits that wait for the
+//! end of the frame would let a tool go on from a document that is not there any more.
+
+mod active;
+mod document;
+mod gestures;
+mod lifts;
+mod preview;
+mod queries;
+mod request;
+mod selection;
+mod simulation;
+mod status;
+
+pub use active::ActiveBody;
+pub use document::OpenDocument;
+pub use gestures::{Gestures, Step};
+pub use lifts::{Lift, Lifts};
+pub use preview::PatternPreview;
+pub use request::Request;
+pub use selection::Selection;
+pub use simulation::{Ghost, Grabbed, Simulation};
+pub use status::{Severity, StatusLine};
+
+use super::action::ActionStates;
+use super::theme::Tone;
+use crate::edit::Command;
+use crate::scene::Scene;
+use crate::sim::SimCommand;
+use std::sync::Arc;
+
+/// What panels and tools share.
+pub struct Context {
+    /// The open document.
+    pub document: OpenDocument,
+    /// The running simulation.
+    pub simulation: Simulation,
+    /// The body that is drawn into and whose properties are shown.
+    pub active: ActiveBody,
+    /// What of it is selected.
+    pub selection: Selection,
+    /// Light or dark.
+    pub tone: Tone,
+    /// What is said at the foot of the window.
+    pub status: StatusLine,
+    /// Which actions can be asked for in this frame, and which switches are on.
+    pub actions: ActionStates,
+    /// The pattern that is chosen, before it is there.
+    pub pattern: PatternPreview,
+    /// Whether something is open over the window.
+    pub has_dialog: bool,
+    lifts: Lifts,
+    gestures: Gestures,
+    requests: Vec<Request>,
+}
+
+impl Context {
+    /// The context of a window in which nothing has happened yet.
+    pub fn new(document: OpenDocument, simulation: Simulation, tone: Tone) -> Self {
+        Self {
+            document,
+            simulation,
+            active: ActiveBody::default(),
+            selection: Selection::default(),
+            tone,
+            status: StatusLine::default(),
+            actions: ActionStates::default(),
+            pattern: PatternPreview::default(),
+            has_dialog: false,
+            lifts: Lifts::default(),
+            gestures: Gestures::default(),
+            requests: Vec::new(),
+        }
+    }
+
+    /// The document as it is now.
+    pub fn scene(&self) -> &Arc<Scene> {
+        self.document.scene()
+    }
+
+    /// Says something at the foot of the window.
+    pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
+        self.status.message = Some((severity, text.into()));
+    }
+
+    /// Asks something of the simulation.
+    pub fn ask(&self, command: SimCommand) {
+        self.simulation.ask(command);
+    }
+
+    /// Asks for something that concerns other panels.
+    pub fn request(&mut self, request: Request) {
+        self.requests.push(request);
+    }
+
+    /// What was asked for since this was called last.
+    pub fn take_requests(&mut self) -> Vec<Request> {
+        std::mem::take(&mut self.requests)
+    }
+
+    /// Changes the document; changes of one gesture are one step of undo.
+    pub fn edit(&mut self, command: &Command, step: Step) {
+        let gesture = match step {
+            Step::Own => self.gestures.begin(),
+            Step::Present => self.gestures.present(),
+            Step::Of(gesture) => gesture,
+        };
+        let before = Arc::clone(self.scene());
+        match self.document.editor.apply_in(command, Some(gesture)) {
+            Ok(()) if Arc::ptr_eq(&before, self.scene()) => {}
+            Ok(()) => self.hand_over(),
+            Err(error) => self.say(Severity::Error, error.to_string()),
+        }
+    }
+
+    /// Draws into another body from now on.
+    pub fn activate(&mut self, index: usize) {
+        self.active.index = index;
+        self.take_model();
+        self.forget_selection();
+    }
+
+    /// Takes over how the active body looks at rest, once the simulation has put it together.
+    pub fn take_model(&mut self) {
+        self.active.take_model(self.simulation.published());
+    }
+
+    /// Nothing is selected any more: another body or document is drawn into.
+    pub fn forget_selection(&mut self) {
+        self.selection = Selection::default();
+        self.lifts.clear();
+    }
+
+    /// Begins a gesture: what is changed from now on is another step of undo. Gives its number.
+    pub fn begin_gesture(&mut self) -> u64 {
+        self.gestures.begin()
+    }
+
+    /// Gives a gesture up: the document is as it was before it.
+    pub fn abandon(&mut self, gesture: u64) {
+        if self.document.editor.abandon(gesture) {
+            self.hand_over();
+        }
+    }
+
+    /// Takes the last change back.
+    pub fn undo(&mut self) {
+        if self.document.editor.undo() {
+            self.hand_over();
+        }
+    }
+
+    /// Makes the last change that was taken back again.
+    pub fn redo(&mut self) {
+        if self.document.editor.redo() {
+            self.hand_over();
+        }
+    }
+
+    /// Gives the present document to the simulation, which goes on from its present motion.
+    fn hand_over(&mut self) {
+        self.forget_what_is_gone();
+        self.simulation.edit(&self.document);
+    }
+}

@@ -1,0 +1,112 @@
+//! What panels ask of the document: the active body, what is selected of it and where that lies.
+
+use super::{Context, Lift};
+use crate::edit::fibre_ops::Sampling;
+use crate::scene::{Body, Fibre, FibreSource, Pin, Region, Shape, TwoLayer};
+use crate::sketch::View;
+use glam::DVec3;
+use std::rc::Rc;
+
+/// Spacing [m] that fibres are drawn with where there is no body yet.
+const USUAL_SPACING: f64 = 1e-2;
+
+impl Context {
+    /// The fibre solid that is drawn into.
+    pub fn active_body(&self) -> Option<&Body> {
+        self.scene().bodies.get(self.active.index)
+    }
+
+    /// The two-layer body whose properties are shown.
+    pub fn active_two_layer(&self) -> Option<&TwoLayer> {
+        let scene = self.scene();
+        scene.two_layer.get(self.active.index.checked_sub(scene.bodies.len())?)
+    }
+
+    /// Identifier, regions and pins of the active body of either kind.
+    pub fn active_supports(&self) -> Option<(String, Vec<Region>, Vec<Pin>)> {
+        if let Some(body) = self.active_body() {
+            return Some((body.id.clone(), body.regions.clone(), body.pins.clone()));
+        }
+        self.active_two_layer().map(|body| (body.id.clone(), body.regions.clone(), body.pins.clone()))
+    }
+
+    /// How strokes of the active body become vertices.
+    pub fn sampling(&self) -> Sampling {
+        let model_diagonal = self.active.diagonal();
+        // Of a mesh that is filled with a number of particles, the spacing that came out.
+        let body = self.active.model.bodies.first();
+        let filled = body.map(|body| model_diagonal / (body.particles.len().max(1) as f64).cbrt());
+        let spacing = match self.active_body() {
+            Some(body) => match &body.shape {
+                Shape::Mesh(mesh) if mesh.particles.is_some() => filled.unwrap_or_else(|| body.material.spacing()),
+                _ => body.material.spacing(),
+            },
+            None => filled.unwrap_or(USUAL_SPACING),
+        };
+        Sampling { model_diagonal, spacing }
+    }
+
+    /// The selected fibres of the active body, in the order in which they were chosen.
+    pub fn selected_fibres(&self) -> Vec<&Fibre> {
+        let Some(body) = self.active_body() else { return Vec::new() };
+        let find = |id: &String| body.fibres.iter().find(|fibre| fibre.id == *id);
+        self.selection.fibres().iter().filter_map(find).collect()
+    }
+
+    /// The fibre that was selected last and the body that it lies in.
+    pub fn selected_fibre(&self) -> Option<(&Body, &Fibre)> {
+        let body = self.active_body()?;
+        let id = self.selection.active()?;
+        Some((body, body.fibres.iter().find(|fibre| fibre.id == *id)?))
+    }
+
+    /// The curve and vertices of that fibre.
+    pub fn selected_lift(&self) -> Option<Rc<Lift>> {
+        let (_, fibre) = self.selected_fibre()?;
+        Some(self.lifts.of(fibre, self.sampling()))
+    }
+
+    /// Views in which the strokes of that fibre were drawn.
+    pub fn selected_views(&self) -> Vec<View> {
+        match self.selected_fibre().map(|(_, fibre)| &fibre.source) {
+            Some(FibreSource::Strokes(pair)) => vec![pair.first.view, pair.second.view],
+            _ => Vec::new(),
+        }
+    }
+
+    /// Vertices of that fibre in the model frame [m].
+    pub fn active_vertices(&self) -> Vec<DVec3> {
+        self.selected_lift().map_or_else(Vec::new, |lift| lift.vertices.clone())
+    }
+
+    /// The middle of what is selected, in the model frame [m]; none if nothing is.
+    pub fn pivot(&self) -> Option<DVec3> {
+        let points: Vec<DVec3> = if let Some(chosen) = self.selection.vertices() {
+            let vertices = self.active_vertices();
+            chosen.iter().filter_map(|&k| vertices.get(k).copied()).collect()
+        } else {
+            let sampling = self.sampling();
+            let lifts = self.selected_fibres().into_iter().map(|fibre| self.lifts.of(fibre, sampling));
+            lifts.flat_map(|lift| lift.vertices.clone()).collect()
+        };
+        (!points.is_empty()).then(|| points.iter().sum::<DVec3>() / points.len() as f64)
+    }
+
+    /// What sets a stable step, to be said after it; nothing where that is not known.
+    pub fn set_by(&self, limited_by: Option<&str>) -> String {
+        limited_by.map_or_else(String::new, |pointer| format!(", set by {}", self.scene().with_names(pointer)))
+    }
+
+    /// Forgets what is selected and no longer there.
+    pub(super) fn forget_what_is_gone(&mut self) {
+        let ids: Vec<String> =
+            self.active_body().into_iter().flat_map(|body| &body.fibres).map(|fibre| fibre.id.clone()).collect();
+        self.selection.retain(|id| ids.iter().any(|known| known == id));
+        if let Some(chosen) = self.selection.vertices().map(<[usize]>::to_vec) {
+            let count = self.active_vertices().len();
+            if chosen.iter().any(|&k| k >= count) {
+                self.selection.set_vertices(chosen.into_iter().filter(|&k| k < count).collect());
+            }
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! What a panel asks of the window because it concerns other panels.
+
+use crate::ui::action::Action;
+use crate::ui::dialogs::Dialog;
+use glam::DVec3;
+use std::path::PathBuf;
+
+/// Something that the window does as soon as the panel has been shown.
+pub enum Request {
+    /// Does what an action is for.
+    Do(Action),
+    /// Opens something over the window.
+    Open(Dialog),
+    /// Opens a file of those that were used.
+    OpenRecent(PathBuf),
+    /// Forgets the files that were used.
+    ForgetRecent,
+    /// Draws into another body from now on, by its place in the snapshot.
+    Activate(usize),
+    /// Shows the layouts of fibres.
+    ShowPatterns,
+    /// Takes the refused strokes by stretching the second onto the first.
+    StretchStrokes,
+    /// Fills this part of the body with the chosen pattern: least and greatest corner, model frame [m].
+    FillRegion([DVec3; 2]),
+}

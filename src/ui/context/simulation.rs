@@ -1,0 +1,188 @@
+//! The running simulation as the window sees it: what it published last, and what is asked of it.
+
+use super::OpenDocument;
+use crate::scene::Scene;
+use crate::sim::{Published, RecordedSeries, SimCommand, Worker};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// A scene that runs beside the document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ghost {
+    /// The document without its fibres.
+    WithoutFibres,
+    /// The document before the last edit.
+    BeforeEdit,
+}
+
+/// A point of a body that is grabbed.
+#[derive(Clone, Copy, Debug)]
+pub struct Grabbed {
+    /// Index of the body.
+    pub body: usize,
+    /// Vertex of its skin.
+    pub vertex: usize,
+    /// Depth of the plane in which it is moved, as the camera counts it [m].
+    pub depth: f64,
+    /// Where to [m].
+    pub target: DVec3,
+}
+
+/// The thread that simulates, and the newest state that came from it.
+pub struct Simulation {
+    worker: Worker,
+    published: Arc<Published>,
+    /// Edits sent, to know whether what is shown is up to date.
+    sent_edits: u64,
+    ghost: Option<Ghost>,
+    grabbed: Option<Grabbed>,
+}
+
+impl Simulation {
+    /// Starts to simulate a document; `notify` is called whenever there is a new state.
+    pub fn start(document: &OpenDocument, notify: impl Fn() + Send + 'static) -> Self {
+        let worker = Worker::start(Arc::clone(document.scene()), Arc::clone(&document.assets), true, notify);
+        Self { worker, published: Arc::default(), sent_edits: 0, ghost: None, grabbed: None }
+    }
+
+    /// The newest state.
+    pub fn published(&self) -> &Arc<Published> {
+        &self.published
+    }
+
+    /// Takes the newest state; gives the one before where there is a new one.
+    pub fn take(&mut self) -> Option<Arc<Published>> {
+        let newest = self.worker.take()?;
+        Some(std::mem::replace(&mut self.published, newest))
+    }
+
+    /// Asks for something.
+    pub fn ask(&self, command: SimCommand) {
+        self.worker.send(command);
+    }
+
+    /// Hands over the document after an edit: its motion goes on.
+    pub fn edit(&mut self, document: &OpenDocument) {
+        if self.worker.send(SimCommand::Edit(Arc::clone(document.scene()))) {
+            self.sent_edits += 1;
+        }
+        self.send_ghost(document);
+    }
+
+    /// Hands over another document, which begins anew.
+    pub fn open(&mut self, document: &OpenDocument) {
+        self.grabbed = None;
+        if self.worker.send(SimCommand::Open(Arc::clone(document.scene()), Arc::clone(&document.assets))) {
+            self.sent_edits += 1;
+        }
+        self.send_ghost(document);
+    }
+
+    /// Whether what is shown has taken up every change of the document.
+    pub fn is_up_to_date(&self) -> bool {
+        self.published.status.edits >= self.sent_edits
+    }
+
+    /// What runs beside the document.
+    pub fn ghost(&self) -> Option<Ghost> {
+        self.ghost
+    }
+
+    /// Runs something else beside the document, or nothing. False where there is no such scene yet.
+    pub fn choose_ghost(&mut self, ghost: Option<Ghost>, document: &OpenDocument) -> bool {
+        self.ghost = ghost;
+        let scene = self.ghost_scene(document);
+        let is_there = ghost.is_none() || scene.is_some();
+        self.ask(SimCommand::Ghost(scene));
+        is_there
+    }
+
+    /// Tells the simulation what is to run beside the document as it is now.
+    fn send_ghost(&self, document: &OpenDocument) {
+        if self.ghost.is_some() {
+            self.ask(SimCommand::Ghost(self.ghost_scene(document)));
+        }
+    }
+
+    fn ghost_scene(&self, document: &OpenDocument) -> Option<Arc<Scene>> {
+        match self.ghost? {
+            Ghost::WithoutFibres => {
+                let mut scene = (**document.scene()).clone();
+                scene.bodies.iter_mut().for_each(|body| body.fibres.clear());
+                Some(Arc::new(scene))
+            }
+            Ghost::BeforeEdit => document.editor.before_last().cloned(),
+        }
+    }
+
+    /// Whether time runs.
+    pub fn is_playing(&self) -> bool {
+        self.published.status.playing
+    }
+
+    /// Whether integrators are compared in place of the scene's own motion.
+    pub fn is_comparing(&self) -> bool {
+        !self.published.compared.is_empty()
+    }
+
+    /// Whether an earlier frame is shown.
+    pub fn is_replaying(&self) -> bool {
+        self.published.status.recording.in_replay
+    }
+
+    /// Whether there are earlier frames to be seen.
+    pub fn has_frames(&self) -> bool {
+        !self.is_comparing() && self.published.status.recording.frames > 1
+    }
+
+    /// Asks for earlier frames; what was grabbed is let go.
+    pub fn replay(&mut self, command: SimCommand) {
+        self.grabbed = None;
+        self.ask(command);
+    }
+
+    /// Asks for the first frame that is kept.
+    pub fn show_first(&mut self) {
+        if let Some([first, _]) = self.published.status.recording.span {
+            self.replay(SimCommand::Show(first));
+        }
+    }
+
+    /// Looks at the numbers of every frame since the start. The solver waits meanwhile: to be read, not to be worked with.
+    pub fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
+        self.worker.time_series(read)
+    }
+
+    /// What is grabbed by the pointer.
+    pub fn grabbed(&self) -> Option<Grabbed> {
+        self.grabbed
+    }
+
+    /// Grabs a point of a body, or nothing.
+    pub fn grab(&mut self, grabbed: Option<Grabbed>) {
+        self.grabbed = grabbed;
+        if let Some(Grabbed { body, vertex, target, .. }) = grabbed {
+            self.ask(SimCommand::Grab { body, vertex, target });
+        }
+    }
+
+    /// Moves what is grabbed to a point [m].
+    pub fn move_grab(&mut self, target: DVec3) {
+        if let Some(grabbed) = self.grabbed.as_mut().filter(|grabbed| grabbed.target != target) {
+            grabbed.target = target;
+            self.ask(SimCommand::MoveGrab(target));
+        }
+    }
+
+    /// Lets go of what is grabbed.
+    pub fn release_grab(&mut self) {
+        self.grabbed = None;
+        self.ask(SimCommand::Release);
+    }
+
+    /// Leaves what is grabbed where it is held now.
+    pub fn pin_grab(&mut self) {
+        self.grabbed = None;
+        self.ask(SimCommand::PinGrab);
+    }
+}

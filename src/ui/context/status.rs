@@ -1,0 +1,27 @@
+//! What is said at the foot of the window.
+
+/// How serious a message is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    /// Something was done.
+    Note,
+    /// Something should be looked at.
+    Warning,
+    /// Something was not done.
+    Error,
+}
+
+/// The last message, and what can be done where the pointer is.
+#[derive(Debug, Default)]
+pub struct StatusLine {
+    /// What was said last.
+    pub message: Option<(Severity, String)>,
+    /// What can be done now.
+    pub hint: &'static str,
+    /// What is being done, in place of the hint.
+    pub gesture: Option<String>,
+    /// Fibre that was drawn last: how its strokes were taken can still be chosen beside the message.
+    pub drawn_fibre: Option<String>,
+    /// Whether two strokes were refused that make a fibre where the second is stretched onto the first.
+    pub offers_stretch: bool,
+}

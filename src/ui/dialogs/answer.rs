@@ -1,0 +1,28 @@
+//! What a dialog came to in a frame.
+
+use crate::ui::action::Action;
+use crate::ui::autosave::Reply;
+use crate::ui::gallery::Example;
+use std::path::PathBuf;
+
+/// What a dialog came to in a frame.
+pub enum Answer {
+    /// It stays open.
+    None,
+    /// It is closed.
+    Closed,
+    /// An action was chosen.
+    Do(Action),
+    /// A path was given.
+    Path(PathBuf),
+    /// A path was chosen in the desktop's dialog, which asks before a file is replaced.
+    Picked(PathBuf),
+    /// A file was chosen among those that were used.
+    Recent(PathBuf),
+    /// A question was answered.
+    Reply(Reply),
+    /// An example was chosen.
+    Example(&'static Example),
+    /// What was asked about a pattern is to be done.
+    Pattern,
+}

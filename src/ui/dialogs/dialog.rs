@@ -1,0 +1,70 @@
+//! What can open over the window, as plain data.
+
+use crate::ui::autosave::Question;
+use crate::ui::next::Next;
+use crate::ui::patterns::PatternQuestion;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::Receiver;
+
+/// What a path is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PathPurpose {
+    /// To open a scene.
+    Open,
+    /// To save the scene.
+    Save,
+    /// To write the time series as a table.
+    Export,
+}
+
+/// What is open over the window.
+pub enum Dialog {
+    /// Finds an action by its name.
+    Palette {
+        /// What has been typed.
+        text: String,
+        /// Which of the matches would be taken.
+        chosen: usize,
+    },
+    /// Lists keys and gestures.
+    Help,
+    /// Asks for a path.
+    Path {
+        /// What for.
+        purpose: PathPurpose,
+        /// What has been typed.
+        text: String,
+        /// The desktop's own dialog, when it is open.
+        browsing: Option<Receiver<Option<PathBuf>>>,
+        /// What is gone on to after saving.
+        next: Option<Next>,
+    },
+    /// Asks what is to become of the document or its file.
+    Question(Question),
+    /// Shows the scenes that ship.
+    Examples,
+    /// Asks about a person's own patterns.
+    Pattern(PatternQuestion),
+}
+
+impl Dialog {
+    /// The palette, with nothing typed.
+    pub fn palette() -> Self {
+        Self::Palette { text: String::new(), chosen: 0 }
+    }
+
+    /// A request for a path, beginning with the present one.
+    pub fn path(purpose: PathPurpose, present: Option<&Path>) -> Self {
+        let text = present.map_or_else(|| "scene.json".to_owned(), |path| path.display().to_string());
+        Self::Path { purpose, text, browsing: None, next: None }
+    }
+
+    /// A request for a path after which is gone on to something else.
+    #[must_use]
+    pub fn then(self, next: Option<Next>) -> Self {
+        match self {
+            Self::Path { purpose, text, browsing, .. } => Self::Path { purpose, text, browsing, next },
+            other => other,
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! Shows what is open over the window.
+
+use super::answer::Answer;
+use super::dialog::Dialog;
+use super::palette::{help, palette};
+use super::path::ask_path;
+use crate::ui::autosave::{About, RecoveryOffer, ask};
+use crate::ui::context::Context;
+use crate::ui::gallery::{Choice, Gallery};
+use crate::ui::patterns;
+use crate::ui::theme::GRID;
+use egui::{Id, Modal};
+use std::path::PathBuf;
+
+/// Shows a dialog; gives what it came to.
+pub fn show(
+    dialog: &mut Dialog,
+    ctx: &egui::Context,
+    gallery: &mut Gallery,
+    offers: &[RecoveryOffer],
+    recent: &[PathBuf],
+    cx: &Context,
+) -> Answer {
+    let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(4.0 * GRID);
+    let about = About { name: cx.document.name(), path: cx.document.path.as_deref(), offers, tone: cx.tone };
+    let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| match dialog {
+        Dialog::Palette { text, chosen } => palette(ui, text, chosen, &cx.actions),
+        Dialog::Help => help(ui),
+        Dialog::Path { purpose, text, browsing, .. } => ask_path(ui, *purpose, text, browsing, recent),
+        Dialog::Question(question) => ask(ui, question, &about).map_or(Answer::None, Answer::Reply),
+        Dialog::Examples => gallery.show(ui).map_or(Answer::None, |choice| match choice {
+            Choice::Draw => Answer::Closed,
+            Choice::Open(example) => Answer::Example(example),
+        }),
+        Dialog::Pattern(question) => match patterns::ask(ui, question) {
+            None => Answer::None,
+            Some(true) => Answer::Pattern,
+            Some(false) => Answer::Closed,
+        },
+    });
+    match modal.inner {
+        Answer::None if modal.should_close() => Answer::Closed,
+        answer => answer,
+    }
+}

@@ -1,0 +1,14 @@
+//! Places at which what is selected is taken hold of.
+
+/// A place to take hold of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Handle {
+    /// Moves along an axis.
+    Axis(usize),
+    /// Moves in the plane of the view.
+    Middle,
+    /// Turns about the line of sight.
+    Ring,
+    /// A vertex that is edited.
+    Vertex(usize),
+}

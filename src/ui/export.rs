@@ -1,0 +1,54 @@
+//! The time series of the running scene as a table for other programs.
+
+use super::autosave::{Loss, Question};
+use super::context::{Context, Request, Severity};
+use super::dialogs::{Dialog, PathPurpose};
+use crate::io::write_atomically;
+use std::path::{Path, PathBuf};
+
+/// Where the table goes unless another place is chosen.
+fn export_path(cx: &Context) -> PathBuf {
+    cx.document.path.as_ref().map_or_else(|| "readings.csv".into(), |path| path.with_extension("csv"))
+}
+
+/// Asks for the file that the table goes to.
+pub fn ask_where_to_export(cx: &mut Context) {
+    let dialog = Dialog::path(PathPurpose::Export, Some(&export_path(cx)));
+    cx.request(Request::Open(dialog));
+}
+
+/// Writes the table, after asking where that would lose what a file holds.
+pub fn export_to(cx: &mut Context, path: PathBuf) {
+    if path.exists() {
+        cx.request(Request::Open(Dialog::Question(Question::Replace { path, loss: Loss::Table, next: None })));
+    } else {
+        export(cx, &path);
+    }
+}
+
+/// Writes every row that is kept as a table.
+pub fn export(cx: &mut Context, path: &Path) {
+    let same = |scene: &Path| {
+        scene == path || scene.canonicalize().ok().is_some_and(|at| path.canonicalize().ok() == Some(at))
+    };
+    if cx.document.path.as_deref().is_some_and(same) {
+        cx.say(Severity::Error, format!("{}: that is the scene's own file; choose another name", path.display()));
+        return;
+    }
+    // The solver is not to wait while the table is made.
+    let series = cx.simulation.time_series(|recorded| recorded.world.clone());
+    let (rows, dropped) = (series.len(), series.dropped());
+    let written = series
+        .to_csv()
+        .map_err(|error| error.to_string())
+        .and_then(|bytes| write_atomically(path, |out| out.write_all(&bytes)).map_err(|error| error.to_string()));
+    match written {
+        Ok(()) if dropped > 0 => {
+            let text =
+                format!("Wrote the last {rows} frames to {}; {dropped} before them are no longer kept", path.display());
+            cx.say(Severity::Warning, text);
+        }
+        Ok(()) => cx.say(Severity::Note, format!("Wrote {rows} frames to {}", path.display())),
+        Err(problem) => cx.say(Severity::Error, problem),
+    }
+}

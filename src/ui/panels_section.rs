@@ -1,0 +1,114 @@
+//! Rigid panels: those that are there, and another one.
+
+use super::context::{Context, Step};
+use super::field::NumberField;
+use super::room_section::{FRICTION, length};
+use crate::draw::Bounds;
+use crate::edit::Command;
+use crate::scene::{Extra, HeightKey, Panel, PanelMotion};
+use egui::{DragValue, Ui};
+use glam::DVec3;
+
+const MASS: NumberField = NumberField::new("Mass", "kg", 1e-6..=1e6, Some(1.0), "Matters only when the panel falls");
+/// A panel is this much wider than what it presses on, and stands this share of its height above it.
+const REACH: f64 = 1.5;
+const GAP: f64 = 0.3;
+
+/// Shows every panel of the scene.
+pub fn panels_section(ui: &mut Ui, cx: &mut Context) {
+    let mut panels = cx.scene().panels.clone();
+    let mut step = Step::Present;
+    let mut gone = None;
+    for (index, panel) in panels.iter_mut().enumerate() {
+        ui.push_id(index, |ui| {
+            ui.horizontal(|ui| {
+                ui.strong(panel.title());
+                if ui.button("Remove").on_hover_text("Takes this panel away").clicked() {
+                    gone = Some(index);
+                }
+            });
+            show_panel(ui, panel);
+        });
+        ui.separator();
+    }
+    if let Some(index) = gone {
+        panels.remove(index);
+        step = Step::Own;
+    }
+    let tooltip = "Adds a rigid panel that falls on what lies below it and is held up by it";
+    if ui.button("Add a heavy panel").on_hover_text(tooltip).clicked() {
+        panels.push(usual_panel(cx, &panels));
+        step = Step::Own;
+    }
+    if panels != cx.scene().panels {
+        cx.edit(&Command::SetPanels(panels), step);
+    }
+}
+
+/// A panel over everything that is there.
+fn usual_panel(cx: &Context, others: &[Panel]) -> Panel {
+    let bodies = cx.simulation.published().snapshot.bodies.iter();
+    let bounds = Bounds::of(bodies.flat_map(|body| body.particles.iter().copied()))
+        .unwrap_or(Bounds { min: DVec3::new(-0.05, 0.0, -0.05), max: DVec3::new(0.05, 0.1, 0.05) });
+    let extent = bounds.max - bounds.min;
+    let width = REACH * extent.x.max(extent.z);
+    let number =
+        (1..=others.len() + 1).find(|n| others.iter().all(|panel| panel.id != format!("panel-{n}"))).unwrap_or(1);
+    Panel {
+        id: format!("panel-{number}"),
+        name: format!("Panel {number}"),
+        height: bounds.max.y + GAP * extent.y.max(1e-3),
+        center: [bounds.center().x, bounds.center().z],
+        size: [width, width],
+        mass: 1.0,
+        friction: 0.4,
+        motion: PanelMotion::Falls,
+        extra: Extra::new(),
+    }
+}
+
+fn show_panel(ui: &mut Ui, panel: &mut Panel) {
+    length("Height", "World Y of its underside at the start").show(ui, &mut panel.height);
+    MASS.show(ui, &mut panel.mass);
+    FRICTION.show(ui, &mut panel.friction);
+    let extent = |label| NumberField { range: 1e-4..=1000.0, ..length(label, "Extent of the panel") };
+    extent("Width, X").show(ui, &mut panel.size[0]);
+    extent("Depth, Z").show(ui, &mut panel.size[1]);
+    ui.horizontal(|ui| {
+        let falls = panel.motion == PanelMotion::Falls;
+        if ui.selectable_label(falls, "Falls").on_hover_text("Falls under gravity from rest").clicked() {
+            panel.motion = PanelMotion::Falls;
+        }
+        let driven = ui.selectable_label(!falls, "Driven").on_hover_text("Follows heights over time");
+        if driven.clicked() && falls {
+            let key = |time, height| HeightKey { time, height, extra: Extra::new() };
+            panel.motion = PanelMotion::Driven(vec![key(0.0, panel.height), key(1.0, panel.height)]);
+        }
+    });
+    let height = panel.height;
+    if let PanelMotion::Driven(keys) = &mut panel.motion {
+        show_heights(ui, keys, height);
+    }
+}
+
+/// Shows the heights [m] of a panel over time; the first one that is added where there is none is `usual`.
+fn show_heights(ui: &mut Ui, keys: &mut Vec<HeightKey>, usual: f64) {
+    let mut gone = None;
+    for (index, key) in keys.iter_mut().enumerate() {
+        ui.horizontal(|ui| {
+            ui.add(DragValue::new(&mut key.time).range(0.0..=1e4).speed(0.01).prefix("at ").suffix(" s"));
+            ui.add(DragValue::new(&mut key.height).speed(0.001).prefix("height ").suffix(" m"));
+            if ui.small_button("×").on_hover_text("Removes this height").clicked() {
+                gone = Some(index);
+            }
+        });
+    }
+    if let Some(index) = gone.filter(|_| keys.len() > 1) {
+        keys.remove(index);
+    }
+    keys.sort_by(|a, b| a.time.total_cmp(&b.time));
+    if ui.small_button("Add a height").clicked() {
+        let (time, height) = keys.last().map_or((0.0, usual), |key| (key.time + 1.0, key.height));
+        keys.push(HeightKey { time, height, extra: Extra::new() });
+    }
+}

@@ -1,0 +1,78 @@
+//! Fibres become a pattern of a person's own, which can be renamed and deleted.
+
+use super::question::PatternQuestion;
+use super::state::{Chosen, Fit, Patterns};
+use crate::edit::fibre_ops;
+use crate::io::JsonFolder;
+use crate::sketch::pattern::{OwnPattern, Polyline};
+use crate::ui::context::{Context, Request, Severity};
+use crate::ui::dialogs::Dialog;
+
+/// The fibres that would be kept: the selected ones, or all.
+fn kept_lines(cx: &Context) -> Result<Vec<Polyline>, String> {
+    let Some(body) = cx.active_body() else { return Ok(Vec::new()) };
+    let selected = cx.selected_fibres();
+    let fibres = if selected.is_empty() { body.fibres.iter().collect() } else { selected };
+    let sampling = cx.sampling();
+    let course = |fibre| fibre_ops::vertices(fibre, sampling).map_err(|error| error.to_string());
+    fibres.into_iter().map(course).collect()
+}
+
+impl Patterns {
+    /// Asks what the pattern of the selected fibres is called.
+    pub fn ask_to_keep(&self, cx: &mut Context) {
+        if self.own.folder().is_none() {
+            cx.say(
+                Severity::Error,
+                "There is no folder to keep patterns in: this system names none for programs' data",
+            );
+            return;
+        }
+        match kept_lines(cx) {
+            Ok(lines) => {
+                let question = PatternQuestion::Keep { title: String::new(), does: String::new(), fibres: lines.len() };
+                cx.request(Request::Open(Dialog::Pattern(question)));
+            }
+            Err(problem) => cx.say(Severity::Error, problem),
+        }
+    }
+
+    /// Does what was asked about.
+    pub fn answered(&mut self, question: &PatternQuestion, cx: &mut Context) {
+        let Some(folder) = self.own.folder().cloned() else { return };
+        let (done, said) = match question {
+            PatternQuestion::Keep { title, does, .. } => (
+                self.keep(&folder, title.trim(), does.trim(), cx),
+                format!("{} is kept under Patterns, Yours", title.trim()),
+            ),
+            PatternQuestion::Rename { path, title } => (
+                folder.set_text(path, "title", title.trim()).map_err(|error| error.to_string()),
+                format!("The pattern is called {} now", title.trim()),
+            ),
+            PatternQuestion::Delete { path, title } => {
+                (folder.remove(path).map_err(|error| error.to_string()), format!("{title} was deleted"))
+            }
+        };
+        self.own.look_again();
+        match done {
+            Ok(()) => cx.say(Severity::Note, said),
+            Err(problem) => cx.say(Severity::Error, problem),
+        }
+        if let Some(Chosen::Own(path)) = &self.chosen
+            && self.own.get(path).is_none()
+        {
+            self.chosen = None;
+        }
+    }
+
+    fn keep(&mut self, folder: &JsonFolder, title: &str, does: &str, cx: &mut Context) -> Result<(), String> {
+        let lines = kept_lines(cx)?;
+        let [min, max] = cx.active.corners().ok_or("The body is not there yet: save the pattern again in a moment")?;
+        let own = OwnPattern::new(title, does, &lines, min, max).map_err(|error| error.to_string())?;
+        folder.add(title, &own).map_err(|error| error.to_string())?;
+        cx.request(Request::ShowPatterns);
+        self.chosen = None;
+        self.fit = Fit::Whole;
+        Ok(())
+    }
+}

@@ -1,0 +1,151 @@
+//! Which pattern is chosen, with which numbers, and where it goes.
+
+use super::own::OwnPatterns;
+use crate::edit::Command;
+use crate::edit::fibre_ops::{BENDING, Called, laid};
+use crate::scene::Fibre;
+use crate::sketch::pattern::{Pattern, Polyline};
+use crate::ui::context::{Context, PatternPreview, Severity, Step};
+use crate::ui::thumbs::Thumbs;
+use glam::DVec3;
+use std::collections::HashMap;
+use std::path::PathBuf;
+
+/// The patterns that there are, and what is done with them.
+#[derive(Default)]
+pub struct Patterns {
+    /// The pattern that is shown with its numbers; the gallery is shown where there is none.
+    pub chosen: Option<Chosen>,
+    /// Values that were changed, by the pattern: they are there when it is chosen again.
+    pub values: HashMap<&'static str, Vec<f64>>,
+    /// What it is fitted to.
+    pub fit: Fit,
+    /// Least and greatest corner of the part of the body that is filled, model frame [m].
+    pub region: Option<[DVec3; 2]>,
+    /// Whether the fibres that are there make room.
+    pub replaces: bool,
+    /// A person's own.
+    pub own: OwnPatterns,
+    /// Pictures of what those do that come with the program.
+    pub strips: Thumbs,
+}
+
+/// A pattern.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Chosen {
+    /// One that comes with the program, by its identifier.
+    Shipped(&'static str),
+    /// A person's own, by its file.
+    Own(PathBuf),
+}
+
+/// What a pattern is fitted to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fit {
+    /// The whole body.
+    #[default]
+    Whole,
+    /// A part of it.
+    Region,
+}
+
+impl Patterns {
+    /// Keeps a person's own patterns in this folder; nowhere unless one is given.
+    #[must_use]
+    pub fn with_folder(self, folder: PathBuf) -> Self {
+        Self { own: OwnPatterns::of(folder), ..self }
+    }
+
+    /// Fills this part of the body: least and greatest corner, model frame [m].
+    pub fn fill_region(&mut self, region: [DVec3; 2]) {
+        self.region = Some(region);
+    }
+
+    /// Fills the whole body again. To be called while boxes are dragged around a part of it.
+    pub fn leave_region(&mut self) {
+        self.fit = Fit::Whole;
+        self.forget_region();
+    }
+
+    /// Forgets the region: it was a part of another body.
+    pub fn forget_region(&mut self) {
+        self.region = None;
+    }
+
+    /// Values of a pattern's parameters.
+    pub fn values_of(&self, pattern: &Pattern) -> Vec<f64> {
+        self.values.get(pattern.id).cloned().unwrap_or_else(|| pattern.defaults())
+    }
+
+    /// What the views show of the chosen pattern, by whether the patterns are shown.
+    pub fn preview(&self, tab_is_shown: bool, cx: &Context) -> PatternPreview {
+        let is_shown = tab_is_shown && self.chosen.is_some() && cx.active_body().is_some();
+        PatternPreview {
+            lines: if is_shown { self.lines(cx) } else { Vec::new() },
+            bounds: self.filled_box(cx),
+            is_shown,
+            takes_region: is_shown && self.fit == Fit::Region,
+        }
+    }
+
+    /// The box that the chosen pattern fills: least and greatest corner, model frame [m].
+    pub fn filled_box(&self, cx: &Context) -> Option<[DVec3; 2]> {
+        let whole = cx.active.corners()?;
+        match self.fit {
+            Fit::Whole => Some(whole),
+            Fit::Region => Some(self.region.unwrap_or(whole)),
+        }
+    }
+
+    /// The chosen pattern's fibres where they would be, model frame [m].
+    pub fn lines(&self, cx: &Context) -> Vec<Polyline> {
+        let Some([min, max]) = self.filled_box(cx) else { return Vec::new() };
+        match &self.chosen {
+            Some(Chosen::Shipped(id)) => {
+                Pattern::by_id(id).map_or_else(Vec::new, |pattern| pattern.lay(&self.values_of(pattern), min, max))
+            }
+            Some(Chosen::Own(path)) => self.own.get(path).map_or_else(Vec::new, |own| own.lay(min, max)),
+            None => Vec::new(),
+        }
+    }
+
+    /// Name of the chosen pattern, how the identifiers of its fibres begin, and how they bend.
+    fn called(&self) -> Option<(String, String, f64)> {
+        match self.chosen.as_ref()? {
+            Chosen::Shipped(id) => {
+                Pattern::by_id(id).map(|pattern| (pattern.title.to_owned(), pattern.id.to_owned(), pattern.bending))
+            }
+            Chosen::Own(path) => {
+                let title = self.own.get(path)?.title().to_owned();
+                Some((title, "pattern".to_owned(), BENDING))
+            }
+        }
+    }
+
+    /// Puts the chosen pattern's fibres into the body, in one step.
+    pub fn add(&mut self, cx: &mut Context) {
+        let lines = self.lines(cx);
+        let (Some(body), Some((title, id, bending))) = (cx.active_body(), self.called()) else { return };
+        let spacing = cx.sampling().spacing;
+        let gone: &[Fibre] = if self.replaces { &body.fibres } else { &[] };
+        let stay: &[Fibre] = if self.replaces { &[] } else { &body.fibres };
+        let fibres = laid(Called { id: &id, title: &title, bending, spacing }, &lines, &body.material, stay);
+        let added: Vec<String> = fibres.iter().map(|fibre| fibre.id.clone()).collect();
+        let remove = gone.iter().map(|old| Command::RemoveFibre { body: body.id.clone(), fibre: old.id.clone() });
+        let add = fibres.into_iter().map(|fibre| Command::AddFibre { body: body.id.clone(), fibre });
+        let name = match gone.len() {
+            0 => format!("Add pattern {title}"),
+            _ => format!("Replace fibres by pattern {title}"),
+        };
+        let command = Command::Many { name, commands: remove.chain(add).collect() };
+        let said = match added.len() {
+            1 => format!("{title}: one fibre is in the solid"),
+            count => format!("{title}: {count} fibres are in the solid"),
+        };
+        cx.say(Severity::Note, said);
+        cx.edit(&command, Step::Own);
+        cx.selection.set(added);
+        // They are fibres like any other now; the gallery offers the next pattern.
+        self.chosen = None;
+    }
+}

@@ -1,0 +1,104 @@
+//! Pins of the active body: the regions that are held, and along which axes.
+
+use super::context::{Context, Step};
+use crate::edit::Command;
+use crate::scene::{Axis, Extra, Motion, Pin, Region, Selector, Side};
+use egui::{ComboBox, Ui};
+
+/// Layers of the lattice that a new pin holds.
+const PINNED_LAYERS: u32 = 1;
+
+/// Shows the pins of the active body.
+pub fn pins_section(ui: &mut Ui, cx: &mut Context) {
+    let Some((id, regions, pins)) = cx.active_supports() else {
+        ui.label("No body is chosen");
+        return;
+    };
+    let (mut new_regions, mut new_pins) = (regions.clone(), pins.clone());
+    let mut step = Step::Present;
+    let mut gone = None;
+    for (index, pin) in new_pins.iter_mut().enumerate() {
+        ui.push_id(index, |ui| {
+            ui.horizontal(|ui| {
+                ui.label(format!("{}: holds \"{}\"", pin.id, pin.region));
+                if ui.button("Remove").on_hover_text("Lets go of this region").clicked() {
+                    gone = Some(index);
+                }
+            });
+            ui.horizontal(|ui| held_axes(ui, &mut pin.axes));
+        });
+    }
+    // A pin that holds nothing is none.
+    new_pins.retain(|pin| !pin.axes.is_empty());
+    if let Some(index) = gone.filter(|index| *index < new_pins.len()) {
+        new_pins.remove(index);
+        step = Step::Own;
+    }
+    if let Some(added) = new_pin(ui, cx, &regions) {
+        add_pin(added, &mut new_regions, &mut new_pins);
+        step = Step::Own;
+    }
+    if new_pins != pins || new_regions != regions {
+        cx.edit(&Command::SetPins { body: id, regions: new_regions, pins: new_pins }, step);
+    }
+}
+
+/// A switch for each axis along which a region is held.
+fn held_axes(ui: &mut Ui, axes: &mut Vec<Axis>) {
+    ui.label("along");
+    for (axis, name) in [(Axis::X, "X"), (Axis::Y, "Y"), (Axis::Z, "Z")] {
+        let mut held = axes.contains(&axis);
+        if ui.checkbox(&mut held, name).changed() {
+            axes.retain(|old| *old != axis);
+            if held {
+                axes.push(axis);
+            }
+            axes.sort_by_key(|axis| axis.index());
+        }
+    }
+}
+
+/// The region that a person wants pinned.
+fn new_pin(ui: &mut Ui, cx: &Context, regions: &[Region]) -> Option<Region> {
+    let mut chosen = None;
+    let title = ui.label("Pin a region");
+    let choice = ComboBox::from_id_salt("new pin").selected_text("Choose…").show_ui(ui, |ui| {
+        for region in regions {
+            if ui.selectable_label(false, &region.id).clicked() {
+                chosen = Some(region.clone());
+            }
+        }
+        if cx.active_body().is_none() {
+            return;
+        }
+        for (id, axis, side) in [
+            ("bottom", Axis::Y, Side::Min),
+            ("top", Axis::Y, Side::Max),
+            ("left", Axis::X, Side::Min),
+            ("right", Axis::X, Side::Max),
+            ("back", Axis::Z, Side::Min),
+            ("front", Axis::Z, Side::Max),
+        ] {
+            if regions.iter().all(|region| region.id != id) && ui.selectable_label(false, id).clicked() {
+                let select = Selector::Layers { axis, side, count: PINNED_LAYERS, extra: Extra::new() };
+                chosen = Some(Region { id: id.to_owned(), select, extra: Extra::new() });
+            }
+        }
+    });
+    choice.response.labelled_by(title.id);
+    chosen
+}
+
+fn add_pin(region: Region, regions: &mut Vec<Region>, pins: &mut Vec<Pin>) {
+    let number = (1..=pins.len() + 1).find(|n| pins.iter().all(|pin| pin.id != format!("pin-{n}"))).unwrap_or(1);
+    pins.push(Pin {
+        id: format!("pin-{number}"),
+        region: region.id.clone(),
+        axes: vec![Axis::X, Axis::Y, Axis::Z],
+        motion: Motion::Fixed,
+        extra: Extra::new(),
+    });
+    if regions.iter().all(|old| old.id != region.id) {
+        regions.push(region);
+    }
+}

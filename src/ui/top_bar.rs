@@ -1,0 +1,151 @@
+//! The bar of menus and play controls above, with the read-out of the running simulation.
+
+use super::action::Action;
+use super::context::{Context, Request};
+use super::controls::{button, key_of};
+use super::menu::Menu;
+use super::recent_menu::recent_menu;
+use super::theme::{self, GRID};
+use crate::sim::SimCommand;
+use crate::text::number::{moment, ratio};
+use egui::{Button, DragValue, Panel, RichText, Ui};
+use std::collections::VecDeque;
+use std::path::PathBuf;
+
+/// The bar above the views.
+pub struct TopBar {
+    /// Simulated over real time that is aimed at.
+    speed: f64,
+    /// When the last frames were shown [s].
+    frame_times: VecDeque<f64>,
+}
+
+impl Default for TopBar {
+    fn default() -> Self {
+        Self { speed: 1.0, frame_times: VecDeque::new() }
+    }
+}
+
+impl TopBar {
+    /// Keeps the times of the last second's frames.
+    pub fn count_frame(&mut self, ctx: &egui::Context) {
+        let now = ctx.input(|input| input.time);
+        self.frame_times.push_back(now);
+        while self.frame_times.front().is_some_and(|time| *time < now - 1.0) {
+            self.frame_times.pop_front();
+        }
+    }
+
+    /// Shows the bar, with the files that were used in its menu.
+    pub fn show(&mut self, ui: &mut Ui, cx: &mut Context, recent: &[PathBuf], draws_in_software: bool) {
+        Panel::top("top").frame(theme::panel(ui)).show(ui, |ui| {
+            ui.add_space(GRID);
+            ui.horizontal(|ui| {
+                menus(ui, cx, recent);
+                ui.separator();
+                let playing = cx.simulation.is_playing();
+                button(ui, cx, Action::PlayPause, if playing { "Pause" } else { "Play" });
+                button(ui, cx, Action::Step, "Step");
+                button(ui, cx, Action::Reset, "Reset");
+                ui.separator();
+                ui.label("Speed");
+                let speed = DragValue::new(&mut self.speed).range(0.01..=4.0).speed(0.01).max_decimals(2).suffix(" ×");
+                if ui.add(speed).on_hover_text("Simulated over real time that is aimed at").changed() {
+                    cx.ask(SimCommand::Speed(self.speed));
+                }
+                ui.separator();
+                self.read_out(ui, cx, draws_in_software);
+            });
+            ui.add_space(GRID);
+        });
+    }
+
+    /// Time and pace of the simulation; why it is slow, where it is.
+    fn read_out(&self, ui: &mut Ui, cx: &Context, draws_in_software: bool) {
+        let status = &cx.simulation.published().status;
+        let slow = status.real_time_factor < 0.9 * self.speed;
+        let now = |time| moment(time, cx.scene().time.frame_seconds());
+        let text = if let Some(baking) = &status.baking {
+            format!("Putting together {baking}…")
+        } else if status.real_time_factor > 0.0 && status.playing {
+            let pace = if slow { "slow motion, " } else { "" };
+            format!(
+                "{}   {:.0} frames/s, {} drawn   {pace}{} × real time",
+                now(status.time),
+                status.frames_per_second,
+                self.frame_times.len(),
+                ratio(status.real_time_factor)
+            )
+        } else if cx.simulation.is_replaying() {
+            let last = status.recording.span.map_or(status.time, |span| span[1]);
+            format!("{} of {}", now(status.time), now(last))
+        } else {
+            now(status.time)
+        };
+        let mut why = vec![format!("{} particles", status.particles)];
+        if let Some(body) = status.bodies.iter().max_by_key(|body| body.substeps) {
+            why.push(format!(
+                "{} steps a frame of {:.3e} s, which {} needs: its stable step is {:.3e} s",
+                body.substeps, body.dt, body.name, body.stable_dt
+            ));
+        }
+        if slow && status.playing {
+            let slow = "Slow motion: these steps take longer to compute than they last. Softer materials and fibres, \
+                        fewer particles or a greater density need fewer";
+            why.push(slow.to_owned());
+        }
+        if draws_in_software {
+            let saves = "Drawn in software: no anti-aliasing, coarser shadows, and views are drawn anew only when what \
+                         they show changes";
+            why.push(saves.to_owned());
+        }
+        let why = why.join("\n");
+        ui.label(RichText::new(text).monospace()).on_hover_text(&why);
+        if draws_in_software {
+            ui.label(RichText::new("software driver").weak()).on_hover_text(why);
+        }
+    }
+}
+
+/// The menus of all actions.
+fn menus(ui: &mut Ui, cx: &mut Context, recent: &[PathBuf]) {
+    for menu in Menu::ALL {
+        ui.menu_button(menu.title(), |ui| {
+            for action in Action::ALL.into_iter().filter(|action| action.menu() == menu) {
+                entry(ui, cx, action);
+                if action == Action::Open {
+                    recent_menu(ui, recent, cx);
+                }
+            }
+        });
+    }
+}
+
+/// A menu entry for an action, marked where it is a switch that is on.
+fn entry(ui: &mut Ui, cx: &mut Context, action: Action) {
+    let state = &cx.actions[action];
+    let disabled = state.disabled;
+    // Undo and redo say what they would do.
+    let text = match &state.detail {
+        Some(detail) => format!("{}: {}", action.name(), lower_first(detail)),
+        None => action.name().to_owned(),
+    };
+    let mut button = match state.on {
+        Some(on) => Button::selectable(on, text),
+        None => Button::new(text),
+    };
+    let key = key_of(ui, action);
+    if !key.is_empty() {
+        button = button.shortcut_text(key);
+    }
+    let response = ui.add_enabled(disabled.is_none(), button).on_hover_text(action.tooltip());
+    if response.on_disabled_hover_text(disabled.unwrap_or_default()).clicked() {
+        cx.request(Request::Do(action));
+        ui.close();
+    }
+}
+
+fn lower_first(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
+}

@@ -1,0 +1,164 @@
+//! The cameras of the views: fitting, moving by pointer and keys.
+
+use super::displayed::DisplayedState;
+use super::frame::ViewFrame;
+use super::kind::{PaneKind, facing};
+use super::links::Links;
+use super::pane::Pane;
+use crate::draw::Bounds;
+use crate::render::{Camera, Facing, Projection};
+use crate::solver::snapshot::{BodySnapshot, Snapshot};
+use crate::ui::context::Context;
+use egui::{Key, PointerButton, Rect, Response, Ui};
+use glam::{DVec2, DVec3};
+
+/// A drawing view leaves this much room around the model.
+const DRAWING_MARGIN: f64 = 1.15;
+/// Turn of the result view for each pixel of a drag [rad].
+const TURN: f64 = 0.008;
+
+fn aspect(rect: Rect) -> f64 {
+    f64::from(rect.width() / rect.height().max(1.0))
+}
+
+/// Fits the camera, where that was asked for, and moves it on where it is on its way.
+pub fn settle(pane: &mut Pane, ui: &Ui, links: &Links, cx: &Context) {
+    let now = ui.input(|input| input.time);
+    // Before the first frame it is not known where the drawing views lie, whose scales depend on each other.
+    if !pane.framed
+        && !links.drawing.is_empty()
+        && let Some(bounds) = to_fit(pane.kind, links.fits_selected, cx)
+    {
+        let mut camera = pane.camera;
+        camera.frame(&bounds, aspect(pane.rect));
+        if matches!(pane.kind, PaneKind::Drawing(_)) {
+            // Both drawing views show to one scale, that of the one which needs more room.
+            for (view, rect) in &links.drawing {
+                let mut other = Camera::facing(facing(*view));
+                other.frame(&bounds, aspect(*rect));
+                camera.height = camera.height.max(other.height);
+            }
+            camera.height *= DRAWING_MARGIN;
+        }
+        // The first time there is nowhere to come from.
+        if pane.shown {
+            pane.ease_to(camera, now);
+        } else {
+            pane.camera = camera;
+            pane.shown = true;
+        }
+        pane.framed = true;
+    }
+    if let Some(ease) = pane.ease {
+        let (camera, arrived) = ease.at(now);
+        pane.camera = camera;
+        if arrived {
+            pane.ease = None;
+        } else {
+            ui.ctx().request_repaint();
+        }
+    }
+}
+
+/// What a view is to be fitted to; none before there is anything.
+fn to_fit(kind: PaneKind, fits_selected: bool, cx: &Context) -> Option<Bounds> {
+    let points = |bodies: &[BodySnapshot]| {
+        Bounds::of(bodies.iter().flat_map(|body| {
+            let solid = if body.skin.is_empty() { &body.particles } else { &body.skin };
+            solid.iter().copied()
+        }))
+    };
+    let shown = DisplayedState::of(kind, cx);
+    if fits_selected && let Some(bounds) = selected_bounds(&shown, cx) {
+        return Some(bounds);
+    }
+    match kind {
+        PaneKind::Drawing(_) => points(&shown.bodies),
+        // The whole fall is to be seen, from the start down to the floor, whenever in it the view is fitted.
+        PaneKind::Result => points(&shown.bodies).map(|bounds| {
+            let [low, high] = cx.simulation.published().placed.unwrap_or([bounds.min, bounds.max]);
+            let floor = cx.scene().room.floor.unwrap_or(bounds.min.y);
+            Bounds { min: bounds.min.min(low).min(bounds.min.with_y(floor)), max: bounds.max.max(high) }
+        }),
+    }
+}
+
+fn selected_bounds(shown: &Snapshot, cx: &Context) -> Option<Bounds> {
+    let fibres = shown.bodies.iter().flat_map(|body| &body.fibres);
+    let chosen = fibres.filter(|fibre| cx.selection.contains(&fibre.id));
+    let bounds = Bounds::of(chosen.flat_map(|fibre| fibre.vertices.iter().copied()))?;
+    // Room to see what it lies in.
+    let room = DVec3::splat(0.25 * bounds.radius());
+    Some(Bounds { min: bounds.min - room, max: bounds.max + room })
+}
+
+/// Moves the camera as the pointer and the keys ask for; a drawing view takes the other one along.
+pub fn follow(pane: &mut Pane, ui: &Ui, response: &Response, links: &mut Links) {
+    let frame = ViewFrame { kind: pane.kind, rect: response.rect, camera: pane.camera };
+    let size = frame.size();
+    let before = pane.camera;
+    let (delta, modifiers, wheel) =
+        ui.input(|input| (input.pointer.delta(), input.modifiers, input.smooth_scroll_delta().y));
+    let by = DVec2::new(f64::from(delta.x), f64::from(delta.y));
+    let held = |button| response.dragged_by(button);
+    let middle = held(PointerButton::Middle);
+    let pans = middle && (modifiers.shift || modifiers.alt);
+    let turns = middle || (modifiers.alt && held(PointerButton::Primary));
+    let result = pane.kind == PaneKind::Result;
+    if pans || (turns && !result) {
+        pane.camera.pan(by, size);
+    } else if turns {
+        pane.camera.orbit(-TURN * by.x, TURN * by.y);
+    } else if modifiers.alt && held(PointerButton::Secondary) {
+        pane.camera.zoom((0.005 * by.y).exp(), 0.5 * size, size);
+    }
+    if response.hovered() && wheel != 0.0 {
+        let at = ui.input(|input| input.pointer.hover_pos()).unwrap_or(frame.rect.center());
+        pane.camera.zoom((-0.002 * f64::from(wheel)).exp(), frame.pixel(at), size);
+    }
+    if pane.camera != before {
+        // A hand on the camera is stronger than where it was sent.
+        pane.ease = None;
+    }
+    if result && response.hovered() && !ui.ctx().egui_wants_keyboard_input() {
+        turn_by_keys(pane, ui);
+    }
+    if let PaneKind::Drawing(view) = pane.kind
+        && pane.camera != before
+    {
+        links.moved = Some((view, pane.camera));
+    }
+}
+
+fn turn_by_keys(pane: &mut Pane, ui: &Ui) {
+    let (opposite, pressed) = ui.input(|input| {
+        let keys = [Key::Num1, Key::Num3, Key::Num7, Key::Num5];
+        (input.modifiers.command, keys.into_iter().find(|&key| input.key_pressed(key)))
+    });
+    let facing = match (pressed, opposite) {
+        (Some(Key::Num1), false) => Facing::Front,
+        (Some(Key::Num1), true) => Facing::Back,
+        (Some(Key::Num3), false) => Facing::Side,
+        (Some(Key::Num3), true) => Facing::OtherSide,
+        (Some(Key::Num7), false) => Facing::Top,
+        (Some(Key::Num7), true) => Facing::Bottom,
+        (Some(Key::Num5), _) => return change_projection(pane),
+        _ => return,
+    };
+    face(pane, ui, facing);
+}
+
+/// Looks along an axis.
+pub fn face(pane: &mut Pane, ui: &Ui, facing: Facing) {
+    let turned = Camera::facing(facing);
+    let to = Camera { yaw: turned.yaw, pitch: turned.pitch, ..pane.camera };
+    pane.ease_to(to, ui.input(|input| input.time));
+}
+
+/// Between perspective and parallel lines.
+pub fn change_projection(pane: &mut Pane) {
+    let camera = &mut pane.camera;
+    let parallel = camera.projection == Projection::Parallel;
+    camera.projection = if parallel { Camera::perspective().projection } else { Projection::Parallel };
+    pane.ease = None;
+}

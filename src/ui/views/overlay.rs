@@ -1,0 +1,82 @@
+//! What is painted over the pictures: the preview of a fibre, the grab, titles and the coach's words.
+
+use super::frame::ViewFrame;
+use super::grab::grabbed_point;
+use super::kind::PaneKind;
+use super::sketching::Sketching;
+use crate::sketch::View;
+use crate::solver::snapshot::BodySnapshot;
+use crate::ui::context::Context;
+use crate::ui::theme::{self, GRID, STROKE_WIDTH};
+use egui::{Align2, FontId, Rect, Stroke, Ui};
+use glam::DVec3;
+
+/// Paints the curve that the strokes make so far, and the grab, into the result.
+pub fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Context) {
+    let painter = ui.painter_at(frame.rect);
+    let accent = theme::color(cx.tone.pictures().accent);
+    let bodies = &cx.simulation.published().snapshot.bodies;
+    // The preview goes with the body, which may have moved from where it is drawn into.
+    let middle = |bodies: &[BodySnapshot], index: usize| {
+        let points = &bodies.get(index)?.particles;
+        Some(points.iter().sum::<DVec3>() / points.len() as f64)
+    };
+    if let Some(follow) = sketching.tool.preview(cx.active.diagonal())
+        && let Some(now) = middle(bodies, cx.active.index)
+        && let Some(rest) = middle(&cx.active.model.bodies, 0)
+    {
+        let offset = now - rest;
+        let points = follow.curve.iter().filter_map(|&point| frame.screen(point + offset)).collect();
+        painter.add(egui::Shape::line(points, Stroke::new(STROKE_WIDTH, accent)));
+    }
+    if let Some(grabbed) = cx.simulation.grabbed()
+        && let Some(held) = bodies.get(grabbed.body).and_then(|body| grabbed_point(body, grabbed.vertex))
+        && let (Some(from), Some(to)) = (frame.screen(held), frame.screen(grabbed.target))
+    {
+        painter.line_segment([from, to], Stroke::new(2.0, accent));
+        painter.circle_filled(from, 4.0, accent);
+        painter.circle_stroke(to, 5.0, Stroke::new(2.0, accent));
+    }
+}
+
+/// Names the axes of a drawing view, and says what the first fibre takes.
+pub fn paint_title(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Context) {
+    let rect = frame.rect;
+    let painter = ui.painter_at(rect);
+    let pictures = cx.tone.pictures();
+    let text = theme::color(pictures.text);
+    let at = rect.min + egui::vec2(3.0 * GRID, 2.5 * GRID);
+    let axes = match frame.kind {
+        PaneKind::Drawing(View::Front) => "X right, Y up",
+        PaneKind::Drawing(View::Side) => "Z right, Y up",
+        PaneKind::Drawing(View::Top) => "X right, Z down",
+        PaneKind::Result => return,
+    };
+    let below = at + egui::vec2(GRID, 6.0 * GRID);
+    painter.text(below, Align2::LEFT_TOP, axes, FontId::proportional(11.0), text.gamma_multiply(0.7));
+    if let Some(coach) = coach(sketching, frame.kind, cx) {
+        let room = rect.width() - 12.0 * GRID;
+        let words = painter.layout(coach.to_owned(), FontId::proportional(13.0), text, room);
+        let size = words.size() + egui::vec2(4.0 * GRID, 2.0 * GRID);
+        let at = rect.center_bottom() - egui::vec2(0.5 * size.x, size.y + 10.0 * GRID);
+        let accent = theme::color(pictures.accent);
+        let paper = theme::color(pictures.background_top).gamma_multiply(0.9);
+        let edge = Stroke::new(1.0, accent);
+        painter.rect(Rect::from_min_size(at, size), GRID, paper, edge, egui::StrokeKind::Inside);
+        painter.galley(at + egui::vec2(2.0 * GRID, GRID), words, text);
+    }
+}
+
+/// What the first fibre takes, step by step, in the view where the next step is.
+fn coach(sketching: &Sketching, kind: PaneKind, cx: &Context) -> Option<&'static str> {
+    let PaneKind::Drawing(view) = kind else { return None };
+    let elsewhere = cx.has_dialog || cx.pattern.is_shown;
+    if !sketching.coach || elsewhere || cx.active_body().is_none() {
+        return None;
+    }
+    match sketching.tool.first() {
+        None if view == View::Front => Some("1  Drag a stroke here, the fibre as seen from this side"),
+        Some(first) if first.view != view => Some("2  Draw the same fibre as seen from here, between the guides"),
+        _ => None,
+    }
+}

@@ -1,0 +1,55 @@
+//! One of the three views: two to draw in, one to watch.
+
+use super::ease::Ease;
+use super::kind::{PaneKind, facing};
+use super::picture::Picture;
+use crate::render::Camera;
+use egui::Rect;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// One view.
+pub struct Pane {
+    /// What it is for.
+    pub kind: PaneKind,
+    /// From where it looks.
+    pub camera: Camera,
+    /// Where its camera was sent, until it arrives.
+    pub ease: Option<Ease>,
+    /// Whether its camera has been fitted to what is there.
+    pub framed: bool,
+    /// Whether it has been fitted before.
+    pub shown: bool,
+    /// Where it lay in the last frame.
+    pub rect: Rect,
+    /// What it showed in the last frame.
+    pub picture: Picture,
+}
+
+impl Pane {
+    /// A view that has not been shown yet.
+    pub fn new(kind: PaneKind) -> Self {
+        let camera = match kind {
+            PaneKind::Drawing(view) => Camera::facing(facing(view)),
+            PaneKind::Result => Camera::perspective(),
+        };
+        Self { kind, camera, ease: None, framed: false, shown: false, rect: Rect::NOTHING, picture: Picture::default() }
+    }
+
+    /// Sends the camera somewhere, from now on [s].
+    pub fn ease_to(&mut self, to: Camera, now: f64) {
+        self.ease = Some(Ease::new(self.camera, to, now));
+    }
+}
+
+/// Only what a view is for is remembered: where its camera stands follows from what there is to see.
+impl Serialize for Pane {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.kind.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Pane {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        PaneKind::deserialize(deserializer).map(Self::new)
+    }
+}

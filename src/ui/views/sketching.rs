@@ -1,0 +1,165 @@
+//! Drawing fibres: from the pointer's samples to a fibre in the document.
+
+use super::frame::ViewFrame;
+use super::sketch_tool::{Outcome, SHORTEST_STROKE, SketchTool, Stage};
+use crate::edit::{Command, fibre_ops};
+use crate::scene::{Extra, Fibre, FibreSource, RestShape, Stiffness, StrokePair};
+use crate::sketch::{SketchError, View};
+use crate::ui::context::{Context, Severity, Step};
+use crate::ui::editing::set_fibres;
+use egui::{Event, PointerButton, Pos2, Response, Ui};
+
+/// What is drawn and what becomes of it.
+pub struct Sketching {
+    /// The strokes so far.
+    pub tool: SketchTool,
+    /// Whether the next stroke takes the place of the selected fibre's in its view.
+    pub redraws: bool,
+    /// Whether the coach still explains the first fibre.
+    pub coach: bool,
+}
+
+impl Default for Sketching {
+    fn default() -> Self {
+        Self { tool: SketchTool::default(), redraws: false, coach: true }
+    }
+}
+
+impl Sketching {
+    /// Forgets what is drawn so far: another body is drawn into.
+    pub fn forget(&mut self) {
+        self.tool = SketchTool::default();
+        self.redraws = false;
+    }
+
+    /// Takes the last stroke back.
+    pub fn cancel(&mut self) {
+        self.tool.cancel();
+        self.redraws = false;
+    }
+
+    /// Has the next stroke take the place of the selected fibre's, or no longer.
+    pub fn toggle_redraw(&mut self, cx: &mut Context) {
+        self.redraws = !self.redraws;
+        if self.redraws {
+            cx.say(Severity::Note, "Draw the stroke again in either of the fibre's two views");
+        }
+    }
+
+    /// Takes every pointer sample of a stroke.
+    pub fn draw(&mut self, ui: &Ui, response: &Response, view: View, frame: &ViewFrame, cx: &mut Context) {
+        let primary = PointerButton::Primary;
+        if response.drag_started_by(primary)
+            && !ui.input(|input| input.modifiers.alt)
+            && let Some(at) = ui.input(|input| input.pointer.press_origin())
+        {
+            self.tool.press(view, frame.pixel(at), frame.drawn(view, at));
+        }
+        if !self.tool.draws_in(view) {
+            if response.hovered() {
+                cx.status.hint = match self.tool.first() {
+                    Some(first) if first.view != view => {
+                        "Draw the second stroke between the guides; Escape takes the first one back"
+                    }
+                    Some(_) => "Draw the second stroke in another view, or draw this one again",
+                    None => "Drag to draw the first stroke",
+                };
+            }
+            return;
+        }
+        cx.status.hint = "Escape cancels this stroke";
+        // Moves come several to a frame, and each is a sample of the stroke.
+        let moves: Vec<Pos2> = ui.input(|input| {
+            input
+                .events
+                .iter()
+                .filter_map(|event| match event {
+                    Event::PointerMoved(at) => Some(*at),
+                    _ => None,
+                })
+                .collect()
+        });
+        for at in moves {
+            self.tool.drag(frame.pixel(at), frame.drawn(view, at));
+        }
+        if response.drag_stopped_by(primary)
+            && let Some(outcome) = self.tool.release(cx.active.diagonal())
+        {
+            self.released(outcome, cx);
+        }
+    }
+
+    /// Takes refused strokes by stretching the second onto the first.
+    pub fn stretch(&mut self, cx: &mut Context) {
+        if let Some(outcome) = self.tool.stretch(cx.active.diagonal()) {
+            self.released(outcome, cx);
+        }
+    }
+
+    /// Whether the strokes that are drawn were refused and can be stretched.
+    pub fn is_refused(&self) -> bool {
+        matches!(self.tool.stage(), Stage::Refused { .. })
+    }
+
+    /// What a released stroke leads to.
+    fn released(&mut self, outcome: Outcome, cx: &mut Context) {
+        match outcome {
+            Outcome::Slip(length) => cx.say(
+                Severity::Warning,
+                format!("That stroke was only {length:.0} pixels long; draw at least {SHORTEST_STROKE:.0}"),
+            ),
+            Outcome::First if self.redraws => self.redraw(cx),
+            Outcome::First => cx.say(Severity::Note, "Now draw the same fibre as the other view sees it"),
+            Outcome::Refused(error) => {
+                let error: SketchError = error;
+                cx.say(Severity::Error, error.to_string());
+            }
+            Outcome::Pair { strokes, lifted } => {
+                let notes: Vec<String> = lifted.notes.iter().map(ToString::to_string).collect();
+                self.add_fibre(strokes, cx);
+                if !notes.is_empty() {
+                    cx.say(Severity::Warning, notes.join(". "));
+                }
+            }
+        }
+    }
+
+    /// The stroke that was just drawn takes the place of the selected fibre's in that view.
+    fn redraw(&mut self, cx: &mut Context) {
+        let Some(stroke) = self.tool.first().cloned() else { return };
+        self.tool = SketchTool::default();
+        let Some((_, fibre)) = cx.selected_fibre() else { return };
+        let points = stroke.points.iter().map(glam::DVec2::to_array).collect();
+        let edited = fibre_ops::redraw(fibre, stroke.view, points, cx.sampling());
+        self.redraws = edited.is_err();
+        set_fibres(cx, "Redraw", edited.map(|edited| vec![edited]), Step::Own);
+    }
+
+    fn add_fibre(&mut self, strokes: StrokePair, cx: &mut Context) {
+        let Some(body) = cx.active_body() else {
+            cx.say(Severity::Error, "Fibres go into fibre solids: choose one in the list of bodies");
+            return;
+        };
+        let taken = |n: &usize| body.fibres.iter().any(|fibre| fibre.id == format!("fibre-{n}"));
+        let number = (1..=body.fibres.len() + 1).find(|n| !taken(n)).unwrap_or(1);
+        let fibre = Fibre {
+            id: format!("fibre-{number}"),
+            name: format!("Fibre {number}"),
+            hidden: false,
+            color: None,
+            source: FibreSource::Strokes(strokes),
+            stiffness: Stiffness::Rigidity(fibre_ops::rigidity_of(&body.material, fibre_ops::STIFFER)),
+            volume_fraction: fibre_ops::NEW_VOLUME_FRACTION,
+            rest_shape: RestShape::AsDrawn,
+            break_past: None,
+            extra: Extra::new(),
+        };
+        let body = body.id.clone();
+        let id = fibre.id.clone();
+        cx.status.drawn_fibre = Some(id.clone());
+        self.coach = false;
+        cx.say(Severity::Note, format!("{} is in the solid", fibre.name));
+        cx.edit(&Command::AddFibre { body, fibre }, Step::Own);
+        cx.selection.only(id);
+    }
+}

@@ -1,0 +1,104 @@
+//! One view while it is shown: whom the pointer belongs to, and what is painted in which order.
+
+use super::camera;
+use super::corner::corner;
+use super::displayed::DisplayedState;
+use super::frame::ViewFrame;
+use super::grab::grab;
+use super::kind::PaneKind;
+use super::links::Links;
+use super::options::ViewOptions;
+use super::overlay::{paint_result, paint_title};
+use super::pane::Pane;
+use super::picture::{Painter, ViewInputs};
+use super::region::{RegionTool, paint_pattern};
+use super::sketching::Sketching;
+use super::strokes::paint_strokes;
+use crate::draw::{Display, SkinStyle};
+use crate::ui::context::Context;
+use crate::ui::editing::{self, Editing};
+use crate::ui::runs::tints;
+use crate::ui::theme;
+use egui::{Sense, Ui};
+use std::sync::Arc;
+
+/// What the pointer can do in the views.
+#[derive(Default)]
+pub struct Tools {
+    /// Draws fibres.
+    pub sketching: Sketching,
+    /// Selects, moves and paints.
+    pub editing: Editing,
+    /// Drags a box around what a pattern fills.
+    pub region: RegionTool,
+}
+
+/// Shows a view in the room that is left.
+pub fn show(
+    pane: &mut Pane,
+    ui: &mut Ui,
+    tools: &mut Tools,
+    options: &mut ViewOptions,
+    links: &mut Links,
+    painter: Option<&Painter>,
+    cx: &mut Context,
+) {
+    let rect = ui.available_rect_before_wrap();
+    let response = ui.allocate_rect(rect, Sense::click_and_drag());
+    let label = format!("{} view", pane.kind.title());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, &label));
+    pane.rect = rect;
+    camera::settle(pane, ui, links, cx);
+    camera::follow(pane, ui, &response, links);
+    let frame = ViewFrame { kind: pane.kind, rect, camera: pane.camera };
+    let slice = options.display.slice;
+    let takes_region = !tools.editing.has_gesture() && tools.region.follow(ui, &response, &frame, cx);
+    let draws = tools.sketching.tool.first().is_some();
+    if !takes_region {
+        editing::take_pointer(&mut tools.editing, ui, &response, &frame, slice, draws, cx);
+    }
+    match frame.kind {
+        _ if takes_region => {}
+        _ if tools.editing.has_pointer(frame.kind) => {}
+        PaneKind::Drawing(view) => tools.sketching.draw(ui, &response, view, &frame, cx),
+        PaneKind::Result => grab(ui, &response, &frame, slice, cx),
+    }
+    paint_picture(pane, ui, &options.display, painter, cx);
+    match frame.kind {
+        PaneKind::Drawing(view) => paint_strokes(&tools.sketching, ui, view, &frame, cx),
+        PaneKind::Result => paint_result(&tools.sketching, ui, &frame, cx),
+    }
+    let draws = tools.sketching.tool.first().is_some();
+    editing::paint(&tools.editing, ui, &frame, slice, draws, cx);
+    paint_pattern(ui, &frame, cx);
+    paint_title(&tools.sketching, ui, &frame, cx);
+    corner(pane, ui, options, links, cx);
+}
+
+fn paint_picture(pane: &mut Pane, ui: &Ui, result: &Display, painter: Option<&Painter>, cx: &Context) {
+    let state = DisplayedState::of(pane.kind, cx);
+    let selected = selected(&state, cx);
+    let display = match pane.kind {
+        PaneKind::Drawing(_) => {
+            let first_body = cx.active.index;
+            Display { skin: SkinStyle::XRay, room: false, selected, first_body, ..Display::default() }
+        }
+        PaneKind::Result => Display { selected, tints: tints(cx), ..result.clone() },
+    };
+    let theme = cx.tone.pictures();
+    let inputs = ViewInputs { state, scene: Arc::clone(cx.scene()), display, tone: cx.tone };
+    let scale = ui.ctx().pixels_per_point();
+    let shown = painter.and_then(|painter| painter.paint(&mut pane.picture, inputs, &pane.camera, pane.rect, scale));
+    if let Some(shown) = shown {
+        ui.painter().add(shown);
+    } else {
+        ui.painter().rect_filled(pane.rect, 0.0, theme::color(theme.background_bottom));
+    }
+}
+
+/// Selected fibres as the picture counts them.
+fn selected(state: &DisplayedState, cx: &Context) -> Vec<[u32; 2]> {
+    let body = state.active(cx);
+    let fibres = state.bodies.get(body).into_iter().flat_map(|body| body.fibres.iter().enumerate());
+    fibres.filter(|(_, fibre)| cx.selection.contains(&fibre.id)).map(|(k, _)| [body as u32, k as u32]).collect()
+}

@@ -2,10 +2,7 @@
 
 use crate::geometry::solid::Solid;
 use crate::io::{IoError, is_model, load_assets, load_scene, scene_from_json, unknown_fields};
-use crate::scene::{
-    Assets, Axis, Body, BodyKind, Damping, Extra, Falloff, Initial, IntegratorKind, Mass, Material, MeshShape,
-    Placement, Room, Scene, Shape,
-};
+use crate::scene::{Assets, Body, Material, MeshShape, Scene};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
@@ -60,8 +57,7 @@ impl Document {
     fn of_model(path: &Path) -> Result<Self, IoError> {
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let mut shape =
-            MeshShape { path: file, scale: 1.0, up: Axis::Y, particles: Some(MODEL_PARTICLES), extra: Extra::new() };
+        let mut shape = MeshShape::new(file).with_particles(MODEL_PARTICLES);
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let mut scene = model_scene(&name, &shape);
         let mut assets = load_assets(&scene, &folder, &mut |_| {})?;
@@ -97,36 +93,9 @@ fn unknown(path: &Path, scene: &Scene) -> Option<String> {
 }
 
 fn model_scene(name: &str, shape: &MeshShape) -> Scene {
-    let material = Material {
-        young_modulus: 1e5,
-        poisson_ratio: 0.33,
-        mass: Mass::Density(1000.0),
-        support_radius: 0.01,
-        spacing_ratio: 0.4,
-        damping: Damping { pair: 10.0, ..Damping::default() },
-        volume_fraction_falloff: Falloff::Kernel,
-        extra: Extra::new(),
-    };
-    let body = Body {
-        id: "model".to_owned(),
-        name: name.to_owned(),
-        hidden: false,
-        color: None,
-        kind: BodyKind::FibreSolid,
-        shape: Shape::Mesh(shape.clone()),
-        placement: Placement::default(),
-        material,
-        integrator: IntegratorKind::LeapFrog,
-        initial: Initial::default(),
-        impulses: Vec::new(),
-        fibres: Vec::new(),
-        paint: Vec::new(),
-        regions: Vec::new(),
-        pins: Vec::new(),
-        extra: Extra::new(),
-    };
-    let room = Room { floor: Some(0.0), ..Room::default() };
-    Scene { name: name.to_owned(), room, bodies: vec![body], ..Scene::default() }
+    let material = Material::new(1e5, 0.33, 1000.0).with_support_radius(0.01).with_damping(10.0, 0.0);
+    let body = Body::from_mesh("model", shape.clone()).with_name(name).with_material(material);
+    Scene::new(name).with_floor(0.0).with_body(body)
 }
 
 /// `scene` with the models that it names from the folder `from` named from the folder `to`.
@@ -161,6 +130,7 @@ fn seen_from(path: &Path, folder: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Shape;
 
     fn asset(name: &str) -> PathBuf {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("assets").join(name)

@@ -8,7 +8,7 @@ use super::stroke_choices::stroke_choices;
 use super::theme::GRID;
 use crate::edit::Command;
 use crate::edit::fibre_ops::{displaced, rigidity_of};
-use crate::scene::{Extra, Fibre, FibreSource, Material, PaperStiffness, RestShape, Rigidity, Stiffness};
+use crate::scene::{Fibre, FibreSource, Material, PaperStiffness, RestShape, Rigidity, Stiffness};
 use egui::{Slider, SliderClamping, Ui};
 
 const EA: NumberField =
@@ -108,9 +108,9 @@ fn stiffness(ui: &mut Ui, fibre: &mut Fibre, material: &Material) {
         ui.selectable_value(&mut paper, true, "Kb, Ks").on_hover_text("Table 1 of the fibre paper");
         if paper != before {
             fibre.stiffness = if paper {
-                Stiffness::Paper(PaperStiffness { kb: 2.0 * ei / volume, ks: 0.5 * ea, extra: Extra::new() })
+                PaperStiffness::new(2.0 * ei / volume, 0.5 * ea).into()
             } else {
-                Stiffness::Rigidity(Rigidity { ea, ei, extra: Extra::new() })
+                Rigidity::new(ea, ei).into()
             };
         }
     });

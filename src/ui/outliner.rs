@@ -5,7 +5,7 @@ use super::editing::{Editing, brush_panel};
 use super::inspector::inspector;
 use super::theme::{self, GRID, SIDE_WIDTH};
 use crate::edit::{Command, Item};
-use crate::scene::Fibre;
+use crate::scene::{AnyBody, Fibre};
 use crate::solver::snapshot::SpringKind;
 use egui::{Color32, Id, Panel, Pos2, Rect, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo};
 
@@ -25,10 +25,8 @@ pub fn left_panel(ui: &mut Ui, cx: &mut Context, editing: &mut Editing) {
 }
 
 fn bodies(ui: &mut Ui, cx: &mut Context) {
-    let scene = cx.scene();
-    let solids = scene.bodies.iter().map(|body| (body.id.clone(), body.title().to_owned(), body.hidden));
-    let layered = scene.two_layer.iter().map(|body| (body.id.clone(), body.title().to_owned(), body.hidden));
-    let bodies: Vec<(String, String, bool)> = solids.chain(layered).collect();
+    let listed = |body: AnyBody<'_>| (body.id().to_owned(), body.title().to_owned(), body.hidden());
+    let bodies: Vec<(String, String, bool)> = cx.scene().all_bodies().map(listed).collect();
     if bodies.is_empty() {
         ui.label("The scene has no body. Open a scene or a model, or start from the soft bar (Ctrl+N).");
         return;

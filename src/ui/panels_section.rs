@@ -5,7 +5,7 @@ use super::field::NumberField;
 use super::room_section::{FRICTION, length};
 use crate::draw::Bounds;
 use crate::edit::Command;
-use crate::scene::{Extra, HeightKey, Panel, PanelMotion};
+use crate::scene::{HeightKey, Panel, PanelMotion};
 use egui::{DragValue, Ui};
 use glam::DVec3;
 
@@ -55,15 +55,9 @@ fn usual_panel(cx: &Context, others: &[Panel]) -> Panel {
     let number =
         (1..=others.len() + 1).find(|n| others.iter().all(|panel| panel.id != format!("panel-{n}"))).unwrap_or(1);
     Panel {
-        id: format!("panel-{number}"),
         name: format!("Panel {number}"),
-        height: bounds.max.y + GAP * extent.y.max(1e-3),
         center: [bounds.center().x, bounds.center().z],
-        size: [width, width],
-        mass: 1.0,
-        friction: 0.4,
-        motion: PanelMotion::Falls,
-        extra: Extra::new(),
+        ..Panel::falling(format!("panel-{number}"), bounds.max.y + GAP * extent.y.max(1e-3), [width, width])
     }
 }
 
@@ -81,8 +75,8 @@ fn show_panel(ui: &mut Ui, panel: &mut Panel) {
         }
         let driven = ui.selectable_label(!falls, "Driven").on_hover_text("Follows heights over time");
         if driven.clicked() && falls {
-            let key = |time, height| HeightKey { time, height, extra: Extra::new() };
-            panel.motion = PanelMotion::Driven(vec![key(0.0, panel.height), key(1.0, panel.height)]);
+            let keys = [0.0, 1.0].map(|time| HeightKey::new(time, panel.height));
+            panel.motion = PanelMotion::Driven(keys.to_vec());
         }
     });
     let height = panel.height;
@@ -109,6 +103,6 @@ fn show_heights(ui: &mut Ui, keys: &mut Vec<HeightKey>, usual: f64) {
     keys.sort_by(|a, b| a.time.total_cmp(&b.time));
     if ui.small_button("Add a height").clicked() {
         let (time, height) = keys.last().map_or((0.0, usual), |key| (key.time + 1.0, key.height));
-        keys.push(HeightKey { time, height, extra: Extra::new() });
+        keys.push(HeightKey::new(time, height));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::context::{Context, Step};
 use crate::edit::Command;
-use crate::scene::{Axis, Extra, Motion, Pin, Region, Selector, Side};
+use crate::scene::{Axis, Pin, Region, Side};
 use egui::{ComboBox, Ui};
 
 /// Layers of the lattice that a new pin holds.
@@ -10,7 +10,9 @@ const PINNED_LAYERS: u32 = 1;
 
 /// Shows the pins of the active body.
 pub fn pins_section(ui: &mut Ui, cx: &mut Context) {
-    let Some((id, regions, pins)) = cx.active_supports() else {
+    let active = cx.scene().any_body(cx.active.index);
+    let supports = active.map(|body| (body.id().to_owned(), body.regions().to_vec(), body.pins().to_vec()));
+    let Some((id, regions, pins)) = supports else {
         ui.label("No body is chosen");
         return;
     };
@@ -80,8 +82,7 @@ fn new_pin(ui: &mut Ui, cx: &Context, regions: &[Region]) -> Option<Region> {
             ("front", Axis::Z, Side::Max),
         ] {
             if regions.iter().all(|region| region.id != id) && ui.selectable_label(false, id).clicked() {
-                let select = Selector::Layers { axis, side, count: PINNED_LAYERS, extra: Extra::new() };
-                chosen = Some(Region { id: id.to_owned(), select, extra: Extra::new() });
+                chosen = Some(Region::layers(id, axis, side, PINNED_LAYERS));
             }
         }
     });
@@ -91,13 +92,7 @@ fn new_pin(ui: &mut Ui, cx: &Context, regions: &[Region]) -> Option<Region> {
 
 fn add_pin(region: Region, regions: &mut Vec<Region>, pins: &mut Vec<Pin>) {
     let number = (1..=pins.len() + 1).find(|n| pins.iter().all(|pin| pin.id != format!("pin-{n}"))).unwrap_or(1);
-    pins.push(Pin {
-        id: format!("pin-{number}"),
-        region: region.id.clone(),
-        axes: vec![Axis::X, Axis::Y, Axis::Z],
-        motion: Motion::Fixed,
-        extra: Extra::new(),
-    });
+    pins.push(Pin::new(format!("pin-{number}"), region.id.as_str()));
     if regions.iter().all(|old| old.id != region.id) {
         regions.push(region);
     }

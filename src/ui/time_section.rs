@@ -3,7 +3,7 @@
 use super::context::{Context, Step};
 use super::field::NumberField;
 use crate::edit::Command;
-use crate::scene::{Automatic, Extra, Manual, TimeStep};
+use crate::scene::{Automatic, TimeStep};
 use egui::{DragValue, Ui};
 
 const DT: NumberField =
@@ -31,7 +31,7 @@ pub fn time_section(ui: &mut Ui, cx: &mut Context) {
         if ui.selectable_label(!automatic, "By hand").on_hover_text(tooltip).clicked() && automatic {
             let dt = if dt.is_finite() { dt } else { 1e-3 };
             let substeps_per_frame = (1.0 / (time.frames_per_second * dt)).ceil().max(1.0) as u32;
-            time.step = TimeStep::Manual(Manual { dt, substeps_per_frame, extra: Extra::new() });
+            time.step = TimeStep::manual(dt, substeps_per_frame);
         }
     });
     match &mut time.step {

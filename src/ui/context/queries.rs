@@ -2,7 +2,7 @@
 
 use super::{Context, Lift};
 use crate::edit::fibre_ops::Sampling;
-use crate::scene::{Body, Fibre, FibreSource, Pin, Region, Shape, TwoLayer};
+use crate::scene::{Body, Fibre, FibreSource, Shape, TwoLayer};
 use crate::sketch::View;
 use glam::DVec3;
 use std::rc::Rc;
@@ -13,21 +13,12 @@ const USUAL_SPACING: f64 = 1e-2;
 impl Context {
     /// The fibre solid that is drawn into.
     pub fn active_body(&self) -> Option<&Body> {
-        self.scene().bodies.get(self.active.index)
+        self.scene().any_body(self.active.index)?.solid()
     }
 
     /// The two-layer body whose properties are shown.
     pub fn active_two_layer(&self) -> Option<&TwoLayer> {
-        let scene = self.scene();
-        scene.two_layer.get(self.active.index.checked_sub(scene.bodies.len())?)
-    }
-
-    /// Identifier, regions and pins of the active body of either kind.
-    pub fn active_supports(&self) -> Option<(String, Vec<Region>, Vec<Pin>)> {
-        if let Some(body) = self.active_body() {
-            return Some((body.id.clone(), body.regions.clone(), body.pins.clone()));
-        }
-        self.active_two_layer().map(|body| (body.id.clone(), body.regions.clone(), body.pins.clone()))
+        self.scene().any_body(self.active.index)?.two_layer()
     }
 
     /// How strokes of the active body become vertices.

@@ -3,7 +3,7 @@
 use super::state::{Brush, Editing};
 use crate::draw::Slice;
 use crate::edit::Command;
-use crate::scene::{Dab, Extra, MAX_DABS, add_dab};
+use crate::scene::{Dab, MAX_DABS, add_dab};
 use crate::ui::context::{Context, Severity, Step};
 use crate::ui::theme;
 use crate::ui::views::{PaneKind, ViewFrame, seen_on};
@@ -72,7 +72,7 @@ pub fn brush(
     {
         brush.last = Some(place);
         let Brush { radius, value, strength, .. } = *brush;
-        brush.waiting.push(Dab { center: place.to_array(), radius, value, strength, extra: Extra::new() });
+        brush.waiting.push(Dab { strength, ..Dab::new(place, radius, value) });
     }
     let ends = response.drag_stopped_by(primary) || response.clicked_by(primary);
     paint_waiting(brush, ends, cx);

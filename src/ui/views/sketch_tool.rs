@@ -1,8 +1,10 @@
 //! Drawing a fibre by a stroke in each of two views. Knows strokes and pixels, but no window.
 
-use crate::scene::{Extra, Mismatch, StrokePair, ViewStroke};
+use crate::scene::{Mismatch, StrokePair, ViewStroke};
 use crate::sketch::{Follow, Guides, LiftOptions, Lifted, SketchError, Stroke, View, follow, guides, lift};
 use glam::DVec2;
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// Pointer travel between two samples [pixels].
 const SAMPLE_EVERY: f64 = 2.0;
@@ -63,6 +65,17 @@ pub enum Outcome {
 #[derive(Clone, Debug, Default)]
 pub struct SketchTool {
     stage: Stage,
+    /// What was previewed last.
+    previewed: RefCell<Option<Preview>>,
+}
+
+/// The curve that two strokes make so far.
+#[derive(Clone, Debug)]
+struct Preview {
+    /// Points that the second stroke had.
+    points: usize,
+    model_diagonal: f64,
+    curve: Option<Rc<Follow>>,
 }
 
 impl SketchTool {
@@ -89,6 +102,7 @@ impl SketchTool {
     /// place.
     pub fn press(&mut self, view: View, pixel: DVec2, point: DVec2) {
         let first = self.first().filter(|first| first.view != view).cloned();
+        self.previewed.take();
         self.stage = Stage::Drawing { stroke: Stroke { view, points: vec![point] }, length: 0.0, last: pixel, first };
     }
 
@@ -128,13 +142,7 @@ impl SketchTool {
         let options = LiftOptions { flip_second: false, stretch: mismatch == Mismatch::Stretch, model_diagonal };
         match lift(&first, &second, &options) {
             Ok(lifted) => {
-                let strokes = StrokePair {
-                    first: drawn(&first),
-                    second: drawn(&second),
-                    flip_second: false,
-                    mismatch,
-                    extra: Extra::new(),
-                };
+                let strokes = StrokePair { mismatch, ..StrokePair::new(drawn(&first), drawn(&second)) };
                 Outcome::Pair { strokes, lifted: Box::new(lifted) }
             }
             Err(error) => {
@@ -161,17 +169,24 @@ impl SketchTool {
         guides(self.first()?, view, model_diagonal).ok()
     }
 
-    /// The curve that the strokes make so far, while the second one is being drawn.
-    pub fn preview(&self, model_diagonal: f64) -> Option<Follow> {
-        match &self.stage {
-            Stage::Drawing { stroke, first: Some(first), .. } => follow(first, stroke, model_diagonal).ok(),
-            _ => None,
+    /// The curve that the strokes make so far, while the second one is being drawn; lifted anew only as that grows.
+    pub fn preview(&self, model_diagonal: f64) -> Option<Rc<Follow>> {
+        let Stage::Drawing { stroke, first: Some(first), .. } = &self.stage else { return None };
+        let points = stroke.points.len();
+        let mut previewed = self.previewed.borrow_mut();
+        if let Some(known) = previewed.as_ref().filter(|known| known.points == points)
+            && known.model_diagonal == model_diagonal
+        {
+            return known.curve.clone();
         }
+        let curve = follow(first, stroke, model_diagonal).ok().map(Rc::new);
+        *previewed = Some(Preview { points, model_diagonal, curve: curve.clone() });
+        curve
     }
 }
 
 fn drawn(stroke: &Stroke) -> ViewStroke {
-    ViewStroke { view: stroke.view, points: stroke.points.iter().map(DVec2::to_array).collect(), extra: Extra::new() }
+    ViewStroke::new(stroke.view, stroke.points.iter().copied())
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::frame::ViewFrame;
 use super::sketch_tool::{Outcome, SHORTEST_STROKE, SketchTool, Stage};
 use crate::edit::{Command, fibre_ops};
-use crate::scene::{Extra, Fibre, FibreSource, RestShape, Stiffness, StrokePair};
+use crate::scene::{Fibre, StrokePair};
 use crate::sketch::{SketchError, View};
 use crate::ui::context::{Context, Severity, Step};
 use crate::ui::editing::set_fibres;
@@ -142,18 +142,10 @@ impl Sketching {
         };
         let taken = |n: &usize| body.fibres.iter().any(|fibre| fibre.id == format!("fibre-{n}"));
         let number = (1..=body.fibres.len() + 1).find(|n| !taken(n)).unwrap_or(1);
-        let fibre = Fibre {
-            id: format!("fibre-{number}"),
-            name: format!("Fibre {number}"),
-            hidden: false,
-            color: None,
-            source: FibreSource::Strokes(strokes),
-            stiffness: Stiffness::Rigidity(fibre_ops::rigidity_of(&body.material, fibre_ops::STIFFER)),
-            volume_fraction: fibre_ops::NEW_VOLUME_FRACTION,
-            rest_shape: RestShape::AsDrawn,
-            break_past: None,
-            extra: Extra::new(),
-        };
+        let fibre = Fibre::drawn(format!("fibre-{number}"), strokes)
+            .with_name(format!("Fibre {number}"))
+            .with_stiffness(fibre_ops::rigidity_of(&body.material, fibre_ops::STIFFER))
+            .with_volume_fraction(fibre_ops::NEW_VOLUME_FRACTION);
         let body = body.id.clone();
         let id = fibre.id.clone();
         cx.status.drawn_fibre = Some(id.clone());

@@ -1,11 +1,11 @@
 //! Weighted sums over the particles around many points, and forces on those points passed back by the same weights.
 //!
-//! Over the windows of a strip the weights are a matrix with a row for each point. Its rows and columns have one run of
+//! Over the blocks of a strip the weights are a matrix with a row for each point. Its rows and columns have one run of
 //! weights each, hardly with a gap, and gaps are zeros. So no sum looks up an index, and none is written before it is
 //! complete: positions are summed along rows, forces along columns, each in the order in which its weights stand in memory.
 
-use super::lines::Columns;
-use super::strip::{Places, WIDTH, Window};
+use super::soa::SoaVectors;
+use super::strip::{BlockVectors, StripIndex, WIDTH};
 use crate::solver::wide::{Lanes8, Vec3x, Wide};
 use fearless_simd::{Simd, f64x8, prelude::*};
 use glam::DVec3;
@@ -14,25 +14,25 @@ use std::ops::Range;
 
 /// Weights of N kinds of many points over a strip, in both orders.
 #[derive(Clone, Debug)]
-pub(super) struct Band<const N: usize> {
-    points: Runs<N>,
-    windows: Runs<N>,
+pub(super) struct BandMatrix<const N: usize> {
+    points: SkylineRows<N>,
+    blocks: SkylineRows<N>,
 }
 
 /// Points with their weights, before they are put into a band.
 #[derive(Debug, Default)]
-pub(super) struct Points<const N: usize> {
+pub(super) struct BandBuilder<const N: usize> {
     count: usize,
-    /// Weights of a point and a window.
+    /// Weights of a point and a block.
     entries: BTreeMap<[usize; 2], [Lanes8; N]>,
 }
 
-impl<const N: usize> Points<N> {
+impl<const N: usize> BandBuilder<N> {
     /// Adds a point by its particles and their weights.
-    pub(super) fn add(&mut self, places: &Places, particles: impl Iterator<Item = (u32, [f64; N])>) {
+    pub(super) fn add(&mut self, index: &StripIndex, particles: impl Iterator<Item = (u32, [f64; N])>) {
         for (particle, weights) in particles {
-            let (window, place) = places.of(particle);
-            let entry = self.entries.entry([self.count, window]).or_insert([Lanes8::default(); N]);
+            let (block, place) = index.of(particle);
+            let entry = self.entries.entry([self.count, block]).or_insert([Lanes8::default(); N]);
             for (entry, weight) in entry.iter_mut().zip(weights) {
                 entry.0[place] += weight;
             }
@@ -40,23 +40,23 @@ impl<const N: usize> Points<N> {
         self.count += 1;
     }
 
-    /// The band over this many windows.
-    pub(super) fn band(&self, windows: usize) -> Band<N> {
-        let points = Runs::new(self.count, self.entries.iter().map(|(&[point, window], w)| ([point, window], w)));
-        let windows = Runs::new(windows, self.entries.iter().map(|(&[point, window], w)| ([window, point], w)));
-        Band { points, windows }
+    /// The band over this many blocks.
+    pub(super) fn band(&self, blocks: usize) -> BandMatrix<N> {
+        let points = SkylineRows::new(self.count, self.entries.iter().map(|(&[point, block], w)| ([point, block], w)));
+        let blocks = SkylineRows::new(blocks, self.entries.iter().map(|(&[point, block], w)| ([block, point], w)));
+        BandMatrix { points, blocks }
     }
 }
 
-/// Rows of a matrix, each from its first entry to its last.
+/// Rows of a matrix in skyline storage: each from its first entry to its last, gaps between them filled with zeros.
 #[derive(Clone, Debug)]
-struct Runs<const N: usize> {
+struct SkylineRows<const N: usize> {
     /// First column of each row, and where its entries begin and end.
     rows: Vec<(u32, Range<u32>)>,
     entries: Vec<[Lanes8; N]>,
 }
 
-impl<const N: usize> Runs<N> {
+impl<const N: usize> SkylineRows<N> {
     fn new<'a>(rows: usize, entries: impl Iterator<Item = ([usize; 2], &'a [Lanes8; N])> + Clone) -> Self {
         let mut columns = vec![0..0; rows];
         for ([row, column], _) in entries.clone() {
@@ -86,17 +86,17 @@ impl<const N: usize> Runs<N> {
     }
 }
 
-impl<const N: usize> Band<N> {
+impl<const N: usize> BandMatrix<N> {
     /// `sum w x` over the particles around a point, for every kind of weight.
     #[inline(always)]
-    pub(super) fn gather<S: Simd>(&self, simd: S, point: usize, windows: &[Window]) -> [DVec3; N] {
+    pub(super) fn gather<S: Simd>(&self, simd: S, point: usize, blocks: &[BlockVectors]) -> [DVec3; N] {
         let (columns, weights) = self.points.row(point);
-        let windows = &windows[columns];
+        let blocks = &blocks[columns];
         let mut sums = [Vec3x::splat(f64x8::splat(simd, 0.0)); N];
-        for k in 0..weights.len().min(windows.len()) {
+        for k in 0..weights.len().min(blocks.len()) {
             for kind in 0..N {
                 let weights = f64x8::load(simd, &weights[k][kind]);
-                sums[kind] = Vec3x::load(simd, &windows[k]).mul_add(weights, sums[kind]);
+                sums[kind] = Vec3x::load(simd, &blocks[k]).mul_add(weights, sums[kind]);
             }
         }
         let mut gathered = [DVec3::ZERO; N];
@@ -107,10 +107,10 @@ impl<const N: usize> Band<N> {
         gathered
     }
 
-    /// Adds to the vectors of a window's particles `sum w value` over the points around it, for every kind of weight.
+    /// Adds to the vectors of a block's particles `sum w value` over the points around it, for every kind of weight.
     #[inline(always)]
-    pub(super) fn scatter<S: Simd>(&self, simd: S, window: usize, values: &[Columns; N], sums: &mut Vec3x<f64x8<S>>) {
-        let (points, weights) = self.windows.row(window);
+    pub(super) fn scatter<S: Simd>(&self, simd: S, block: usize, values: &[SoaVectors; N], sums: &mut Vec3x<f64x8<S>>) {
+        let (points, weights) = self.blocks.row(block);
         for kind in 0..N {
             let [x, y, z] = &values[kind];
             let (x, y, z) = (&x[points.clone()], &y[points.clone()], &z[points.clone()]);
@@ -147,35 +147,35 @@ mod tests {
     }
 
     /// Two fibres with their points' weights and minus twice these.
-    fn two_fibres(stencils: &[EmbeddingWeights]) -> (Strip, Places, Band<2>) {
-        let (mut strip, mut points) = (Strip::default(), Points::default());
+    fn two_fibres(stencils: &[EmbeddingWeights]) -> (Strip, StripIndex, BandMatrix<2>) {
+        let (mut strip, mut points) = (Strip::default(), BandBuilder::default());
         let mut add = |fibre: &[EmbeddingWeights]| {
             let around = |(k, stencil): (usize, &EmbeddingWeights)| {
                 stencil.weights.clone().into_iter().map(move |(p, _)| (k, p))
             };
-            let places = strip.add(fibre.iter().enumerate().flat_map(around));
+            let index = strip.add(fibre.iter().enumerate().flat_map(around));
             for stencil in fibre {
-                points.add(&places, stencil.weights.iter().map(|&(k, w)| (k, [w, -2.0 * w])));
+                points.add(&index, stencil.weights.iter().map(|&(k, w)| (k, [w, -2.0 * w])));
             }
-            places
+            index
         };
-        let places = add(&stencils[..3]);
+        let index = add(&stencils[..3]);
         add(&stencils[3..]);
         let band = points.band(strip.len());
-        (strip, places, band)
+        (strip, index, band)
     }
 
     #[test]
     fn sums_are_those_of_the_stencils_one_by_one() {
         let stencils = stencils();
-        let (strip, places, band) = two_fibres(&stencils);
+        let (strip, index, band) = two_fibres(&stencils);
         let field: Vec<DVec3> = (0..30).map(|k| DVec3::new(f64::from(k), 0.5 * f64::from(k * k), -3.0)).collect();
-        let mut windows = vec![Window::default(); strip.len()];
-        dispatch!(Level::new(), simd => Strip::fill(&strip, simd, &field, &mut windows));
-        let (window, place) = places.of(5);
-        let origin = field[5] - DVec3::from_array([0, 1, 2].map(|c| windows[window][c].0[place]));
+        let mut blocks = vec![BlockVectors::default(); strip.len()];
+        dispatch!(Level::new(), simd => Strip::fill(&strip, simd, &field, &mut blocks));
+        let (block, place) = index.of(5);
+        let origin = field[5] - DVec3::from_array([0, 1, 2].map(|c| blocks[block][c].0[place]));
         for (point, stencil) in stencils.iter().enumerate() {
-            let [sum, other] = dispatch!(Level::new(), simd => Band::gather(&band, simd, point, &windows));
+            let [sum, other] = dispatch!(Level::new(), simd => BandMatrix::gather(&band, simd, point, &blocks));
             let total: f64 = stencil.weights.iter().map(|(_, w)| w).sum();
             let expected = stencil.gather(&field) - total * origin;
             assert!(sum.distance(expected) < 1e-11, "{point}: {sum}, not {expected}");
@@ -191,10 +191,10 @@ mod tests {
         let values = [values(1.0), values(0.3)];
         let (mut forces, mut one_by_one) = (vec![DVec3::X; 30], vec![DVec3::X; 30]);
         dispatch!(Level::new(), simd => {
-            for window in 0..strip.len() {
+            for block in 0..strip.len() {
                 let mut sums = Vec3x::splat(f64x8::splat(simd, 0.0));
-                Band::scatter(&band, simd, window, &values, &mut sums);
-                Strip::pass_on(&strip, window, sums, &mut forces);
+                BandMatrix::scatter(&band, simd, block, &values, &mut sums);
+                Strip::pass_on(&strip, block, sums, &mut forces);
             }
         });
         for (point, stencil) in stencils.iter().enumerate() {

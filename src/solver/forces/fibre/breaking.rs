@@ -5,29 +5,9 @@
 //! pulled too hard loses the edge, and with it the bending of the vertices at both ends, whose turn is no longer
 //! defined. Of several places past their limits in one step only the one furthest past it breaks; that relieves the others.
 
-use super::FibreRest;
+pub use super::break_limits::BreakLimits;
 
-/// What a fibre stands before it breaks; infinite where it never does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BreakLimits {
-    /// Turn away from the rest shape at a vertex [rad].
-    pub angle: f64,
-    /// Force that an edge carries, the volume fraction included [N].
-    pub tension: f64,
-}
-
-impl Default for BreakLimits {
-    fn default() -> Self {
-        Self { angle: f64::INFINITY, tension: f64::INFINITY }
-    }
-}
-
-impl BreakLimits {
-    /// Whether it can break at all.
-    pub fn is_finite(&self) -> bool {
-        self.angle.is_finite() || self.tension.is_finite()
-    }
-}
+use super::rest::FibreRest;
 
 /// Where along its centre line a fibre is broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

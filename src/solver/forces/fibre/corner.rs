@@ -64,7 +64,7 @@ impl Corner {
     }
 
     /// Gradients by the two edges [N] of an energy whose gradient by the curvature binormal is `y`.
-    pub(super) fn curved_slopes(&self, y: DVec3) -> (DVec3, DVec3) {
+    pub(super) fn curved_gradients(&self, y: DVec3) -> (DVec3, DVec3) {
         let (before, after) = (self.before.tangent, self.after.tangent);
         let (g, dg) = inverse_half(self.cosine);
         let along = 2.0 * dg * y.dot(before.cross(after));

@@ -1,9 +1,10 @@
 //! Fibres at rest.
 
-use super::breaking::BreakLimits;
-use super::corner::curvature_binormal;
+use super::break_limits::BreakLimits;
+use super::corner::{Corner, curvature_binormal};
+use super::material_turn::turn_of_material;
 use crate::solver::embedding::{EmbeddingWeights, TurnWeights};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 /// One fibre at rest, ready to be evaluated.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -112,5 +113,31 @@ impl FibreRest {
         // A vertex bends its own corner by twice its move over the edge, `kb = 2 x / l`, and the energy is `S kb²`.
         let bending = self.bends.iter().map(|bend| 8.0 * bend.stiffness / shortest.powi(2)).fold(0.0, f64::max);
         stretching.max(bending)
+    }
+
+    /// The particles that it rides on, each with every vertex that it is around.
+    pub(super) fn particles(&self) -> impl Iterator<Item = (usize, u32)> {
+        let vertices = self.vertices.iter().enumerate();
+        let curved = self.bends.iter().enumerate().filter_map(|(k, bend)| Some((k + 1, bend.curved.as_ref()?)));
+        let vertices = vertices.flat_map(|(k, vertex)| vertex.weights.iter().map(move |&(particle, _)| (k, particle)));
+        vertices.chain(curved.flat_map(|(k, rest)| rest.turn.weights.iter().map(move |&(particle, _)| (k, particle))))
+    }
+
+    /// Force [N] that edge `k` carries between vertices at `x`; negative where it is pressed.
+    pub(super) fn tension(&self, x: &[DVec3], k: usize) -> f64 {
+        let (stiffness, rest_length) = self.edges[k];
+        stiffness * (x[k + 1].distance(x[k]) - rest_length)
+    }
+
+    /// Turn [rad] of bend `k` away from its rest shape, `2 atan(|kb - R_s kb0| / 2)`: the turning angle of eq. 6 itself
+    /// where the rest shape is straight.
+    pub(super) fn turn(&self, x: &[DVec3], k: usize, positions: &[DVec3], warm_start: DQuat) -> f64 {
+        let Some(corner) = Corner::at(x, k) else { return 0.0 };
+        let across = corner.before.tangent.cross(corner.after.tangent);
+        let Some(curved) = &self.bends[k].curved else { return across.length().atan2(corner.cosine) };
+        // Not the binormal that is continued beyond a fold: that one falls again as the fibre closes.
+        let binormal = 2.0 * across / (1.0 + corner.cosine).max(f64::EPSILON);
+        let (r, _) = turn_of_material(&curved.turn, positions, &mut warm_start.clone());
+        2.0 * (0.5 * (binormal - r * curved.binormal).length()).atan()
     }
 }

@@ -1,6 +1,6 @@
 //! What the edges of fibres carry along themselves, to be looked at.
 
-use super::FibreForce;
+use super::force::FibreForce;
 use glam::DVec3;
 
 impl FibreForce {

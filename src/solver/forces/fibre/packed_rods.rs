@@ -6,26 +6,24 @@
 
 use super::corner::{Corner, Edge, FOLD};
 use super::rest::FibreRest;
+use super::soa::{SoaVectors, zeros};
 use crate::solver::wide::{LANES, Lanes4, Vec3x, Wide, vector_of};
 use fearless_simd::{Simd, f64x4, prelude::*};
 use glam::DVec3;
 
-/// A vector for each vertex, by components.
-pub(super) type Columns = [Vec<f64>; 3];
-
 /// Vertices and edges of all fibres; edge and corner k begin with vertex k.
 #[derive(Clone, Debug)]
-pub(super) struct Lines {
+pub(super) struct PackedRods {
     count: usize,
-    /// All of them, and an empty four, which the last one looks at.
-    fours: Vec<Four>,
+    /// All of them, and an empty pack, which the last one looks at.
+    packs: Vec<RodPack>,
     /// Forces on vertices.
-    forces: Columns,
+    forces: SoaVectors,
 }
 
 /// Four vertices with the edges and corners that begin with them.
 #[derive(Clone, Debug, Default)]
-struct Four {
+struct RodPack {
     stretching: Lanes4,
     rest_lengths: Lanes4,
     bending: Lanes4,
@@ -34,28 +32,27 @@ struct Four {
     lengths: Lanes4,
     inverse_lengths: Lanes4,
     /// Gradients by edges: of stretching and of the corner that begins with the same vertex.
-    slopes: [Lanes4; 3],
+    gradients: [Lanes4; 3],
     /// Of that corner, by the edge after.
-    slopes_after: [Lanes4; 3],
+    gradients_after: [Lanes4; 3],
 }
 
-impl Lines {
+impl PackedRods {
     /// The fibres at rest, with nothing broken.
     pub(super) fn new(fibres: &[FibreRest]) -> Self {
         let count = fibres.iter().map(|fibre| fibre.vertices.len()).sum::<usize>();
-        let fours = count.div_ceil(LANES);
-        let forces = [0, 1, 2].map(|_| vec![0.0; LANES * fours]);
-        let mut this = Self { count, fours: vec![Four::default(); fours + 1], forces };
+        let packs = count.div_ceil(LANES);
+        let mut this = Self { count, packs: vec![RodPack::default(); packs + 1], forces: zeros(LANES * packs) };
         let mut first = 0;
         for fibre in fibres {
             for (k, &(stiffness, rest_length)) in fibre.edges.iter().enumerate() {
-                let (four, lane) = this.four(first + k);
-                four.stretching.0[lane] = stiffness;
-                four.rest_lengths.0[lane] = rest_length;
+                let (pack, lane) = this.pack(first + k);
+                pack.stretching.0[lane] = stiffness;
+                pack.rest_lengths.0[lane] = rest_length;
             }
             for (k, bend) in fibre.bends.iter().enumerate().filter(|(_, bend)| bend.curved.is_none()) {
-                let (four, lane) = this.four(first + k);
-                four.bending.0[lane] = bend.stiffness;
+                let (pack, lane) = this.pack(first + k);
+                pack.bending.0[lane] = bend.stiffness;
             }
             first += fibre.vertices.len();
         }
@@ -68,38 +65,38 @@ impl Lines {
     }
 
     #[inline(always)]
-    fn four(&mut self, vertex: usize) -> (&mut Four, usize) {
-        (&mut self.fours[vertex / LANES], vertex % LANES)
+    fn pack(&mut self, vertex: usize) -> (&mut RodPack, usize) {
+        (&mut self.packs[vertex / LANES], vertex % LANES)
     }
 
-    /// What is broken of the fibre whose first vertex is this one carries nothing any more.
-    pub(super) fn lose(&mut self, first: usize, bends: &[bool], edges: &[bool]) {
+    /// Releases what is broken of the fibre whose first vertex is this one: it carries nothing any more.
+    pub(super) fn release(&mut self, first: usize, bends: &[bool], edges: &[bool]) {
         for (k, _) in bends.iter().enumerate().filter(|(_, broken)| **broken) {
-            let (four, lane) = self.four(first + k);
-            four.bending.0[lane] = 0.0;
+            let (pack, lane) = self.pack(first + k);
+            pack.bending.0[lane] = 0.0;
         }
         for (k, _) in edges.iter().enumerate().filter(|(_, broken)| **broken) {
-            let (four, lane) = self.four(first + k);
-            four.stretching.0[lane] = 0.0;
+            let (pack, lane) = self.pack(first + k);
+            pack.stretching.0[lane] = 0.0;
         }
     }
 
     /// Puts a vertex somewhere [m].
     #[inline(always)]
     pub(super) fn put(&mut self, vertex: usize, at: DVec3) {
-        let (four, lane) = self.four(vertex);
+        let (pack, lane) = self.pack(vertex);
         for c in 0..3 {
-            four.positions[c].0[lane] = at[c];
+            pack.positions[c].0[lane] = at[c];
         }
     }
 
-    /// Gradients [N] by all edges, of stretching and straight bending.
+    /// Computes the gradients [N] by all edges, of stretching and straight bending.
     #[inline(always)]
-    pub(super) fn slopes<S: Simd>(&mut self, simd: S) {
+    pub(super) fn compute_gradients<S: Simd>(&mut self, simd: S) {
         let zero = f64x4::splat(simd, 0.0);
         let one = f64x4::splat(simd, 1.0);
-        for k in 1..self.fours.len() {
-            let (before, after) = self.fours.split_at_mut(k);
+        for k in 1..self.packs.len() {
+            let (before, after) = self.packs.split_at_mut(k);
             let (this, next) = (&mut before[k - 1], &after[0]);
             let positions = Vec3x::load(simd, &this.positions);
             let edge = shifted(simd, positions, Vec3x::load(simd, &next.positions)) - positions;
@@ -110,11 +107,11 @@ impl Lines {
             this.tangents = tangent.store();
             this.lengths = length.store();
             this.inverse_lengths = inverse.store();
-            this.slopes = (tangent * pull).store();
+            this.gradients = (tangent * pull).store();
         }
         let (eight, fold) = (f64x4::splat(simd, 8.0), f64x4::splat(simd, FOLD));
-        for k in 1..self.fours.len() {
-            let (before, after) = self.fours.split_at_mut(k);
+        for k in 1..self.packs.len() {
+            let (before, after) = self.packs.split_at_mut(k);
             let (this, next) = (&mut before[k - 1], &after[0]);
             let before = Vec3x::load(simd, &this.tangents);
             let after = shifted(simd, before, Vec3x::load(simd, &next.tangents));
@@ -126,42 +123,42 @@ impl Lines {
             let steepness = cosine.simd_lt(fold).select(f64x4::splat(simd, 4.0), inverse * inverse);
             let slope = zero - eight * f64x4::load(simd, &this.bending) * steepness;
             let by_before = across(before, after, cosine, slope * inverse_before);
-            this.slopes = (Vec3x::load(simd, &this.slopes) + by_before).store();
-            this.slopes_after = across(after, before, cosine, slope * inverse_after).store();
+            this.gradients = (Vec3x::load(simd, &this.gradients) + by_before).store();
+            this.gradients_after = across(after, before, cosine, slope * inverse_after).store();
         }
     }
 
     /// Corner k as it stands; none if one of its edges has no length.
     pub(super) fn corner(&self, k: usize) -> Option<Corner> {
         let edge = |k: usize| {
-            let (four, lane) = (&self.fours[k / LANES], k % LANES);
-            Edge { tangent: vector_of(&four.tangents, lane), length: four.lengths.0[lane] }
+            let (pack, lane) = (&self.packs[k / LANES], k % LANES);
+            Edge { tangent: vector_of(&pack.tangents, lane), length: pack.lengths.0[lane] }
         };
         Corner::between(edge(k), edge(k + 1))
     }
 
     /// Adds gradients [N] by both edges of corner k.
     pub(super) fn add(&mut self, k: usize, (before, after): (DVec3, DVec3)) {
-        let (four, lane) = self.four(k);
+        let (pack, lane) = self.pack(k);
         for c in 0..3 {
-            four.slopes[c].0[lane] += before[c];
-            four.slopes_after[c].0[lane] += after[c];
+            pack.gradients[c].0[lane] += before[c];
+            pack.gradients_after[c].0[lane] += after[c];
         }
     }
 
     /// Forces on all vertices [N].
     #[inline(always)]
-    pub(super) fn forces<S: Simd>(&mut self, simd: S) -> &Columns {
+    pub(super) fn forces<S: Simd>(&mut self, simd: S) -> &SoaVectors {
         let zero = f64x4::splat(simd, 0.0);
         // Of the four before: gradients by the edges after, and all gradients by edges.
         let (mut after_before, mut sums_before) = (Vec3x::splat(zero), Vec3x::splat(zero));
         let [x, y, z] = &mut self.forces;
         let columns = [x.as_chunks_mut().0, y.as_chunks_mut().0, z.as_chunks_mut().0];
-        for (k, four) in self.fours.iter().enumerate().take(columns[0].len()) {
-            let slopes: Vec3x<f64x4<S>> = Vec3x::load(simd, &four.slopes);
-            let after = Vec3x::load(simd, &four.slopes_after);
+        for (k, pack) in self.packs.iter().enumerate().take(columns[0].len()) {
+            let gradients: Vec3x<f64x4<S>> = Vec3x::load(simd, &pack.gradients);
+            let after = Vec3x::load(simd, &pack.gradients_after);
             for c in 0..3 {
-                let sum = slopes[c] + simd.slide_f64x4::<3>(after_before[c], after[c]);
+                let sum = gradients[c] + simd.slide_f64x4::<3>(after_before[c], after[c]);
                 columns[c][k] = (sum - simd.slide_f64x4::<3>(sums_before[c], sum)).into();
                 sums_before[c] = sum;
             }
@@ -185,11 +182,4 @@ fn shifted<S: Simd>(simd: S, four: Vec3x<f64x4<S>>, next: Vec3x<f64x4<S>>) -> Ve
 #[inline(always)]
 fn across<V: Wide>(tangent: Vec3x<V>, other: Vec3x<V>, cosine: V, factor: V) -> Vec3x<V> {
     (other - tangent * cosine) * factor
-}
-
-/// Puts a vector into a place.
-#[inline(always)]
-pub(super) fn put(columns: &mut Columns, place: usize, vector: DVec3) {
-    let [x, y, z] = columns;
-    (x[place], y[place], z[place]) = (vector.x, vector.y, vector.z);
 }

@@ -1,7 +1,9 @@
 //! What a scene refers to but does not hold: the solids that its meshes stand for.
 
 use super::{Axis, ClosedMesh, MeshShape};
-use crate::geometry::model::UpAxis;
+use crate::geometry::mesh::TriangleMesh;
+use crate::geometry::model::{MeshData, Model, UpAxis};
+use crate::geometry::model_report::Refusal;
 use crate::geometry::solid::Solid;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -32,6 +34,13 @@ impl<'a> From<&'a MeshShape> for ModelFile<'a> {
 impl<'a> From<&'a ClosedMesh> for ModelFile<'a> {
     fn from(shape: &'a ClosedMesh) -> Self {
         Self { path: &shape.path, scale: shape.scale, up: shape.up }
+    }
+}
+
+impl<'a> From<&'a str> for ModelFile<'a> {
+    /// In metres, Y up.
+    fn from(path: &'a str) -> Self {
+        Self { path, scale: 1.0, up: Axis::Y }
     }
 }
 
@@ -68,6 +77,40 @@ impl Assets {
     /// Puts in the solid that a shape stands for: upright and in metres.
     pub fn insert<'a>(&mut self, shape: impl Into<ModelFile<'a>>, solid: Arc<Solid>) {
         self.solids.insert(Key::of(shape.into()), solid);
+    }
+
+    /// Puts in what a mesh in memory encloses, under the name that shapes have for its file: nothing is read from there
+    /// then. Vertices are [m] with Y up, unless the shape says otherwise. The mesh is checked, and repaired where that is
+    /// possible; faces with a vertex that is not there are left out. [`Assets::solid`] tells what was found.
+    ///
+    /// ```
+    /// use sinew::geometry::{lattice::Cuboid, mesh::box_surface};
+    /// use sinew::scene::{Assets, Body};
+    /// use glam::DVec3;
+    ///
+    /// let mesh = box_surface(&Cuboid { center: DVec3::ZERO, size: DVec3::splat(0.04) }, 0.01);
+    /// let mut assets = Assets::default();
+    /// assets.insert_mesh("block", &mesh)?;
+    /// let body = Body::from_mesh("body", "block");
+    /// # let scene = sinew::scene::Scene::new("").with_body(body);
+    /// # assert_eq!(sinew::bake::bake(&scene, &assets)?.world.bodies()[0].state().len(), 343);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Refusal`] where nothing is inside.
+    pub fn insert_mesh<'a>(&mut self, shape: impl Into<ModelFile<'a>>, mesh: &TriangleMesh) -> Result<(), Refusal> {
+        let file = shape.into();
+        let mut model = Model::default();
+        model.add(MeshData {
+            name: file.path.to_owned(),
+            positions: mesh.positions.clone(),
+            triangles: mesh.triangles.clone(),
+            ..MeshData::default()
+        });
+        model.stand_up(file.up_axis(), file.scale);
+        self.insert(file, Arc::new(Solid::new(&model)?));
+        Ok(())
     }
 
     /// Number of solids.

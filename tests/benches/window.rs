@@ -6,7 +6,7 @@ use sinew::geometry::lattice::Cuboid;
 use sinew::geometry::mesh::box_surface;
 use sinew::geometry::model::Model;
 use sinew::io::write_glb;
-use sinew::scene::{Axis, Extra, MeshShape, Scene, Shape};
+use sinew::scene::{MeshShape, Scene};
 use sinew::sim::{SimCommand, Worker};
 use sinew::ui::{App, Document};
 use std::path::Path;
@@ -31,13 +31,7 @@ fn fine(folder: &Path) -> Document {
     assert!((45_000..60_000).contains(&model.triangles.len()), "{}", model.triangles.len());
     write_glb(&folder.join("fine.glb"), &model, "fine").expect("a file");
     let mut scene: Scene = built_in().scene;
-    scene.bodies[0].shape = Shape::Mesh(MeshShape {
-        path: "fine.glb".to_owned(),
-        scale: 1.0,
-        up: Axis::Y,
-        particles: Some(588),
-        extra: Extra::new(),
-    });
+    scene.bodies[0].shape = MeshShape::new("fine.glb").with_particles(588).into();
     let path = folder.join("fine.json");
     sinew::io::save_scene(&path, &scene).expect("a scene");
     Document::load(Some(path)).expect("it is opened")

@@ -7,7 +7,7 @@ use proptest::option;
 use proptest::prelude::*;
 use proptest::sample::select;
 use sinew::edit::{Command, Item};
-use sinew::scene::{Dab, Extra, Fibre, FibreSource, IntegratorKind, Region, Room, Selector};
+use sinew::scene::{Dab, Fibre, FibreSource, IntegratorKind, Region, Room, Selector};
 
 /// Number of kinds of commands.
 pub const KINDS: usize = 16;
@@ -80,7 +80,7 @@ fn of_matter() -> impl Strategy<Value = Command> {
     let material = scene.bodies[0].material.clone();
     let layers = scene.two_layer.clone();
     let dab = ([-0.1..0.1f64, 0.0..0.4, -0.1..0.1], 0.0..0.1f64, 0.0..1.05f64)
-        .prop_map(|(center, radius, value)| Dab { center, radius, value, strength: 1.0, extra: Extra::new() });
+        .prop_map(|(center, radius, value)| Dab::new(center, radius, value));
     let body = select(["bar", "ring", "none"].map(str::to_owned).to_vec());
     let integrator = select(vec![IntegratorKind::Rk4, IntegratorKind::Midpoint, IntegratorKind::LeapFrog]);
     prop_oneof![
@@ -123,7 +123,7 @@ fn of_world() -> impl Strategy<Value = Command> {
 fn of_pins() -> impl Strategy<Value = Command> {
     let scene = every_field();
     let (bar, balloon) = (scene.bodies[0].clone(), scene.two_layer[0].clone());
-    let everything = Region { id: "everything".into(), select: Selector::Everything, extra: Extra::new() };
+    let everything = Region::new("everything", Selector::Everything);
     (0..5usize, 0..=5usize).prop_map(move |(which, count)| match which {
         0 | 1 => Command::SetPins {
             body: "bar".into(),

@@ -5,7 +5,7 @@ use crate::{every_field, scene};
 use sinew::edit::fibre_ops::{Transform, copies, smooth, transform};
 use sinew::edit::{Command, EditError, Editor, Item};
 use sinew::io::{load_scene, save_scene, scene_to_json};
-use sinew::scene::{Dab, Extra, Fibre, add_dab};
+use sinew::scene::{Dab, Fibre, add_dab};
 
 fn fibres(editor: &Editor) -> &[Fibre] {
     &editor.scene().bodies[0].fibres
@@ -113,7 +113,7 @@ fn parts_are_renamed_hidden_and_coloured() {
 fn paint_is_set_and_cleared_as_a_whole() {
     let mut editor = Editor::new(every_field());
     let mut paint = editor.scene().bodies[0].paint.clone();
-    let dab = Dab { center: [0.0; 3], radius: 0.01, value: 0.5, strength: 1.0, extra: Extra::new() };
+    let dab = Dab::new([0.0; 3], 0.01, 0.5);
     // One drag of the brush, dab by dab.
     for k in 0..5 {
         add_dab(&mut paint, Dab { center: [0.0, 0.001 * f64::from(k), 0.0], ..dab.clone() });

@@ -2,25 +2,21 @@
 
 use glam::DVec3;
 use sinew::edit::fibre_ops::{Sampling, vertices};
-use sinew::scene::{Extra, Fibre, FibreSource, Mismatch, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke};
+use sinew::scene::{Extra, Fibre, FibreSource, RestShape, Rigidity, StrokePair, ViewStroke};
 use sinew::sketch::View;
 
 /// A model of a hand's size.
 pub const SAMPLING: Sampling = Sampling { model_diagonal: 0.1, spacing: 0.006 };
 
 pub fn fibre(source: FibreSource) -> Fibre {
-    let stiffness = Stiffness::Rigidity(Rigidity { ea: 3000.0, ei: 0.05, extra: Extra::new() });
     Fibre {
-        id: "fibre-1".into(),
-        name: "Fibre 1".into(),
-        hidden: false,
-        color: None,
         source,
-        stiffness,
-        volume_fraction: 0.5,
-        rest_shape: RestShape::Straight,
-        break_past: None,
         extra: Extra::from([("kept".to_owned(), 7.into())]),
+        ..Fibre::through("fibre-1", [[0.0; 3]; 0])
+            .with_name("Fibre 1")
+            .with_stiffness(Rigidity::new(3000.0, 0.05))
+            .with_volume_fraction(0.5)
+            .with_rest_shape(RestShape::Straight)
     }
 }
 
@@ -31,17 +27,8 @@ pub fn curve(t: f64) -> DVec3 {
 
 /// The curve, drawn in two views.
 pub fn drawn(first: View, second: View) -> Fibre {
-    let stroke = |view: View| {
-        let points = (0..=60).map(|k| view.project(curve(f64::from(k) / 60.0)).to_array()).collect();
-        ViewStroke { view, points, extra: Extra::new() }
-    };
-    fibre(FibreSource::Strokes(StrokePair {
-        first: stroke(first),
-        second: stroke(second),
-        flip_second: false,
-        mismatch: Mismatch::Clip,
-        extra: Extra::new(),
-    }))
+    let stroke = |view: View| ViewStroke::new(view, (0..=60).map(|k| view.project(curve(f64::from(k) / 60.0))));
+    fibre(FibreSource::Strokes(StrokePair::new(stroke(first), stroke(second))))
 }
 
 /// The curve by vertices, unevenly spaced.

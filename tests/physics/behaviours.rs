@@ -1,9 +1,7 @@
 //! What a person must see: fibres strengthen, shear and twist what drops on the floor.
 
 use crate::common::*;
-use sinew::scene::{
-    Axis, Between, Extent, Extra, Fibre, MeasureKind, OverTime, RestShape, Scene, Side, Stiffness, Turned,
-};
+use sinew::scene::{Axis, Fibre, MeasureKind, RestShape, Scene, Side, Stiffness};
 use sinew::solver::measure::MeasureValue;
 
 /// The short bar that drops on its end at 15 m/s, measured by its peaks.
@@ -17,31 +15,11 @@ fn dropped(fibres: Vec<Fibre>) -> Scene {
     scene.gravity = [0.0, -9.81, 0.0];
     scene.room.floor = Some(0.0);
     scene.time.frames_per_second = 20_000.0;
-    let (region, against) = (|| "top".to_owned(), || "bottom".to_owned());
     scene.measures = vec![
-        measure(
-            "loss",
-            MeasureKind::HeightLoss(Extent {
-                region: region(),
-                against: against(),
-                axis: Axis::Y,
-                extra: Extra::new(),
-            }),
-        ),
-        measure(
-            "twist",
-            MeasureKind::Twist(Turned {
-                region: region(),
-                against: against(),
-                axis: [0.0, 1.0, 0.0],
-                extra: Extra::new(),
-            }),
-        ),
-        measure("shear", MeasureKind::Shear(Between { region: region(), against: against(), extra: Extra::new() })),
+        measure("loss", MeasureKind::height_loss("top", "bottom", Axis::Y)).at_peak(),
+        measure("twist", MeasureKind::twist("top", "bottom", [0.0, 1.0, 0.0])).at_peak(),
+        measure("shear", MeasureKind::shear("top", "bottom")).at_peak(),
     ];
-    for measure in &mut scene.measures {
-        measure.over_time = OverTime::Peak;
-    }
     scene
 }
 

@@ -2,7 +2,7 @@
 
 use crate::common::*;
 use glam::{DQuat, DVec3};
-use sinew::scene::{Body, BreakPast, Extra, Fibre, FibreSource, RestShape};
+use sinew::scene::{Body, BreakPast, Fibre, FibreSource, RestShape};
 use sinew::sim::Runner;
 use sinew::solver::embedding::EmbeddingWeights;
 use sinew::solver::energy::Energies;
@@ -89,7 +89,7 @@ fn a_scene_says_what_a_fibre_breaks_past_and_a_runner_from_the_start_is_whole() 
     let mut bar = short_bar(2e5);
     let vertices = (0..12).map(|k| [0.0, 0.003 + D * f64::from(k), 0.0]).collect();
     let mut brittle = fibre("f", vertices, rigidity(3000.0, 0.01), 0.5, RestShape::AsDrawn);
-    brittle.break_past = Some(BreakPast { angle: None, tension: Some(20.0), extra: Extra::new() });
+    brittle.break_past = Some(BreakPast { tension: Some(20.0), ..BreakPast::default() });
     bar.fibres = vec![brittle];
     bar.initial.deformation[1][1] = 1.1;
     let start = runner(&in_space(bar));
@@ -105,7 +105,7 @@ fn what_is_broken_stays_so_through_edits_until_the_fibre_itself_is_moved() {
     let column = |x: f64| (0..12).map(|k| [x, 0.003 + D * f64::from(k), 0.0]).collect();
     let mut bar = short_bar(2e5);
     let mut brittle = fibre("f", column(0.0), rigidity(3000.0, 0.01), 0.5, RestShape::AsDrawn);
-    brittle.break_past = Some(BreakPast { angle: None, tension: Some(20.0), extra: Extra::new() });
+    brittle.break_past = Some(BreakPast { tension: Some(20.0), ..BreakPast::default() });
     bar.fibres = vec![brittle.clone()];
     bar.initial.deformation[1][1] = 1.1;
     let mut run = runner(&in_space(bar.clone()));

@@ -3,9 +3,8 @@
 use glam::DVec3;
 use sinew::bake::{Baked, bake};
 use sinew::scene::{
-    Assets, Axis, Body, BoxShape, Damping, Distance, Easing, Extra, Fibre, FibreSource, Initial, IntegratorKind, Mass,
-    Material, Measure, MeasureKind, Motion, OverTime, PaperStiffness, Pin, Placement, Ramp, Reaction, Region,
-    RestShape, Rigidity, Rotation, Scene, Selector, Shape, Side, Stiffness,
+    Assets, Axis, Body, BoxShape, Distance, Fibre, Material, Measure, MeasureKind, Motion, PaperStiffness, Pin, Ramp,
+    Region, RestShape, Rigidity, Scene, Side, Stiffness,
 };
 use sinew::sim::Runner;
 
@@ -15,38 +14,10 @@ pub const D: f64 = 0.006;
 /// A box of whole layers, long axis up, its lower face at the origin's height.
 pub fn block(layers: [u32; 3], young_modulus: f64) -> Body {
     let size = layers.map(|n| f64::from(n) * D);
-    Body {
-        id: "block".into(),
-        name: "Block".into(),
-        hidden: false,
-        color: None,
-        kind: sinew::scene::BodyKind::FibreSolid,
-        shape: Shape::Box(BoxShape {
-            center: [0.0, 0.5 * size[1], 0.0],
-            size,
-            lattice_rotation: Rotation::default(),
-            extra: Extra::new(),
-        }),
-        placement: Placement::default(),
-        material: Material {
-            young_modulus,
-            poisson_ratio: 0.33,
-            mass: Mass::PerParticle(4e-4),
-            support_radius: H,
-            spacing_ratio: 0.4,
-            damping: Damping::default(),
-            volume_fraction_falloff: sinew::scene::Falloff::Kernel,
-            extra: Extra::new(),
-        },
-        integrator: IntegratorKind::LeapFrog,
-        initial: Initial::default(),
-        impulses: Vec::new(),
-        fibres: Vec::new(),
-        paint: Vec::new(),
-        regions: Vec::new(),
-        pins: Vec::new(),
-        extra: Extra::new(),
-    }
+    let material = Material::new(young_modulus, 0.33, 1000.0).with_particle_mass(4e-4).with_support_radius(H);
+    Body::new("block", BoxShape::new(size).with_center([0.0, 0.5 * size[1], 0.0]))
+        .with_name("Block")
+        .with_material(material)
 }
 
 /// The paper's short bar: 7 x 7 x 12 particles.
@@ -56,37 +27,33 @@ pub fn short_bar(young_modulus: f64) -> Body {
 
 /// A scene without gravity, floor or anything else.
 pub fn in_space(body: Body) -> Scene {
-    Scene { name: "test".into(), gravity: [0.0; 3], bodies: vec![body], ..Scene::default() }
+    Scene::new("test").with_gravity([0.0; 3]).with_body(body)
 }
 
 pub fn layers(id: &str, axis: Axis, side: Side, count: u32) -> Region {
-    Region { id: id.into(), select: Selector::Layers { axis, side, count, extra: Extra::new() }, extra: Extra::new() }
+    Region::layers(id, axis, side, count)
 }
 
 pub fn pin(region: &str, axes: &[Axis], motion: Motion) -> Pin {
-    Pin { id: format!("pin {region}"), region: region.into(), axes: axes.to_vec(), motion, extra: Extra::new() }
+    Pin::new(format!("pin {region}"), region).with_axes(axes.iter().copied()).with_motion(motion)
 }
 
-pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+pub const ALL: [Axis; 3] = Axis::ALL;
 
 pub fn measure(name: &str, kind: MeasureKind) -> Measure {
-    Measure { name: name.into(), body: "block".into(), kind, over_time: OverTime::Final, extra: Extra::new() }
-}
-
-pub fn reaction(region: &str, along: [f64; 3]) -> Reaction {
-    Reaction { region: region.into(), along, extra: Extra::new() }
+    Measure::new(name, "block", kind)
 }
 
 pub fn ramp(direction: [f64; 3], distance: Distance, duration: f64) -> Motion {
-    Motion::Ramp(Ramp { direction, distance, start: 0.0, duration, easing: Easing::Smooth, extra: Extra::new() })
+    Ramp::new(direction, distance, duration).into()
 }
 
 pub fn rigidity(ea: f64, ei: f64) -> Stiffness {
-    Stiffness::Rigidity(Rigidity { ea, ei, extra: Extra::new() })
+    Rigidity::new(ea, ei).into()
 }
 
 pub fn paper(kb: f64, ks: f64) -> Stiffness {
-    Stiffness::Paper(PaperStiffness { kb, ks, extra: Extra::new() })
+    PaperStiffness::new(kb, ks).into()
 }
 
 pub fn fibre(
@@ -96,18 +63,10 @@ pub fn fibre(
     volume_fraction: f64,
     rest_shape: RestShape,
 ) -> Fibre {
-    Fibre {
-        id: id.into(),
-        name: String::new(),
-        hidden: false,
-        color: None,
-        source: FibreSource::Vertices(vertices),
-        stiffness,
-        volume_fraction,
-        rest_shape,
-        break_past: None,
-        extra: Extra::new(),
-    }
+    Fibre::through(id, vertices)
+        .with_stiffness(stiffness)
+        .with_volume_fraction(volume_fraction)
+        .with_rest_shape(rest_shape)
 }
 
 pub fn baked(scene: &Scene) -> Baked {

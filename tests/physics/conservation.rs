@@ -95,11 +95,7 @@ fn every_integrator_agrees_with_runge_kutta_at_small_steps() {
     let at = |integrator: IntegratorKind, substeps: u32| {
         let mut scene = deformed();
         scene.bodies[0].integrator = integrator;
-        scene.time.step = sinew::scene::TimeStep::Manual(sinew::scene::Manual {
-            dt: 1e-4 / f64::from(substeps),
-            substeps_per_frame: substeps,
-            extra: sinew::scene::Extra::new(),
-        });
+        scene.time.step = sinew::scene::TimeStep::manual(1e-4 / f64::from(substeps), substeps);
         let mut runner = runner(&scene);
         runner.advance_frame();
         runner.world().bodies()[0].state().positions.clone()

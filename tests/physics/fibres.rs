@@ -26,7 +26,7 @@ fn pressed(fraction_of_fibre: f64) -> Scene {
     ];
     let mut scene = in_space(bar);
     scene.time.frames_per_second = 2000.0;
-    scene.measures = vec![measure("press", MeasureKind::ReactionForce(reaction("top", [0.0, 1.0, 0.0])))];
+    scene.measures = vec![measure("press", MeasureKind::reaction_force("top", [0.0, 1.0, 0.0]))];
     scene
 }
 

@@ -2,7 +2,7 @@
 
 use super::common::{D, fibre, in_space, rigidity, runner, short_bar};
 use glam::{DMat3, DQuat, DVec3};
-use sinew::scene::{BreakPast, Extra, RestShape, Scene};
+use sinew::scene::{BreakPast, RestShape, Scene};
 use sinew::solver::field::FieldKind;
 use sinew::solver::snapshot::{FieldSnapshot, TensionSnapshot};
 
@@ -81,8 +81,7 @@ fn stretched(by: f64, breaks_past: Option<f64>) -> Scene {
     let mut bar = short_bar(YOUNG);
     let vertices = (0..12).map(|k| [0.0, 0.003 + D * f64::from(k), 0.0]).collect();
     let mut along = fibre("f", vertices, rigidity(EA, 0.01), FRACTION, RestShape::AsDrawn);
-    along.break_past =
-        breaks_past.map(|tension| BreakPast { angle: None, tension: Some(tension), extra: Extra::new() });
+    along.break_past = breaks_past.map(|tension| BreakPast { tension: Some(tension), ..BreakPast::default() });
     bar.fibres = vec![along];
     bar.initial.deformation[1][1] = by;
     in_space(bar)

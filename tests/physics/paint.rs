@@ -2,11 +2,11 @@
 
 use crate::common::*;
 use glam::DVec3;
-use sinew::scene::{Axis, Body, Dab, Extra, MeasureKind, Motion, OfRegion, RestShape, Scene, Side, painted};
+use sinew::scene::{Axis, Body, Dab, MeasureKind, Motion, RestShape, Scene, Side, painted};
 use sinew::solver::measure::MeasureValue;
 
 fn dab(center: [f64; 3], radius: f64, value: f64, strength: f64) -> Dab {
-    Dab { center, radius, value, strength, extra: Extra::new() }
+    Dab { strength, ..Dab::new(center, radius, value) }
 }
 
 /// The short bar on a clamped foot under three times its weight, at rest: where the mean of its top layer went [mm].
@@ -18,8 +18,7 @@ fn standing(paint: Vec<Dab>) -> DVec3 {
     bar.pins = vec![pin("bottom", &ALL, Motion::Fixed)];
     let mut scene = in_space(bar);
     scene.gravity = [0.0, -30.0, 0.0];
-    let top = OfRegion { region: "top".into(), extra: Extra::new() };
-    scene.measures = vec![measure("top", MeasureKind::MeanDisplacement(top))];
+    scene.measures = vec![measure("top", MeasureKind::mean_displacement("top"))];
     match settle(&scene, 300).world().measures()[0] {
         MeasureValue::Vector(moved) => moved,
         MeasureValue::Scalar(other) => panic!("{other}"),

@@ -2,20 +2,10 @@
 
 use crate::common::*;
 use glam::DVec3;
-use sinew::scene::{Axis, Extra, HeightKey, Motion, Panel, PanelMotion, Side};
+use sinew::scene::{Axis, HeightKey, Motion, Panel, PanelMotion, Side};
 
 fn panel(motion: PanelMotion, mass: f64, height: f64) -> Panel {
-    Panel {
-        id: "panel".into(),
-        name: "Panel".into(),
-        height,
-        center: [0.0, 0.0],
-        size: [0.1, 0.1],
-        mass,
-        friction: 0.4,
-        motion,
-        extra: Extra::new(),
-    }
+    Panel { motion, mass, ..Panel::falling("panel", height, [0.1, 0.1]) }
 }
 
 fn state_of(runner: &sinew::sim::Runner) -> &sinew::solver::state::ParticleState {
@@ -69,8 +59,7 @@ fn a_heavy_panel_comes_to_rest_on_the_bar_with_its_weight() {
     bar.pins = vec![pin("bottom", &ALL, Motion::Fixed)];
     let mut scene = in_space(bar);
     scene.gravity = [0.0, -9.81, 0.0];
-    scene.measures =
-        vec![measure("carried", sinew::scene::MeasureKind::ReactionForce(reaction("bottom", [0.0, -1.0, 0.0])))];
+    scene.measures = vec![measure("carried", sinew::scene::MeasureKind::reaction_force("bottom", [0.0, -1.0, 0.0]))];
     scene.panels = vec![panel(PanelMotion::Falls, 1.0, 0.074)];
     let mut runner = runner(&scene);
     for _ in 0..120 {
@@ -89,10 +78,7 @@ fn a_driven_panel_presses_to_its_height() {
     let mut scene = in_space(bar);
     scene.gravity = [0.0, -9.81, 0.0];
     scene.room.floor = Some(0.0);
-    let keys = vec![
-        HeightKey { time: 0.0, height: 0.08, extra: Extra::new() },
-        HeightKey { time: 0.3, height: 0.06, extra: Extra::new() },
-    ];
+    let keys = vec![HeightKey::new(0.0, 0.08), HeightKey::new(0.3, 0.06)];
     scene.panels = vec![panel(PanelMotion::Driven(keys), 1.0, 0.08)];
     let mut runner = runner(&scene);
     for _ in 0..30 {

@@ -1,10 +1,7 @@
 //! Rods of n x n layers against beam theory.
 
 use crate::common::*;
-use sinew::scene::{
-    Axis, Body, Easing, Extra, Mass, MeasureKind, Motion, OfRegion, Region, Rotation, Scene, Selector, Shape, Turn,
-    Turned,
-};
+use sinew::scene::{Axis, Body, Mass, MeasureKind, Motion, Region, Rotation, Scene, Shape, Turn};
 use sinew::solver::measure::MeasureValue;
 
 const E: f64 = 5e6;
@@ -36,8 +33,7 @@ fn cantilever(n: u32, degrees: f64) -> (Scene, f64) {
     let mut scene = in_space(rod);
     scene.gravity = [0.0, -gravity, 0.0];
     scene.time.frames_per_second = omega;
-    scene.measures =
-        vec![measure("sag", MeasureKind::MeanDisplacement(OfRegion { region: "tip".into(), extra: Extra::new() }))];
+    scene.measures = vec![measure("sag", MeasureKind::mean_displacement("tip"))];
     (scene, theory)
 }
 
@@ -78,29 +74,13 @@ fn twisted(n: u32, degrees: f64) -> (Scene, f64) {
     let omega = std::f64::consts::PI * speed / (6.0 * height);
     rod.material.damping.air = 2.0 * omega;
     rod.regions = sections(height);
-    let turn = Turn {
-        axis: [0.0, 1.0, 0.0],
-        origin: Some([0.0; 3]),
-        degrees: 0.5,
-        start: 0.0,
-        duration: 4.0 / omega,
-        easing: Easing::Smooth,
-        extra: Extra::new(),
-    };
+    let turn = Turn::new([0.0, 1.0, 0.0], 0.5, 4.0 / omega).with_origin([0.0; 3]);
     rod.pins = vec![pin("bottom", &ALL, Motion::Fixed), pin("top", &[Axis::X, Axis::Z], Motion::Turn(turn))];
     let mut scene = in_space(rod);
     scene.time.frames_per_second = omega;
-    let turned = |region: &str, against: &str| {
-        MeasureKind::Twist(Turned {
-            region: region.into(),
-            against: against.into(),
-            axis: [0.0, 1.0, 0.0],
-            extra: Extra::new(),
-        })
-    };
     scene.measures = vec![
-        measure("twist", turned("high", "low")),
-        measure("torque", MeasureKind::ReactionTorque(reaction("top", [0.0, -1.0, 0.0]))),
+        measure("twist", MeasureKind::twist("high", "low", [0.0, 1.0, 0.0])),
+        measure("torque", MeasureKind::reaction_torque("top", [0.0, -1.0, 0.0])),
     ];
     (scene, height)
 }
@@ -108,7 +88,7 @@ fn twisted(n: u32, degrees: f64) -> (Scene, f64) {
 /// Turns the lattice of a body and gives it the mass of its shape, however many particles fit.
 fn askew(rod: &mut Body, axis: [f64; 3], degrees: f64) {
     let Shape::Box(shape) = &mut rod.shape else { panic!("a box") };
-    shape.lattice_rotation = Rotation { axis, degrees, extra: Extra::new() };
+    shape.lattice_rotation = Rotation::about(axis, degrees);
     rod.material.mass = Mass::Density(DENSITY);
 }
 
@@ -117,7 +97,7 @@ fn slab(id: &str, axis: Axis, from: f64, to: f64) -> Region {
     let (mut min, mut max) = ([-1.0; 3], [1.0; 3]);
     min[axis.index()] = from;
     max[axis.index()] = to;
-    Region { id: id.into(), select: Selector::Box { min, max, extra: Extra::new() }, extra: Extra::new() }
+    Region::in_box(id, min, max)
 }
 
 /// Ends of a rod of six sections, and slabs of two layers around 2 and 5 sections.
@@ -163,16 +143,8 @@ fn rods_pull_as_hooke_says() {
     let mut scene = in_space(rod);
     scene.time.frames_per_second = 500.0;
     scene.measures = vec![
-        measure(
-            "stretch",
-            MeasureKind::HeightLoss(sinew::scene::Extent {
-                region: "high".into(),
-                against: "low".into(),
-                axis: Axis::Y,
-                extra: Extra::new(),
-            }),
-        ),
-        measure("force", MeasureKind::ReactionForce(reaction("top", [0.0, -1.0, 0.0]))),
+        measure("stretch", MeasureKind::height_loss("high", "low", Axis::Y)),
+        measure("force", MeasureKind::reaction_force("top", [0.0, -1.0, 0.0])),
     ];
     let runner = settle(&scene, 400);
     let (strain, force) = (-scalar(&runner, 0), scalar(&runner, 1));

@@ -3,12 +3,8 @@
 use crate::common::*;
 use glam::DVec3;
 use sinew::scene::{
-    Axis, Distance, Extra, Impulse, IntegratorKind, Keyframe, Manual, Motion, Rotation, Scene, Side, TimeStep,
+    Axis, Distance, Impulse, IntegratorKind, Keyframe, MeasureKind, Motion, Rotation, Scene, Side, TimeStep,
 };
-
-fn manual(dt: f64, substeps: u32) -> TimeStep {
-    TimeStep::Manual(Manual { dt, substeps_per_frame: substeps, extra: Extra::new() })
-}
 
 fn state_of(runner: &sinew::sim::Runner) -> &sinew::solver::state::ParticleState {
     runner.world().bodies()[0].state()
@@ -80,7 +76,7 @@ fn friction_holds_on_a_slope_up_to_its_coefficient() {
 fn pins_lock_only_their_axes_and_follow_their_motion() {
     let mut bar = short_bar(2e5);
     bar.regions = vec![layers("bottom", Axis::Y, Side::Min, 1), layers("top", Axis::Y, Side::Max, 1)];
-    let key = |time: f64, x: f64| Keyframe { time, offset: [x, 0.0, 0.0], extra: Extra::new() };
+    let key = |time: f64, x: f64| Keyframe::new(time, [x, 0.0, 0.0]);
     bar.pins = vec![
         pin("bottom", &[Axis::X, Axis::Y], Motion::Keyframes(vec![key(0.0, 0.0), key(0.1, 0.01), key(0.2, 0.01)])),
         pin("top", &[Axis::Y], ramp([0.0, 1.0, 0.0], Distance::Metres(0.002), 0.1)),
@@ -110,7 +106,7 @@ fn pins_lock_only_their_axes_and_follow_their_motion() {
 fn an_impulse_adds_its_momentum() {
     let mut bar = short_bar(2e5);
     bar.regions = vec![layers("top", Axis::Y, Side::Max, 2)];
-    bar.impulses = vec![Impulse { region: "top".into(), impulse: [0.01, 0.02, -0.03], extra: Extra::new() }];
+    bar.impulses = vec![Impulse::new("top", [0.01, 0.02, -0.03])];
     let mut runner = runner(&in_space(bar));
     runner.advance_frame();
     let p = state_of(&runner).linear_momentum();
@@ -138,11 +134,11 @@ fn a_turned_body_moves_as_the_unturned_one_turned() {
         )];
         bar.initial.deformation = [[0.95, 0.1, 0.0], [0.0, 1.05, 0.0], [0.0, 0.05, 1.0]];
         if turned {
-            bar.placement.rotation = Rotation { axis: [0.0, 0.0, 1.0], degrees: 90.0, extra: Extra::new() };
+            bar.placement.rotation = Rotation::about([0.0, 0.0, 1.0], 90.0);
             bar.placement.translation = [5.0, 3.0, -2.0];
         }
         let mut scene = in_space(bar);
-        scene.time.step = manual(1e-4, 200);
+        scene.time.step = TimeStep::manual(1e-4, 200);
         let mut runner = runner(&scene);
         runner.advance_frame();
         state_of(&runner).positions.clone()
@@ -159,7 +155,7 @@ fn exploding(integrator: IntegratorKind) -> Scene {
     bar.integrator = integrator;
     bar.initial.deformation[1][1] = 1.05;
     let mut scene = in_space(bar);
-    scene.time.step = manual(6e-5, 100);
+    scene.time.step = TimeStep::manual(6e-5, 100);
     scene
 }
 
@@ -218,10 +214,7 @@ fn peaks_do_not_depend_on_the_frame_rate() {
         let mut scene = in_space(bar);
         scene.room.floor = Some(0.0);
         scene.time.frames_per_second = frames_per_second;
-        let extent =
-            sinew::scene::Extent { region: "top".into(), against: "bottom".into(), axis: Axis::Y, extra: Extra::new() };
-        scene.measures = vec![measure("loss", sinew::scene::MeasureKind::HeightLoss(extent))];
-        scene.measures[0].over_time = sinew::scene::OverTime::Peak;
+        scene.measures = vec![measure("loss", MeasureKind::height_loss("top", "bottom", Axis::Y)).at_peak()];
         let mut runner = runner(&scene);
         for _ in 0..runner.frames_for(0.1) {
             runner.advance_frame();
@@ -265,9 +258,7 @@ fn what_cannot_be_waited_for_or_measured_is_refused_by_name() {
     assert!(refused(&slow).contains("/time/frames_per_second"), "{}", refused(&slow));
     let mut flat = in_space(short_bar(5e7));
     flat.bodies[0].regions = vec![layers("bottom", Axis::Y, Side::Min, 1), layers("top", Axis::Y, Side::Max, 1)];
-    let extent =
-        sinew::scene::Extent { region: "top".into(), against: "bottom".into(), axis: Axis::X, extra: Extra::new() };
-    flat.measures = vec![measure("loss", sinew::scene::MeasureKind::HeightLoss(extent))];
+    flat.measures = vec![measure("loss", MeasureKind::height_loss("top", "bottom", Axis::X))];
     assert!(refused(&flat).contains("no height"), "{}", refused(&flat));
 }
 

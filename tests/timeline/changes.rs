@@ -5,7 +5,7 @@ use super::{
     start, until,
 };
 use glam::DVec3;
-use sinew::scene::{Extra, IntegratorKind, Manual, TimeStep};
+use sinew::scene::{IntegratorKind, TimeStep};
 use sinew::sim::SimCommand;
 use sinew::solver::snapshot::FieldKind;
 use std::sync::Arc;
@@ -183,7 +183,7 @@ fn a_body_that_diverged_is_taken_up_before_that() {
     let worker = start(BREAKING);
     let first = advance(&worker, 6);
     let mut rough = (*scene(BREAKING)).clone();
-    rough.time.step = TimeStep::Manual(Manual { dt: 1e-2, substeps_per_frame: 2, extra: Extra::new() });
+    rough.time.step = TimeStep::manual(1e-2, 2);
     ask(&worker, SimCommand::Edit(Arc::new(rough)));
     ask(&worker, SimCommand::Play);
     let stopped = until(&worker, |p| p.status.divergence.is_some());

@@ -2,7 +2,7 @@
 
 use super::edited::LEAST_VERTICES;
 use crate::geometry::curve::{arc_length, resample};
-use crate::scene::{Extra, Fibre, FibreSource, Material, RestShape, Rigidity, Stiffness};
+use crate::scene::{Fibre, Material, Rigidity, Stiffness};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -27,7 +27,7 @@ pub fn rigidity_of(material: &Material, times: f64) -> Rigidity {
 fn bending_rigidity(material: &Material, times: f64, bending: f64) -> Rigidity {
     let ea = round_to_two_figures(times * displaced(material));
     let ei = round_to_two_figures(bending * ea * material.spacing().powi(2));
-    Rigidity { ea, ei, extra: Extra::new() }
+    Rigidity::new(ea, ei)
 }
 
 fn round_to_two_figures(value: f64) -> f64 {
@@ -70,18 +70,13 @@ pub fn laid(called: Called<'_>, lines: &[Vec<DVec3>], material: &Material, other
             vertices = resample(&vertices, count);
         }
         let Some((number, id)) = numbers.next() else { break };
-        fibres.push(Fibre {
-            id,
-            name: if lines.len() == 1 && number == 1 { title.to_owned() } else { format!("{title} {number}") },
-            hidden: false,
-            color: None,
-            source: FibreSource::Vertices(vertices.iter().map(DVec3::to_array).collect()),
-            stiffness: stiffness.clone(),
-            volume_fraction: NEW_VOLUME_FRACTION,
-            rest_shape: RestShape::AsDrawn,
-            break_past: None,
-            extra: Extra::new(),
-        });
+        let name = if lines.len() == 1 && number == 1 { title.to_owned() } else { format!("{title} {number}") };
+        fibres.push(
+            Fibre::through(id, vertices)
+                .with_name(name)
+                .with_stiffness(stiffness.clone())
+                .with_volume_fraction(NEW_VOLUME_FRACTION),
+        );
     }
     fibres
 }
@@ -89,41 +84,33 @@ pub fn laid(called: Called<'_>, lines: &[Vec<DVec3>], material: &Material, other
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Damping, Falloff, Mass};
-
-    fn material() -> Material {
-        Material {
-            young_modulus: 1e5,
-            poisson_ratio: 0.33,
-            mass: Mass::Density(1000.0),
-            support_radius: 0.015,
-            spacing_ratio: 0.4,
-            damping: Damping::default(),
-            volume_fraction_falloff: Falloff::Kernel,
-            extra: Extra::new(),
-        }
-    }
+    use crate::scene::FibreSource;
 
     #[test]
     fn laid_fibres_have_names_and_identifiers_of_their_own_and_vertices_enough() {
         let line = |x: f64| vec![DVec3::new(x, 0.0, 0.0), DVec3::new(x, 0.0, 0.0), DVec3::new(x, 0.07, 0.0)];
         let lines = [line(0.0), vec![DVec3::X], line(0.01), vec![DVec3::NAN, DVec3::X]];
         let called = Called { id: "ray", title: "Rays", bending: BENDING, spacing: 0.006 };
-        let first = laid(called, &lines, &material(), &[]);
+        let first = laid(called, &lines, &Material::default(), &[]);
         assert_eq!(first.iter().map(|fibre| fibre.id.as_str()).collect::<Vec<_>>(), ["ray-1", "ray-2"]);
         assert_eq!(first[1].name, "Rays 2");
         let FibreSource::Vertices(vertices) = &first[0].source else { panic!("vertices") };
         assert_eq!(vertices.len(), LEAST_VERTICES);
         // As many vertices as there is room for between particles, and no more.
         let fine: Vec<DVec3> = (0..=60).map(|k| DVec3::new(0.0, 0.001 * f64::from(k), 0.0)).collect();
-        let FibreSource::Vertices(sparse) = &laid(called, &[fine], &material(), &[])[0].source else {
+        let FibreSource::Vertices(sparse) = &laid(called, &[fine], &Material::default(), &[])[0].source else {
             panic!("vertices")
         };
         assert_eq!((sparse.len(), sparse[10]), (11, [0.0, 0.06, 0.0]));
         let Stiffness::Rigidity(rigidity) = &first[0].stiffness else { panic!("a rod's") };
-        assert_eq!(*rigidity, rigidity_of(&material(), STIFFER));
-        let second = laid(called, &lines, &material(), &first);
+        assert_eq!(*rigidity, rigidity_of(&Material::default(), STIFFER));
+        let second = laid(called, &lines, &Material::default(), &first);
         assert_eq!(second.iter().map(|fibre| fibre.id.as_str()).collect::<Vec<_>>(), ["ray-3", "ray-4"]);
-        assert_eq!(laid(called, &[line(0.0)], &material(), &[])[0].name, "Rays");
+        assert_eq!(laid(called, &[line(0.0)], &Material::default(), &[])[0].name, "Rays");
+    }
+
+    #[test]
+    fn a_fibre_is_as_stiff_unless_told_otherwise_as_a_new_one_in_the_default_material() {
+        assert_eq!(Stiffness::default(), Stiffness::Rigidity(rigidity_of(&Material::default(), STIFFER)));
     }
 }

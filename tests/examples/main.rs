@@ -1,0 +1,20 @@
+//! The examples do what they say: each checks itself.
+
+mod box_drop;
+mod own_force;
+mod parameter_study;
+
+#[test]
+fn a_box_falls_and_lies_still() {
+    box_drop::main().expect("the example runs");
+}
+
+#[test]
+fn a_force_of_ones_own_swings_a_body() {
+    own_force::main().expect("the example runs");
+}
+
+#[test]
+fn a_rod_sags_as_it_is_soft() {
+    parameter_study::main().expect("the example runs");
+}

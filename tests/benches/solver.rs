@@ -80,7 +80,7 @@ fn matrix(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
     evaluate(bencher, forces[0].as_mut(), &state, state.len());
 }
 
-/// The matrix by its other kernel.
+/// The matrix by its other evaluation.
 #[divan::bench(args = SIZES, sample_count = 20)]
 fn matrix_by_pairs(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
     let shape = Cuboid { center: DVec3::ZERO, size: D * DVec3::from_array(layers.map(f64::from)) };
@@ -91,9 +91,15 @@ fn matrix_by_pairs(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
     let state = ParticleState { positions, velocities: vec![DVec3::ZERO; n], masses: vec![4e-4; n] };
     let neighbourhood = Neighbourhood::on_lattice(&sample, Kernel::new(2.5 * D), D.powi(3)).expect("no thin part");
     let elasticity = Elasticity::new(5e7, 0.33, D);
-    let share = vec![1.0; n].into();
-    let force =
-        MatrixForce::new(Arc::new(neighbourhood), sample.points.into(), elasticity, D.powi(3), share, DQuat::IDENTITY);
+    let matrix_fraction = vec![1.0; n].into();
+    let force = MatrixForce::new(
+        Arc::new(neighbourhood),
+        sample.points.into(),
+        elasticity,
+        D.powi(3),
+        matrix_fraction,
+        DQuat::IDENTITY,
+    );
     evaluate(bencher, &mut force.with_pair_list(), &state, n);
 }
 

@@ -34,17 +34,17 @@ fn irregular(axes: DMat3) -> LatticeSample {
     sample
 }
 
-/// Both kernels of a sample, at a ratio of spacing to support radius and some share of matrix at every particle.
-fn kernels(sample: &LatticeSample, ratio: f64, varying: bool, orientation: DQuat) -> [MatrixForce; 2] {
+/// Both evaluations of a sample, at a ratio of spacing to support radius and some matrix fraction at every particle.
+fn evaluations(sample: &LatticeSample, ratio: f64, varying: bool, orientation: DQuat) -> [MatrixForce; 2] {
     let volume = D.powi(3);
     let neighbourhood = Neighbourhood::on_lattice(sample, Kernel::new(D / ratio), volume).expect("no thin part");
-    let share = |i| if varying { 0.5 + 0.5 * wobble(i, 77).x } else { 1.0 };
+    let matrix_fraction = |i| if varying { 0.5 + 0.5 * wobble(i, 77).x } else { 1.0 };
     let stencil = MatrixForce::new(
         Arc::new(neighbourhood),
         sample.points.as_slice().into(),
         Elasticity::new(YOUNG_MODULUS, 0.33, D),
         volume,
-        (0..sample.points.len()).map(share).collect(),
+        (0..sample.points.len()).map(matrix_fraction).collect(),
         orientation,
     );
     assert!(stencil.is_stencil());
@@ -78,10 +78,10 @@ fn energies(force: &MatrixForce, state: &ParticleState) -> Energies {
     energies
 }
 
-/// Holds both kernels against each other over a few evaluations, so that warm starts come into play.
+/// Holds both evaluations against each other over a few calls, so that warm starts come into play.
 fn agree(what: &str, sample: &LatticeSample, ratio: f64, varying: bool) {
     let orientation = DQuat::from_axis_angle(DVec3::new(0.3, -1.0, 0.8).normalize(), 1.1);
-    let [mut stencil, mut pairs] = kernels(sample, ratio, varying, orientation);
+    let [mut stencil, mut pairs] = evaluations(sample, ratio, varying, orientation);
     for (noise, salt) in [(0.0, 1), (0.1, 2), (0.3, 3)] {
         let state = deformed(sample, orientation, noise, salt);
         let (found, expected) = (forces(&mut stencil, &state), forces(&mut pairs, &state));
@@ -125,7 +125,7 @@ fn irregular_solids_turned_lattices_and_varying_shares_agree() {
 #[test]
 fn an_inverted_particle_agrees() {
     let sample = filled([7.0, 12.0, 7.0], DMat3::IDENTITY);
-    let [mut stencil, mut pairs] = kernels(&sample, 0.4, false, DQuat::IDENTITY);
+    let [mut stencil, mut pairs] = evaluations(&sample, 0.4, false, DQuat::IDENTITY);
     let mut state = deformed(&sample, DQuat::IDENTITY, 0.1, 5);
     state.positions[200] += DVec3::new(3.0 * D, 0.5 * D, 0.0);
     let (found, expected) = (forces(&mut stencil, &state), forces(&mut pairs, &state));
@@ -140,7 +140,7 @@ fn the_stencil_has_the_same_bits_on_any_number_of_threads() {
     assert!(sample.points.len() > 2000, "{} particles are too few to be split", sample.points.len());
     let state = deformed(&sample, DQuat::IDENTITY, 0.1, 9);
     let on = |threads: usize| {
-        let [mut stencil, _] = kernels(&sample, 0.4, true, DQuat::IDENTITY);
+        let [mut stencil, _] = evaluations(&sample, 0.4, true, DQuat::IDENTITY);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         pool.install(|| (0..3).map(|_| forces(&mut stencil, &state)).collect::<Vec<_>>())
     };

@@ -175,8 +175,8 @@ impl NearBonds {
 
 /// Where bricks begin along the rows, those among them that are empty too, and the number of places there.
 ///
-/// Bricks 0 to 2 are empty: 1 stands for all far from any particle. Beyond the ends of a row lies an empty brick each, one
-/// in common where they are the same place.
+/// Bricks 0 to 2 are empty: 1 stands for all far from any particle. Beyond the ends of a row lies an empty brick each,
+/// one in common where they are the same place.
 fn along_rows(bricks: &[IVec3]) -> (HashMap<IVec3, u32>, usize) {
     let mut beginnings: HashMap<IVec3, u32> = HashMap::new();
     let mut next = 3 * LANES as u32;

@@ -36,7 +36,8 @@ impl Alignment {
         best.map_or(Self::default(), |(_, cut)| cut)
     }
 
-    /// A lattice index along the rows: the axes in turn, so that they stay right-handed, rows first, begun at the phase.
+    /// A lattice index along the rows: the axes in turn, so that they stay right-handed, rows first, begun at the
+    /// phase.
     pub fn cell(self, cell: IVec3) -> IVec3 {
         let [x, y, z] = cell.to_array();
         let cell = [IVec3::new(x, y, z), IVec3::new(y, z, x), IVec3::new(z, x, y)][self.axis];

@@ -5,7 +5,8 @@
 //!   its bricks                [. o o o][o o o .]
 //! ```
 //!
-//! A place of a brick without a particle holds zeros wherever bricks hold numbers, so that no sum has to ask what is there.
+//! A place of a brick without a particle holds zeros wherever bricks hold numbers, so that no sum has to ask what is
+//! there.
 
 mod alignment;
 mod layout;

@@ -2,7 +2,8 @@
 //!
 //! Over the blocks of a strip the weights are a matrix with a row for each point. Its rows and columns have one run of
 //! weights each, hardly with a gap, and gaps are zeros. So no sum looks up an index, and none is written before it is
-//! complete: positions are summed along rows, forces along columns, each in the order in which its weights stand in memory.
+//! complete: positions are summed along rows, forces along columns, each in the order in which its weights stand in
+//! memory.
 
 use super::soa::SoaVectors;
 use super::strip::{BlockVectors, StripIndex, WIDTH};

@@ -3,7 +3,8 @@
 //! A fibre that turns too far breaks at that vertex. Both parts still meet there, but nothing resists their turn any
 //! more: the bending energy jumps down by exactly what the vertex stored, and no other term changes. A fibre that is
 //! pulled too hard loses the edge, and with it the bending of the vertices at both ends, whose turn is no longer
-//! defined. Of several places past their limits in one step only the one furthest past it breaks; that relieves the others.
+//! defined. Of several places past their limits in one step only the one furthest past it breaks; that relieves the
+//! others.
 
 pub use super::break_limits::BreakLimits;
 
@@ -50,8 +51,9 @@ impl Breakage {
         }
     }
 
-    /// What is broken in the fibres `before` an edit, carried to those `after` it. A fibre along the same vertices is the
-    /// same one, whatever else of it is new and wherever it stands among the others now; one that was moved is whole.
+    /// What is broken in the fibres `before` an edit, carried to those `after` it. A fibre along the same vertices is
+    /// the same one, whatever else of it is new and wherever it stands among the others now; one that was moved is
+    /// whole.
     pub(super) fn carried(&self, [before, after]: [&[FibreRest]; 2]) -> Self {
         let mut carried = Self::none(after);
         let mut taken = vec![false; before.len()];

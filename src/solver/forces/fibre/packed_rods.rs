@@ -1,8 +1,8 @@
 //! Stretching and straight bending of all fibres of a body, four edges at a time.
 //!
-//! The fibres stand one after another in one long line, with an edge and two corners between them that have no stiffness,
-//! as everything that is broken or bends by other rules has none. An energy's gradients by the edges are what is summed:
-//! a vertex is pulled by the edge after it and against the edge before it.
+//! The fibres stand one after another in one long line, with an edge and two corners between them that have no
+//! stiffness, as everything that is broken or bends by other rules has none. An energy's gradients by the edges are
+//! what is summed: a vertex is pulled by the edge after it and against the edge before it.
 
 use super::corner::{Corner, Edge, FOLD};
 use super::rest::FibreRest;

@@ -1,8 +1,8 @@
 //! The particles that the fibres of a body ride on, side by side.
 //!
 //! Neighbouring vertices share most of their particles. So these are copied into a *strip* once for every evaluation,
-//! fibre after fibre, in the order in which the vertices come to them: the particles around any vertex then stand next to
-//! each other, and so do the vertices around any particle.
+//! fibre after fibre, in the order in which the vertices come to them: the particles around any vertex then stand next
+//! to each other, and so do the vertices around any particle.
 
 use crate::solver::wide::{Lanes8, Vec3x, Wide};
 use fearless_simd::{Simd, f64x8, prelude::*};

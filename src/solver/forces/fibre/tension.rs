@@ -4,9 +4,9 @@ use super::force::FibreForce;
 use glam::DVec3;
 
 impl FibreForce {
-    /// Puts the force [N] that every edge carries between the particles at `positions` into `lines`, one entry an edge of
-    /// each of the body's centre lines: `l_f EA (|e| - l0) / l0`, negative where it is pressed. Broken edges carry nothing;
-    /// entries of edges that are none of these fibres' are left as they are.
+    /// Puts the force [N] that every edge carries between the particles at `positions` into `lines`, one entry an edge
+    /// of each of the body's centre lines: `l_f EA (|e| - l0) / l0`, negative where it is pressed. Broken edges carry
+    /// nothing; entries of edges that are none of these fibres' are left as they are.
     pub fn tensions(&self, positions: &[DVec3], lines: &mut [Vec<f64>]) {
         let mut broken = self.broken.edges.iter();
         for fibre in self.fibres.iter() {

@@ -29,8 +29,8 @@ impl Elasticity {
         Self { lambda, mu, residual_penalty: 1.5 * mu, sum_penalty: beta * mu * spacing * spacing }
     }
 
-    /// First Piola-Kirchhoff stress `P = R (2 mu e + lambda tr(e) I)` [Pa] and energy density `e : sigma / 2` [J/m³] of a
-    /// deformation gradient F with rotation R.
+    /// First Piola-Kirchhoff stress `P = R (2 mu e + lambda tr(e) I)` [Pa] and energy density `e : sigma / 2` [J/m³] of
+    /// a deformation gradient F with rotation R.
     pub(super) fn stress(&self, f: DMat3, r: DMat3) -> (DMat3, f64) {
         let strain = corotated_strain(f, r);
         let trace = strain.x_axis.x + strain.y_axis.y + strain.z_axis.z;

@@ -15,9 +15,9 @@
 //!
 //! # Two passes over the neighbours
 //!
-//! The force is evaluated on the deviation `u = x - R_b X` from a rigid turn R_b of the whole body, because terms of the
-//! size of the rest shape would otherwise cancel only to round-off and leak momentum. With `B_i = sum w_ij X_ji` and
-//! `n_i = sum w_ij` from the rest shape, the first pass gathers at each particle
+//! The force is evaluated on the deviation `u = x - R_b X` from a rigid turn R_b of the whole body, because terms of
+//! the size of the rest shape would otherwise cancel only to round-off and leak momentum. With `B_i = sum w_ij X_ji`
+//! and `n_i = sum w_ij` from the rest shape, the first pass gathers at each particle
 //!
 //! ```text
 //! S_i = sum_j w_ij u_ji              = sum_j w_ij u_j            - n_i u_i
@@ -46,10 +46,10 @@
 //!
 //! They give the same forces up to round-off:
 //!
-//! - *stencil*, for particles on a lattice: an offset there has the same weight all over the body, so that whole rows of
-//!   particles are added at a time, without looking any neighbour up. The one in use wherever it can be.
-//! - *pair list*: particle by particle through its neighbours, four to five times slower. It takes any spacing, says in few lines
-//!   what is computed, and is what the stencil is held against.
+//! - *stencil*, for particles on a lattice: an offset there has the same weight all over the body, so that whole rows
+//!   of particles are added at a time, without looking any neighbour up. The one in use wherever it can be.
+//! - *pair list*: particle by particle through its neighbours, four to five times slower. It takes any spacing, says in
+//!   few lines what is computed, and is what the stencil is held against.
 //!
 //! The words of the stencil, on one layer of a lattice:
 //!
@@ -67,9 +67,9 @@
 //! ```
 //!
 //! A *chunk* is the bricks of some whole rows with all their *sites*, one after the other: what a thread works on at a
-//! time. A *line* runs along the sites of a chunk and holds a combined row `C_k`: for every place the sum of what stands
-//! there in all rows (dy, dz) around it, by the weights of offsets with |dx| = k. For the second pass, with
-//! `Q X_ji = D (dx Q_x + dy Q_y + dz Q_z)` by the columns of Q, that are
+//! time. A *line* runs along the sites of a chunk and holds a combined row `C_k`: for every place the sum of what
+//! stands there in all rows (dy, dz) around it, by the weights of offsets with |dx| = k. For the second pass, with
+//! `Q X_ji = D (dx Q_x + dy Q_y + dz Q_z)` by the columns of Q, these are
 //!
 //! ```text
 //! E_k = sum over (dy, dz) of w(k² + dy² + dz²) (z + D dy Q_y + D dz Q_z)

@@ -1,5 +1,5 @@
-//! The matrix force from the pair list: particle by particle through its neighbours, x, y and z of a vector side by side in
-//! a register.
+//! The matrix force from the pair list: particle by particle through its neighbours, x, y and z of a vector side by
+//! side in a register.
 
 use super::elasticity::Elasticity;
 use super::mean_rotation::mean_rotation;

@@ -6,8 +6,8 @@ use crate::solver::rotation::nearest_rotation;
 use glam::{DMat3, DQuat, DVec3};
 use std::sync::Arc;
 
-/// The reference configuration of a body and its material: all that the force depends on beside the positions, whichever
-/// way it is evaluated.
+/// The reference configuration of a body and its material: all that the force depends on beside the positions,
+/// whichever way it is evaluated.
 #[derive(Clone)]
 pub(super) struct ReferenceConfiguration {
     pub(super) neighbourhood: Arc<Neighbourhood>,

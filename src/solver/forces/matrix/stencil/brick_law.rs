@@ -23,8 +23,8 @@ pub(super) struct BrickState<'a> {
 }
 
 impl BrickLaw {
-    /// The particles' own part of their forces [N], and what their neighbours feel of them; `rotations` are those of the
-    /// last evaluation, and of this one afterwards.
+    /// The particles' own part of their forces [N], and what their neighbours feel of them; `rotations` are those of
+    /// the last evaluation, and of this one afterwards.
     #[inline(always)]
     pub(super) fn finish<S: Simd>(
         &self,
@@ -48,7 +48,8 @@ impl BrickLaw {
         *rotations = quaternion.store();
         let rotation = Mat3x::from_quat(quaternion);
 
-        // P = R (2 mu e + lambda tr(e) I) with e = sym(R^T F) - I: since R sym(R^T F) is F up to round-off, R e is F - R.
+        // P = R (2 mu e + lambda tr(e) I) with e = sym(R^T F) - I (in place of eq. 10's). R e is F - R, because
+        // R sym(R^T F) is F up to round-off.
         let Elasticity { lambda, mu, residual_penalty, sum_penalty } = self.elasticity;
         let rotated_strain = deformation_gradient - rotation;
         let strain_trace = rotation.double_dot(deformation_gradient) - f64x4::splat(simd, 3.0);

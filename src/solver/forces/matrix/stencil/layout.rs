@@ -1,5 +1,5 @@
-//! Where the bricks of a lattice lie in memory for the stencil: numbered from 1, and brick 0, which is empty and zero and
-//! stands for every place without particles; and the chunks that they are worked on in.
+//! Where the bricks of a lattice lie in memory for the stencil: numbered from 1, and brick 0, which is empty and zero
+//! and stands for every place without particles; and the chunks that they are worked on in.
 
 use super::line_buffer::MAX_SITES;
 use super::row_table::ROWS;

@@ -2,7 +2,7 @@
 //!
 //! The same sums as the pair list's, in another order. Rest data are taken along the stencil's axes, so that a lattice
 //! that is turned in the model frame needs nothing of its own: `X = D o`, F maps from those axes to the world, and its
-//! rotation is that of the matter times the axes.
+//! rotation is that of the material times the axes.
 
 mod brick_data;
 mod brick_law;
@@ -139,8 +139,8 @@ impl Stencil {
             dispatch!(*level, simd => passes.gather(simd, chunk, stresses, own, lines));
         });
 
-        // Forces within a body add up to nothing. What is left is round-off of the expanded sums, the same in step after
-        // step, from which momentum would leak.
+        // Forces within a body add up to nothing. What is left is round-off of the expanded sums, the same in step
+        // after step, from which momentum would leak.
         let of_place = |place: u32| {
             let (brick, lane) = brick_and_lane(place);
             vector_of(&own[brick], lane)

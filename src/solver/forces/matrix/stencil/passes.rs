@@ -15,8 +15,9 @@ use glam::DVec3;
 pub(super) struct StencilPasses<'a, const M: usize, const N: usize> {
     pub(super) fixed: &'a Precomputed,
     pub(super) law: BrickLaw,
-    /// A particle and how far the mean of all lies from it [m]: differences to a particle first, since they are exact far
-    /// from the origin, too. Deviations from the mean add up to zero, and so does what rounding makes of constant ones.
+    /// A particle and how far the mean of all lies from it [m]: differences to a particle first, since they are exact
+    /// far from the origin, too. Deviations from the mean add up to zero, and so does what rounding makes of constant
+    /// ones.
     pub(super) origin: [DVec3; 2],
 }
 

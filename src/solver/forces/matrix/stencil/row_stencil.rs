@@ -5,8 +5,8 @@
 //!
 //! `C_k = sum over (dy, dz) of w(k² + dy² + dz²) row(dy, dz)`,
 //!
-//! read at x + k and at x - k: at D = 0.4 h three combinations of 21 rows in place of 80 offsets. Rows at (±a, ±b) share
-//! their weights, so that they are added (or subtracted, where the sum is weighted with dy or dz) before they are
+//! read at x + k and at x - k: at D = 0.4 h three combinations of 21 rows in place of 80 offsets. Rows at (±a, ±b)
+//! share their weights, so that they are added (or subtracted, where the sum is weighted with dy or dz) before they are
 //! multiplied. Combined rows are kept in the lines of a [`LineBuffer`], where a shift is a load from the place beside.
 
 use super::brick_data::{BrickStress, BrickVectors};
@@ -228,8 +228,8 @@ impl<S: Simd, const M: usize, const N: usize> RowStencil<'_, S, M, N> {
         self.sloped::<3>(3, c, row, odd);
     }
 
-    /// Combined rows of the second pass at a site, to be read ahead and behind, from the stresses of the bricks `around`:
-    /// the columns of Q, weighted with X_ji, and z.
+    /// Combined rows of the second pass at a site, to be read ahead and behind, from the stresses of the bricks
+    /// `around`: the columns of Q, weighted with X_ji, and z.
     #[inline(always)]
     pub(super) fn combine_stresses(
         &self,

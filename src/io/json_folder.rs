@@ -122,7 +122,7 @@ mod tests {
     use serde::Deserialize;
 
     #[derive(Debug, PartialEq, Serialize, Deserialize)]
-    struct Note {
+    struct Item {
         title: String,
     }
 
@@ -130,8 +130,8 @@ mod tests {
     fn things_come_and_go_and_damaged_ones_stay_as_they_are() {
         let root = tempfile::tempdir().expect("a folder");
         let folder = JsonFolder::new(root.path().join("things"));
-        assert!(folder.list::<Note>().expect("nothing is there").is_empty());
-        let thing = || Note { title: "A Thing / of mine".to_owned() };
+        assert!(folder.list::<Item>().expect("nothing is there").is_empty());
+        let thing = || Item { title: "A Thing / of mine".to_owned() };
         let [first, second] = [(); 2].map(|()| folder.add(&thing().title, &thing()).expect("kept"));
         let name = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned());
         assert_eq!(name(&first).as_deref(), Some("a-thing---of-mine.json"));
@@ -145,7 +145,7 @@ mod tests {
         let damaged = first.with_file_name("damaged.json");
         fs::write(&damaged, "{\n  \"title\": 5\n}").expect("written");
         let said: Vec<String> = folder
-            .list::<Note>()
+            .list::<Item>()
             .expect("three are there")
             .into_iter()
             .filter_map(|kept| Some(kept.content.err()?.to_string()))
@@ -155,7 +155,7 @@ mod tests {
         assert!(folder.set_text(&first.with_file_name("gone.json"), "title", "a").is_err());
 
         folder.remove(&first).expect("removed");
-        assert_eq!(folder.list::<Note>().expect("two are left").len(), 2);
+        assert_eq!(folder.list::<Item>().expect("two are left").len(), 2);
         assert!(folder.remove(&first).is_err());
     }
 

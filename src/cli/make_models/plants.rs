@@ -59,7 +59,7 @@ const GOLDEN: f64 = TAU * 0.381_966;
 
 /// A plant that stands on the origin: a bent stem that grows thinner, and leaves around it. `seed` varies the leaves.
 pub fn plant(build: &PlantBuild, seed: u64) -> Model {
-    let mut random = Random(seed);
+    let mut random = Mmix(seed);
     let height = 0.33;
     let stem_at = |t: f64| {
         let sway = 0.028 * (1.15 * PI * t).sin();
@@ -143,9 +143,9 @@ pub const THICK_PLANT: PlantBuild = PlantBuild {
 };
 
 /// A small generator of numbers (Knuth's MMIX): the same in every run.
-struct Random(u64);
+struct Mmix(u64);
 
-impl Random {
+impl Mmix {
     /// A number from `-reach` to `reach`.
     fn around(&mut self, reach: f64) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

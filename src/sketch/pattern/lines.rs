@@ -53,7 +53,7 @@ pub(super) fn frame(values: &[f64], _inner: &Inner) -> Vec<Polyline> {
 /// Short straight fibres anywhere, in any direction. Values: fibres, length as a share of the least extent, seed, vertices.
 pub(super) fn short_fibres(values: &[f64], inner: &Inner) -> Vec<Polyline> {
     let &[fibres, length, seed, vertices] = values else { return Vec::new() };
-    let mut random = Random(seed as u64);
+    let mut random = SplitMix64(seed as u64);
     (0..fibres as usize)
         .map(|_| {
             // Uniform on the sphere: the height of a point on it is uniform (Archimedes).
@@ -70,10 +70,10 @@ pub(super) fn short_fibres(values: &[f64], inner: &Inner) -> Vec<Polyline> {
         .collect()
 }
 
-/// A small generator of numbers (SplitMix64): the same from the same seed everywhere.
-struct Random(u64);
+/// A small generator of numbers: the same from the same seed everywhere.
+struct SplitMix64(u64);
 
-impl Random {
+impl SplitMix64 {
     /// A number of [0, 1).
     fn share(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -4,7 +4,7 @@ use glam::DVec3;
 use sinew::io::scene_from_json;
 use sinew::scene::Scene;
 use sinew::sim::{Published, SimCommand, Worker};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 fn scene(extra: &str) -> Arc<Scene> {
@@ -193,4 +193,89 @@ fn of_more_rows_than_are_kept_the_oldest_go() {
     }
     assert_eq!((series.len(), series.dropped()), (5, 3));
     assert_eq!(series.rows().map(|(number, _)| number).collect::<Vec<_>>(), [3, 4, 5, 6, 7]);
+}
+
+/// A worker that waits whenever it hands a picture over until the gate is open, as if a frame took that long. It has
+/// handed over the first one.
+fn behind(gate: &Arc<Mutex<()>>, scene: Arc<Scene>, playing: bool) -> Worker {
+    let gate = Arc::clone(gate);
+    let worker = Worker::start(scene, Arc::default(), playing, move || drop(gate.lock()));
+    until(&worker, |_| true);
+    worker
+}
+
+/// The cube under another name, with another start.
+fn renamed(name: &str, velocity: f64) -> Arc<Scene> {
+    let mut scene = (*scene("")).clone();
+    scene.bodies[0].name = name.to_owned();
+    scene.bodies[0].initial.velocity = [velocity, 0.0, 0.0];
+    Arc::new(scene)
+}
+
+#[test]
+fn of_many_edits_to_a_busy_worker_the_last_arrives_and_all_are_counted() {
+    let gate = Arc::default();
+    let shut = Mutex::lock(&gate).expect("a gate");
+    let worker = behind(&gate, scene(""), false);
+    for k in 1..=400 {
+        assert!(worker.send(SimCommand::Edit(renamed(&k.to_string(), 0.1))));
+        assert!(worker.send(SimCommand::Ghost(Some(renamed("ghost", 0.1)))));
+    }
+    let early = worker.take();
+    drop(shut);
+    assert!(early.is_none(), "it was busy");
+    let edited = until(&worker, |p| p.status.edits >= 400 && p.status.baking.is_none());
+    assert_eq!((edited.status.edits, edited.status.bodies[0].name.as_str()), (400, "400"));
+    assert!(edited.ghost.is_some());
+}
+
+#[test]
+fn a_document_that_is_opened_and_a_pause_are_heard_behind_many_edits() {
+    let gate = Arc::default();
+    let shut = Mutex::lock(&gate).expect("a gate");
+    let worker = behind(&gate, scene(""), true);
+    for k in 1..=400 {
+        assert!(worker.send(SimCommand::Edit(renamed(&k.to_string(), 0.1))));
+    }
+    assert!(worker.send(SimCommand::Open(renamed("opened", 0.1), Arc::default())));
+    assert!(worker.send(SimCommand::Pause));
+    drop(shut);
+    let opened = until(&worker, |p| p.status.edits >= 401 && p.status.baking.is_none());
+    assert_eq!((opened.status.edits, opened.status.bodies[0].name.as_str()), (401, "opened"));
+    assert!(!opened.status.playing && opened.status.time == 0.0 && opened.status.recording.frames == 1);
+    assert!(worker.send(SimCommand::Edit(renamed("after", 0.1))));
+    let after = until(&worker, |p| p.status.edits == 402 && p.status.baking.is_none());
+    assert_eq!(after.status.bodies[0].name, "after");
+}
+
+#[test]
+fn a_reset_behind_an_edit_is_one_to_the_start_of_the_edited_scene() {
+    let gate = Arc::default();
+    let shut = Mutex::lock(&gate).expect("a gate");
+    let worker = behind(&gate, scene(""), false);
+    for command in [SimCommand::Edit(renamed("faster", 0.2)), SimCommand::Reset, SimCommand::Play] {
+        assert!(worker.send(command));
+    }
+    drop(shut);
+    let played = until(&worker, |p| p.status.time > 0.1);
+    assert!(played.status.playing && played.status.edits == 1);
+    assert!((center(&played).x - 0.2 * played.status.time).abs() < 1e-9, "{}", center(&played));
+}
+
+#[test]
+fn a_grab_behind_an_edit_takes_hold_of_a_body_of_the_edited_scene() {
+    let mut two = (*renamed("left", 0.0)).clone();
+    let mut right = two.bodies[0].clone();
+    (right.id, right.placement.translation) = ("right".to_owned(), [0.2, 0.0, 0.0]);
+    two.bodies.push(right);
+    let mut one = two.clone();
+    one.bodies.remove(0);
+    let gate = Arc::default();
+    let shut = Mutex::lock(&gate).expect("a gate");
+    let worker = behind(&gate, Arc::new(two), true);
+    let target = DVec3::new(0.2, 0.1, 0.0);
+    assert!(worker.send(SimCommand::Edit(Arc::new(one))));
+    assert!(worker.send(SimCommand::Grab { body: 0, vertex: 0, target }));
+    drop(shut);
+    until(&worker, |p| p.status.edits == 1 && p.snapshot.bodies[0].surface()[0].distance(target) < 2e-3);
 }

@@ -1,7 +1,6 @@
 //! The last minutes of a motion, frame by frame, in bounded memory: to be looked at again and gone on from.
 
-use super::Runner;
-use crate::solver::world::Checkpoint;
+use super::runner::{RunCheckpoint, Runner};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -9,62 +8,62 @@ use std::sync::Arc;
 pub const DEFAULT_MEMORY: usize = 512 << 20;
 
 /// A state of a run, and the run's start, which has the rest data that it goes with.
-pub(super) struct Kept {
+pub(super) struct StoredState {
     /// The start of the scene as it was put together then.
-    pub(super) build: Arc<Runner>,
-    pub(super) state: RunCheckpoint,
+    build: Arc<Runner>,
+    state: RunCheckpoint,
 }
 
-/// What a runner goes on from.
-pub(super) struct RunCheckpoint {
-    pub(super) world: Checkpoint,
-    pub(super) restful_frames: u32,
-}
-
-impl Kept {
+impl StoredState {
     /// The present state of a runner that was put together as `build`.
     pub(super) fn new(build: &Arc<Runner>, runner: &Runner) -> Self {
         Self { build: Arc::clone(build), state: runner.checkpoint() }
     }
 
-    /// Brings a runner of the same build to this state, or gives one that is there.
-    pub(super) fn show(&self, seen: &mut Option<Seen>) {
-        let same = seen.as_ref().is_some_and(|seen| Arc::ptr_eq(&seen.build, &self.build));
-        if !same {
-            *seen = Some(Seen { build: Arc::clone(&self.build), runner: (*self.build).clone() });
-        }
-        if let Some(seen) = seen {
-            seen.runner.go_back(&self.state);
-        }
+    /// Whether it is one of a runner that was put together as `build`.
+    pub(super) fn is_of(&self, build: &Arc<Runner>) -> bool {
+        Arc::ptr_eq(&self.build, build)
+    }
+
+    /// Brings a runner of the same build to this state.
+    pub(super) fn restore(&self, runner: &mut Runner) {
+        runner.go_back(&self.state);
+    }
+
+    /// Brings a restored run to this state; a new one where there is none, or one of another build.
+    pub(super) fn restore_into(&self, restored: &mut Option<RestoredRun>) {
+        let fresh = || RestoredRun { build: Arc::clone(&self.build), runner: (*self.build).clone() };
+        let run = restored.take().filter(|run| self.is_of(&run.build));
+        self.restore(&mut restored.insert(run.unwrap_or_else(fresh)).runner);
     }
 }
 
 /// A run as it was at some time.
-pub(super) struct Seen {
+pub(super) struct RestoredRun {
     /// What it was put together as.
     pub(super) build: Arc<Runner>,
     pub(super) runner: Runner,
 }
 
 /// One frame.
-pub(super) struct Frame {
+pub(super) struct RecordedFrame {
     /// Simulated time [s].
-    pub(super) time: f64,
+    time: f64,
     /// The document's world.
-    pub(super) world: Kept,
+    pub(super) world: StoredState,
     /// The ghost's, where there was one.
-    pub(super) ghost: Option<Kept>,
+    pub(super) ghost: Option<StoredState>,
     /// Body whose last grab followed the pointer.
-    pub(super) grabbed: Option<usize>,
+    grabbed: Option<usize>,
     /// Fibres broken so far.
     breaks: usize,
     bytes: usize,
 }
 
-impl Frame {
-    /// A frame of a world, a ghost beside it and what is pulled.
-    pub(super) fn new(world: Kept, runner: &Runner, ghost: Option<Kept>, grabbed: Option<usize>) -> Self {
-        let bytes = |kept: &Kept| kept.state.world.bytes();
+impl RecordedFrame {
+    /// A frame of a world, a ghost beside it and what is grabbed.
+    pub(super) fn new(world: StoredState, runner: &Runner, ghost: Option<StoredState>, grabbed: Option<usize>) -> Self {
+        let bytes = |stored: &StoredState| stored.state.bytes();
         Self {
             time: runner.world().time(),
             bytes: size_of::<Self>() + bytes(&world) + ghost.as_ref().map_or(0, bytes),
@@ -75,6 +74,11 @@ impl Frame {
         }
     }
 
+    /// Identifier of the body whose last grab followed the pointer.
+    pub(super) fn grabbed_id(&self) -> Option<&str> {
+        self.world.build.world().bodies().get(self.grabbed?).map(|body| body.parts().id.as_str())
+    }
+
     fn builds(&self) -> [Option<&Arc<Runner>>; 2] {
         [Some(&self.world.build), self.ghost.as_ref().map(|ghost| &ghost.build)]
     }
@@ -82,7 +86,7 @@ impl Frame {
 
 /// Frames in the order of time. The oldest are dropped for new ones.
 pub(super) struct Recording {
-    frames: VecDeque<Frame>,
+    frames: VecDeque<RecordedFrame>,
     /// Times [s] of the last frames before the scene was put together anew, and of frames in which fibres broke.
     marks: [VecDeque<f64>; 2],
     /// Memory of all frames, and of what they were put together as [bytes].
@@ -98,7 +102,7 @@ impl Default for Recording {
 
 impl Recording {
     /// Appends a frame and drops the oldest ones until all fit; even the new one where it is too large alone.
-    pub(super) fn push(&mut self, frame: Frame) {
+    pub(super) fn push(&mut self, frame: RecordedFrame) {
         self.bytes += frame.bytes + new_builds(&frame, self.frames.back());
         if let Some(last) = self.frames.back() {
             if !Arc::ptr_eq(&last.world.build, &frame.world.build) {
@@ -174,7 +178,12 @@ impl Recording {
         (index < self.frames.len()).then_some(index)
     }
 
-    pub(super) fn frame(&self, index: usize) -> Option<&Frame> {
+    /// Number of the first frame that is kept.
+    pub(super) fn first(&self) -> Option<usize> {
+        (!self.frames.is_empty()).then_some(0)
+    }
+
+    pub(super) fn frame(&self, index: usize) -> Option<&RecordedFrame> {
         self.frames.get(index)
     }
 
@@ -201,8 +210,8 @@ impl Recording {
 }
 
 /// Memory of what a frame was put together as and its neighbour was not [bytes].
-fn new_builds(frame: &Frame, neighbour: Option<&Frame>) -> usize {
-    let of_neighbour = neighbour.map(Frame::builds);
+fn new_builds(frame: &RecordedFrame, neighbour: Option<&RecordedFrame>) -> usize {
+    let of_neighbour = neighbour.map(RecordedFrame::builds);
     let pairs = frame.builds().into_iter().zip(of_neighbour.unwrap_or_default());
     let fresh = pairs.filter_map(|(build, other)| {
         let build = build?;

@@ -1,6 +1,6 @@
 //! What a run has shown, ready for JSON.
 
-use super::Runner;
+use super::runner::Runner;
 use crate::scene::Scene;
 use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;

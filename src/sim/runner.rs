@@ -1,11 +1,10 @@
 //! Fixed frames, no clock: the window and a headless run take identical steps.
 
-use super::recording::RunCheckpoint;
 use crate::bake::Baked;
 use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;
 use crate::solver::snapshot::Snapshot;
-use crate::solver::world::World;
+use crate::solver::world::{Checkpoint, World};
 
 /// Frames in a row that must look at rest: a single one may catch a swing in passing.
 const REST_FRAMES: u32 = 2;
@@ -15,6 +14,19 @@ const REST_FRAMES: u32 = 2;
 pub struct Runner {
     world: World,
     restful_frames: u32,
+}
+
+/// What a runner goes on from.
+pub(super) struct RunCheckpoint {
+    world: Checkpoint,
+    restful_frames: u32,
+}
+
+impl RunCheckpoint {
+    /// Memory that it takes [bytes].
+    pub(super) fn bytes(&self) -> usize {
+        self.world.bytes()
+    }
 }
 
 impl Runner {
@@ -45,12 +57,17 @@ impl Runner {
         self.world.adopt(&before.world);
     }
 
-    /// One body, to pull on it.
+    /// One body, to grab it.
     pub fn body_mut(&mut self, index: usize) -> Option<&mut Body> {
         self.world.body_mut(index)
     }
 
-    /// Lets go of everything that is pulled.
+    /// The place of the body of this identifier.
+    pub(super) fn find(&self, id: &str) -> Option<usize> {
+        self.world.bodies().iter().position(|body| body.parts().id == id)
+    }
+
+    /// Lets go of everything that is grabbed.
     pub fn release_all(&mut self) {
         for index in 0..self.world.bodies().len() {
             if let Some(body) = self.world.body_mut(index) {
@@ -59,7 +76,7 @@ impl Runner {
         }
     }
 
-    /// Whether anything is pulled.
+    /// Whether anything is grabbed.
     pub fn is_held(&self) -> bool {
         self.world.bodies().iter().any(|body| !body.grabs().is_empty())
     }

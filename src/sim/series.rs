@@ -1,6 +1,6 @@
 //! Energies, momenta and measures frame by frame: rows for tables and plots.
 
-use super::EnergyReport;
+use super::report::EnergyReport;
 use crate::scene::one_line;
 use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;

@@ -1,8 +1,10 @@
 //! What a window is told of a running world.
 
 use crate::scene::IntegratorKind;
+use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;
 use crate::solver::snapshot::Snapshot;
+use crate::solver::world::World;
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -35,6 +37,25 @@ pub struct Status {
     pub edits: u64,
     /// What is kept of the motion.
     pub recording: RecordingStatus,
+}
+
+impl Status {
+    /// Reads what a world that is shown has to say.
+    pub(super) fn read(&mut self, world: &World) {
+        let plan = world.plan();
+        let stepping = |(body, count): (&Body, &u32)| Stepping {
+            name: body.parts().name.clone(),
+            dt: body.parts().dt,
+            stable_dt: body.parts().stable_dt,
+            limited_by: body.parts().limited_by.clone(),
+            substeps: count * plan.outer_steps,
+        };
+        self.time = world.time();
+        self.bodies = world.bodies().iter().zip(&plan.substeps).map(stepping).collect();
+        self.particles = world.bodies().iter().map(|body| body.state().len()).sum();
+        self.divergence = world.divergence().map(ToString::to_string);
+        self.measures = world.measures();
+    }
 }
 
 /// What is kept of the motion so far, and what is seen of it.

@@ -1,11 +1,16 @@
 //! What the simulation thread does when the solver fails.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use super::*;
+use super::shared::{Outlet, Shared};
+use super::simulation::Simulation;
+use crate::scene::Scene;
+use crate::sim::command::SimCommand;
+use crate::sim::runner::Runner;
 use crate::solver::energy::Energies;
 use crate::solver::forces::Force;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// A force with a fault.
 #[derive(Clone)]
@@ -23,29 +28,33 @@ impl Force for Faulty {
     }
 }
 
+fn runner(simulation: &mut Simulation) -> Option<&mut Runner> {
+    simulation.motion.runs.live.runner_mut()
+}
+
 #[test]
 fn a_panic_in_the_solver_is_reported_and_a_reset_goes_on() {
-    let slot: Slot = Arc::default();
-    let out = Out { slot: Arc::clone(&slot), records: Arc::default(), notify: Box::new(|| {}) };
+    let shared = Shared::default();
+    let outlet = Outlet::new(shared.clone(), || {});
     let scene: Scene =
         serde_json::from_str(r#"{"version": 1, "two_layer": [{"id": "ring", "shape": {"ring": {}}}]}"#).unwrap();
-    let mut worker = Loop::new(Arc::new(scene), Arc::default(), true, out);
-    worker.put_together(false);
-    worker.runner.as_mut().unwrap().body_mut(0).unwrap().add_force(Box::new(Faulty));
-    worker.advance();
-    worker.publish();
-    let published = slot.lock().unwrap().take().unwrap();
+    let mut simulation = Simulation::new(Arc::new(scene), Arc::default(), true, outlet);
+    simulation.start();
+    runner(&mut simulation).unwrap().body_mut(0).unwrap().add_force(Box::new(Faulty));
+    simulation.motion.advance();
+    simulation.motion.publish();
+    let published = shared.take().unwrap();
     assert!(published.status.failure.as_ref().is_some_and(|text| text.contains("out of cheese")));
     assert!(!published.status.playing);
     // What was kept is still there to go on from.
-    worker.obey(SimCommand::StepBack);
-    assert!(worker.in_replay());
-    worker.obey(SimCommand::ContinueHere);
-    assert!(worker.status.failure.is_none() && !worker.in_replay());
-    worker.obey(SimCommand::Step);
-    assert!(worker.runner.as_ref().is_some_and(|runner| runner.world().time() > 0.0));
-    worker.obey(SimCommand::Reset);
-    worker.obey(SimCommand::Step);
-    assert!(worker.status.failure.is_none());
-    assert!(worker.runner.as_ref().is_some_and(|runner| runner.world().time() > 0.0));
+    simulation.handle(SimCommand::StepBack, 0);
+    assert!(simulation.motion.replay.is_active());
+    simulation.handle(SimCommand::ContinueHere, 0);
+    assert!(simulation.motion.status.failure.is_none() && !simulation.motion.replay.is_active());
+    simulation.handle(SimCommand::Step, 0);
+    assert!(runner(&mut simulation).is_some_and(|runner| runner.world().time() > 0.0));
+    simulation.handle(SimCommand::Reset, 0);
+    simulation.handle(SimCommand::Step, 0);
+    assert!(simulation.motion.status.failure.is_none());
+    assert!(runner(&mut simulation).is_some_and(|runner| runner.world().time() > 0.0));
 }

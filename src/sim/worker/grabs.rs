@@ -1,0 +1,58 @@
+//! The grab that follows the pointer.
+
+use super::runs::Runs;
+use glam::DVec3;
+
+/// What the pointer holds. Grabs that were pinned are none of its concern.
+#[derive(Default)]
+pub(super) struct PointerGrab {
+    /// The body; the grab is the last one of it.
+    body: Option<usize>,
+}
+
+impl PointerGrab {
+    /// Takes hold of a point of a body, and of the same point of its like.
+    pub(super) fn grab(&mut self, runs: &mut Runs, body: usize, vertex: usize, target: DVec3) {
+        let mut is_held = false;
+        for held in runs.bodies_mut(body) {
+            let Some(point) = held.point(vertex) else { continue };
+            held.grab(point, target);
+            is_held = true;
+        }
+        if is_held {
+            self.body = Some(body);
+        }
+    }
+
+    /// Pulls to another place [m].
+    pub(super) fn move_to(&self, runs: &mut Runs, target: DVec3) {
+        for body in self.body.map_or_else(Vec::new, |body| runs.bodies_mut(body)) {
+            if let Some(grab) = body.grabs_mut().last_mut() {
+                grab.target = target;
+            }
+        }
+    }
+
+    /// Lets go.
+    pub(super) fn release(&mut self, runs: &mut Runs) {
+        for body in self.body.take().map_or_else(Vec::new, |body| runs.bodies_mut(body)) {
+            body.grabs_mut().pop();
+        }
+    }
+
+    /// Leaves the grab where it is held now.
+    pub(super) fn pin(&mut self) {
+        self.body = None;
+    }
+
+    /// Lets go of what the pointer held in a state that the runs were brought to: a body of this identifier.
+    pub(super) fn release_stored(&mut self, runs: &mut Runs, id: Option<&str>) {
+        self.body = id.and_then(|id| runs.live.runner()?.find(id));
+        self.release(runs);
+    }
+
+    /// The body that is held.
+    pub(super) fn body(&self) -> Option<usize> {
+        self.body
+    }
+}

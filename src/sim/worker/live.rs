@@ -1,0 +1,87 @@
+//! The run of the document: what the simulation has come to.
+
+use crate::sim::recording::{RestoredRun, StoredState};
+use crate::sim::runner::Runner;
+use crate::solver::snapshot::Snapshot;
+use glam::DVec3;
+use std::sync::Arc;
+
+/// The document's world as it was put together last, and as it moves.
+#[derive(Default)]
+pub(super) struct LiveRun {
+    start: Option<Arc<Runner>>,
+    runner: Option<Runner>,
+    at_rest: Arc<Snapshot>,
+    placed: Option<[DVec3; 2]>,
+}
+
+impl LiveRun {
+    /// Takes up what was put together anew: from its start, or in the motion of what was there before.
+    pub(super) fn take_up(&mut self, fresh: Runner, keeps_motion: bool) {
+        self.at_rest = Arc::new(Snapshot::in_model_frames(fresh.world()));
+        self.placed = fresh.world().placed();
+        self.start = Some(Arc::new(fresh.clone()));
+        let mut runner = fresh;
+        if let Some(before) = self.runner.as_ref().filter(|_| keeps_motion) {
+            runner.adopt(before);
+        }
+        self.runner = Some(runner);
+    }
+
+    /// Back to the start; false where nothing has been put together.
+    pub(super) fn restart(&mut self) -> bool {
+        self.runner = self.start.as_deref().cloned();
+        self.start.is_some()
+    }
+
+    /// Gives the motion up after a failure. The start can still be trusted.
+    pub(super) fn give_up(&mut self) {
+        self.runner = None;
+    }
+
+    /// Goes on from a run of before: in its own build where that is still the present one, and as the present one in its
+    /// motion where it is not, which is what it gives.
+    pub(super) fn continue_from(&mut self, restored: RestoredRun) -> bool {
+        let changed = self.start.as_ref().filter(|start| !Arc::ptr_eq(start, &restored.build));
+        let is_changed = changed.is_some();
+        self.runner = Some(match changed {
+            Some(start) => {
+                let mut runner = (**start).clone();
+                runner.adopt(&restored.runner);
+                runner
+            }
+            None => restored.runner,
+        });
+        is_changed
+    }
+
+    /// The moving world; none before there is one and after a failure.
+    pub(super) fn runner(&self) -> Option<&Runner> {
+        self.runner.as_ref()
+    }
+
+    /// The moving world, to work on it.
+    pub(super) fn runner_mut(&mut self) -> Option<&mut Runner> {
+        self.runner.as_mut()
+    }
+
+    /// The start as it was put together last.
+    pub(super) fn start(&self) -> Option<&Arc<Runner>> {
+        self.start.as_ref()
+    }
+
+    /// Every body at rest in its model frame.
+    pub(super) fn at_rest(&self) -> &Arc<Snapshot> {
+        &self.at_rest
+    }
+
+    /// Opposite corners of the box around all bodies where the scene places them [m].
+    pub(super) fn placed(&self) -> Option<[DVec3; 2]> {
+        self.placed
+    }
+
+    /// The present state, to go on from later.
+    pub(super) fn stored(&self) -> Option<StoredState> {
+        Some(StoredState::new(self.start.as_ref()?, self.runner.as_ref()?))
+    }
+}

@@ -1,0 +1,334 @@
+//! What moves, and what is shown of it: the live run and its ghost, what was recorded of them, and a comparison.
+
+use super::build::guarded;
+use super::comparison::Comparison;
+use super::grabs::PointerGrab;
+use super::playback::Playback;
+use super::recorded_series::RecordedSeries;
+use super::replay::Replay;
+use super::runs::Runs;
+use super::shared::Outlet;
+use super::views::ViewRequests;
+use crate::bake::Baked;
+use crate::scene::Scene;
+use crate::sim::command::SimCommand;
+use crate::sim::recording::RecordedFrame;
+use crate::sim::runner::Runner;
+use crate::sim::status::{Published, Status};
+use crate::solver::snapshot::Snapshot;
+use glam::DVec3;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// The motion of a document's world.
+pub(super) struct Motion {
+    pub(super) runs: Runs,
+    grab: PointerGrab,
+    pub(super) replay: Replay,
+    pub(super) comparison: Comparison,
+    views: ViewRequests,
+    playback: Playback,
+    pub(super) status: Status,
+    outlet: Outlet,
+}
+
+impl Motion {
+    /// Of nothing yet.
+    pub(super) fn new(playing: bool, outlet: Outlet) -> Self {
+        Self {
+            runs: Runs::default(),
+            grab: PointerGrab::default(),
+            replay: Replay::default(),
+            comparison: Comparison::default(),
+            views: ViewRequests::default(),
+            playback: Playback::new(playing),
+            status: Status::default(),
+            outlet,
+        }
+    }
+
+    /// Does what concerns the motion; other commands change the document or what is put together of it.
+    pub(super) fn handle(&mut self, command: &SimCommand) {
+        match *command {
+            SimCommand::Play => {
+                self.replay.set_goes_on(true);
+                self.playback.play();
+            }
+            SimCommand::Pause => self.replay.hold(&mut self.playback),
+            SimCommand::Step => self.step(),
+            SimCommand::Speed(speed) => self.playback.set_speed(speed),
+            SimCommand::Grab { body, vertex, target } => self.grab(body, vertex, target),
+            SimCommand::MoveGrab(target) => self.grab.move_to(&mut self.runs, target),
+            SimCommand::Release => self.grab.release(&mut self.runs),
+            SimCommand::PinGrab => self.grab.pin(),
+            SimCommand::ReleaseAll => self.release_all(),
+            SimCommand::Strike { body, impulse } => {
+                self.continue_here();
+                self.runs.bodies_mut(body).into_iter().for_each(|body| body.strike(impulse));
+            }
+            SimCommand::Field(kind) => self.views.choose_field(kind),
+            SimCommand::Tension(on) => self.views.choose_tension(on),
+            SimCommand::Show(time) => self.show(self.replay.recording().nearest(time)),
+            SimCommand::StepBack => match self.replay.recording().before(self.shown_time()) {
+                None => self.replay.hold(&mut self.playback),
+                earlier => self.show(earlier),
+            },
+            SimCommand::Replay => self.start_replay(),
+            SimCommand::ContinueHere => {
+                self.continue_here();
+                self.playback.play();
+            }
+            SimCommand::Live => self.replay.return_to_live(&mut self.playback),
+            SimCommand::Memory(limit) => self.limit_memory(limit),
+            SimCommand::Reset
+            | SimCommand::Edit(_)
+            | SimCommand::Open(..)
+            | SimCommand::Compare { .. }
+            | SimCommand::Ghost(_) => {}
+        }
+    }
+
+    /// Whether frame follows frame.
+    fn is_running(&self) -> bool {
+        let moves = |runner: &Runner| self.comparison.is_running() || !runner.all_stopped();
+        self.playback.is_playing() && (self.replay.is_active() || self.runs.live.runner().is_some_and(moves))
+    }
+
+    /// When the next frame is due; none while no frame follows.
+    pub(super) fn due(&self) -> Option<Instant> {
+        self.is_running().then(|| self.playback.due())
+    }
+
+    /// Computes or shows the next frame if it is due; whether it was.
+    pub(super) fn advance_if_due(&mut self) -> bool {
+        if !self.is_running() {
+            self.playback.rest();
+            return false;
+        }
+        if Instant::now() < self.playback.due() {
+            return false;
+        }
+        self.advance();
+        self.playback.plan_next(self.frame_seconds());
+        true
+    }
+
+    /// One frame, of the live run or of a replay.
+    pub(super) fn advance(&mut self) {
+        if self.replay.is_active() {
+            self.replay.advance(self.runs.live.runner().is_some(), &mut self.playback);
+        } else {
+            self.solve();
+        }
+        self.playback.count_frame(self.frame_seconds());
+    }
+
+    fn solve(&mut self) {
+        let seconds = self.frame_seconds();
+        let Some(runner) = self.runs.live.runner_mut() else { return };
+        let is_compared = self.comparison.is_running();
+        let solved = guarded(|| if is_compared { self.comparison.advance(seconds) } else { runner.advance_frame() });
+        if let Err(problem) = solved {
+            // What the world holds after a panic cannot be trusted; the document and the last picture can.
+            self.runs.live.give_up();
+            self.playback.set_playing(false);
+            self.status.failure = Some(problem);
+        }
+        if !is_compared {
+            if let Err(problem) = self.runs.advance_ghost() {
+                self.note_no_ghost(&problem);
+            }
+            self.record();
+            self.record_series();
+        }
+    }
+
+    /// Takes up a scene that was put together: from its start, or in the present motion.
+    pub(super) fn take_up(&mut self, baked: Baked, keeps_motion: bool) {
+        self.status.notes = baked.notes.iter().map(ToString::to_string).collect();
+        self.status.failure = None;
+        self.runs.live.take_up(Runner::new(baked), keeps_motion);
+        if !keeps_motion {
+            self.record_anew();
+        }
+    }
+
+    /// Ends the ghost that is no longer wanted; gives the scene of the one that is wanted in its place, to be put together.
+    /// While an earlier frame is shown all waits.
+    pub(super) fn replace_ghost(&mut self) -> Option<Arc<Scene>> {
+        if self.replay.is_active() {
+            return None;
+        }
+        let scene = self.runs.ghost.replace()?;
+        self.outlet.with_series(|series| series.ghost = None);
+        Some(scene)
+    }
+
+    /// Says why there is no ghost.
+    pub(super) fn note_no_ghost(&mut self, problem: &str) {
+        self.status.notes.push(format!("There is no ghost: {problem}"));
+    }
+
+    /// Nothing is left of the last document.
+    pub(super) fn forget(&mut self) {
+        self.grab.pin();
+        self.comparison.choose(Vec::new(), 0.0);
+        self.replay.clear(&mut self.playback);
+        self.outlet.with_series(|series| *series = RecordedSeries::default());
+        self.runs = Runs::default();
+        self.status.divergence = None;
+        self.status.bodies.clear();
+        self.status.measures.clear();
+    }
+
+    /// Back to the start, the ghost too, with nothing held; false where the scene has not been put together yet.
+    pub(super) fn restart(&mut self) -> bool {
+        self.grab.pin();
+        self.views.forget_ranges();
+        let is_built = self.runs.restart();
+        if is_built {
+            self.status.failure = None;
+            self.record_anew();
+        }
+        is_built
+    }
+
+    /// To the next frame; where there is none it is computed.
+    fn step(&mut self) {
+        self.replay.hold(&mut self.playback);
+        let has_live = self.runs.live.runner().is_some();
+        if self.replay.step(has_live) {
+            return;
+        }
+        if has_live {
+            self.replay.leave();
+        } else {
+            self.continue_here();
+        }
+        self.advance();
+    }
+
+    /// Shows a frame, where there is one, and holds the simulation. A comparison is shown instead while there is one.
+    fn show(&mut self, frame: Option<usize>) {
+        let Some(index) = frame.filter(|_| !self.comparison.is_running()) else { return };
+        if !self.replay.is_active() {
+            self.grab.release(&mut self.runs);
+        }
+        self.replay.enter(index, &mut self.playback);
+    }
+
+    /// Starts to replay: from the frame that is shown, or from the first one where no later one is left.
+    fn start_replay(&mut self) {
+        self.playback.measure_anew();
+        if self.comparison.is_running() {
+            return;
+        }
+        if !self.replay.has_later() {
+            self.show(self.replay.recording().first());
+        }
+        self.replay.set_goes_on(false);
+        self.playback.set_playing(self.replay.is_active());
+    }
+
+    /// Makes the frame that is shown the live run's state and drops the later ones; all stays as it is where none is shown.
+    pub(super) fn continue_here(&mut self) {
+        let Some(from) = self.replay.continue_here(&mut self.playback) else { return };
+        if self.runs.live.runner().is_none() {
+            self.status.failure = None;
+        }
+        let in_present_scene = self.runs.live.continue_from(from.restored);
+        if let Some(frame) = self.replay.recording().frame(from.frame) {
+            self.runs.continue_ghost_from(frame.ghost.as_ref());
+            // The pointer has let go of what it held then; its body may have another number now.
+            self.grab.release_stored(&mut self.runs, frame.grabbed_id());
+        }
+        self.replay.note_continued(from.time, from.dropped, in_present_scene);
+    }
+
+    fn limit_memory(&mut self, limit: usize) {
+        let time = self.shown_time();
+        self.replay.set_limit(limit);
+        if self.replay.is_active() {
+            self.show(self.replay.recording().nearest(time));
+        }
+    }
+
+    fn grab(&mut self, body: usize, vertex: usize, target: DVec3) {
+        // A point of another build of the body may be another point of this one.
+        let is_here = !self.replay.is_of_another_scene(self.runs.live.start());
+        self.continue_here();
+        if is_here {
+            self.grab.grab(&mut self.runs, body, vertex, target);
+        }
+    }
+
+    fn release_all(&mut self) {
+        // There is nothing to do to an earlier frame in which nothing is held.
+        if self.replay.shown().is_some_and(|shown| !shown.is_held()) {
+            return;
+        }
+        self.continue_here();
+        self.grab.pin();
+        self.runs.release_all();
+    }
+
+    /// Time of what is shown [s].
+    fn shown_time(&self) -> f64 {
+        // After a failure there is no live run, but what was kept before it.
+        self.shown().map_or(f64::INFINITY, |runner| runner.world().time())
+    }
+
+    fn frame_seconds(&self) -> f64 {
+        self.shown().map_or(1.0, |runner| runner.world().plan().frame_seconds)
+    }
+
+    /// The run that is shown: at an earlier frame, or the live one.
+    fn shown(&self) -> Option<&Runner> {
+        self.replay.shown().or(self.runs.live.runner())
+    }
+
+    /// Keeps the present state as a frame.
+    fn record(&mut self) {
+        let (Some(stored), Some(runner)) = (self.runs.live.stored(), self.runs.live.runner()) else { return };
+        self.replay.record(RecordedFrame::new(stored, runner, self.runs.ghost.stored(), self.grab.body()));
+    }
+
+    /// Nothing is kept but the start.
+    fn record_anew(&mut self) {
+        self.replay.clear(&mut self.playback);
+        self.record();
+    }
+
+    /// Writes the numbers of the present frame.
+    pub(super) fn record_series(&self) {
+        let [live, ghost] = [self.runs.live.runner(), self.runs.ghost.runner()].map(|run| run.map(Runner::world));
+        self.outlet.with_series(|series| series.record(live, ghost));
+    }
+
+    /// Hands the newest picture over, of what is shown.
+    pub(super) fn publish(&mut self) {
+        let live = &self.runs.live;
+        let mut snapshot = Snapshot::default();
+        if let Some(runner) = self.replay.shown().or(live.runner()) {
+            snapshot = self.views.picture(runner);
+            self.status.read(runner.world());
+        }
+        // In an earlier frame it is the ghost that was there then.
+        let ghost = if self.replay.is_active() {
+            self.replay.ghost().filter(|_| self.runs.ghost.is_wanted())
+        } else {
+            self.runs.ghost.runner()
+        };
+        let mut ghost = ghost.map(Runner::particles);
+        let mut compared = Vec::new();
+        if let Some((side_by_side, runs)) = self.comparison.picture() {
+            self.status.time = side_by_side.time;
+            (snapshot, ghost, compared) = (side_by_side, None, runs);
+        }
+        self.status.playing = self.playback.is_playing();
+        [self.status.frames_per_second, self.status.real_time_factor] = self.playback.rates();
+        self.status.recording = self.replay.status(live.start());
+        let (at_rest, placed) = (Arc::clone(live.at_rest()), live.placed());
+        self.outlet.publish(Published { snapshot, ghost, at_rest, placed, status: self.status.clone(), compared });
+    }
+}

@@ -1,0 +1,60 @@
+//! The live run and the ghost beside it: what is done to a body of one is done to its like in the other.
+
+use super::ghost::GhostRun;
+use super::live::LiveRun;
+use crate::scene::Scene;
+use crate::sim::recording::StoredState;
+use crate::sim::runner::Runner;
+use crate::solver::body::Body;
+use std::sync::Arc;
+
+/// Both runs.
+#[derive(Default)]
+pub(super) struct Runs {
+    pub(super) live: LiveRun,
+    pub(super) ghost: GhostRun,
+}
+
+impl Runs {
+    /// The body of the live run with this number, and the one of the same identifier in the ghost.
+    pub(super) fn bodies_mut(&mut self, index: usize) -> Vec<&mut Body> {
+        let body = self.live.runner().and_then(|runner| runner.world().bodies().get(index));
+        let Some(id) = body.map(|body| body.parts().id.clone()) else { return Vec::new() };
+        self.runners_mut().filter_map(|runner| runner.find(&id).and_then(|place| runner.body_mut(place))).collect()
+    }
+
+    /// Starts the ghost of a scene where the live run is.
+    pub(super) fn start_ghost(&mut self, scene: Arc<Scene>, fresh: Runner) {
+        self.ghost.start(scene, fresh, self.live.runner());
+    }
+
+    /// Brings the ghost to where the live run is.
+    ///
+    /// # Errors
+    /// Why it was given up.
+    pub(super) fn advance_ghost(&mut self) -> Result<(), String> {
+        self.live.runner().map_or(Ok(()), |live| self.ghost.advance_to(live.world().time()))
+    }
+
+    /// Takes the ghost along to an earlier frame, from which the live run goes on: `stored` is the ghost's part of it.
+    pub(super) fn continue_ghost_from(&mut self, stored: Option<&StoredState>) {
+        if let Some(live) = self.live.runner() {
+            self.ghost.continue_from(stored, live);
+        }
+    }
+
+    /// Back to the start; false where the scene has not been put together yet.
+    pub(super) fn restart(&mut self) -> bool {
+        self.ghost.restart();
+        self.live.restart()
+    }
+
+    /// Lets go of everything that is grabbed.
+    pub(super) fn release_all(&mut self) {
+        self.runners_mut().for_each(Runner::release_all);
+    }
+
+    fn runners_mut(&mut self) -> impl Iterator<Item = &mut Runner> {
+        self.live.runner_mut().into_iter().chain(self.ghost.runner_mut())
+    }
+}

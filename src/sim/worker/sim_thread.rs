@@ -1,0 +1,35 @@
+//! The thread: hears what was asked for, computes the frame that is due, and shows what has come of both.
+
+use super::queue::{CommandReceiver, Request};
+use super::simulation::Simulation;
+
+/// A simulation and what is asked of it.
+pub(super) struct SimThread {
+    simulation: Simulation,
+    commands: CommandReceiver,
+}
+
+impl SimThread {
+    pub(super) fn new(simulation: Simulation, commands: CommandReceiver) -> Self {
+        Self { simulation, commands }
+    }
+
+    /// Runs until the window is gone.
+    pub(super) fn run(mut self) {
+        self.simulation.start();
+        // Everything that waits is heard before the next frame, so that a drag is never behind.
+        while let Some(requests) = self.commands.take_all(self.simulation.motion.due()) {
+            let was_asked = !requests.is_empty();
+            for Request { command, documents } in requests {
+                self.simulation.handle(command, documents);
+            }
+            if was_asked {
+                self.simulation.settle();
+            }
+            // What has just stopped everything is to be seen too.
+            if self.simulation.motion.advance_if_due() || was_asked {
+                self.simulation.motion.publish();
+            }
+        }
+    }
+}

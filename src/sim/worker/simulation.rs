@@ -1,0 +1,129 @@
+//! The simulation of a document: what moves, and how it is put together anew when the document changes.
+
+use super::build::build;
+use super::motion::Motion;
+use super::shared::Outlet;
+use crate::bake::Baked;
+use crate::scene::{Assets, Scene};
+use crate::sim::command::SimCommand;
+use crate::sim::runner::Runner;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// A stage of the work on a scene is shown once the last one that was is this old: what goes sooner could not be read.
+const READABLE: Duration = Duration::from_millis(200);
+
+/// A document and its motion.
+pub(super) struct Simulation {
+    scene: Arc<Scene>,
+    assets: Arc<Assets>,
+    pub(super) motion: Motion,
+}
+
+impl Simulation {
+    /// Of a scene that is still to be put together.
+    pub(super) fn new(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, outlet: Outlet) -> Self {
+        Self { scene, assets, motion: Motion::new(playing, outlet) }
+    }
+
+    /// Puts the scene together and shows its start.
+    pub(super) fn start(&mut self) {
+        self.rebuild(false);
+        self.motion.record_series();
+        self.motion.publish();
+    }
+
+    /// Does what was asked for; it stands for so many documents.
+    pub(super) fn handle(&mut self, command: SimCommand, documents: u64) {
+        self.motion.status.edits += documents;
+        match command {
+            SimCommand::Edit(scene) => self.edit(scene),
+            SimCommand::Open(scene, assets) => self.open(scene, assets),
+            SimCommand::Reset => self.reset(),
+            SimCommand::Compare { integrators, dt } => {
+                self.motion.replay.leave();
+                self.motion.comparison.choose(integrators, dt);
+                self.start_comparison();
+            }
+            SimCommand::Ghost(scene) => {
+                self.motion.runs.ghost.choose(scene);
+                self.rebuild_ghost();
+            }
+            of_motion => self.motion.handle(&of_motion),
+        }
+    }
+
+    /// Does what has waited until everything was heard: a ghost that was wanted during a replay, and the numbers of the
+    /// present frame.
+    pub(super) fn settle(&mut self) {
+        self.rebuild_ghost();
+        self.motion.record_series();
+    }
+
+    fn edit(&mut self, scene: Arc<Scene>) {
+        // What only looks otherwise moves as it did.
+        let moves_alike = self.scene.moves_like(&scene);
+        self.scene = scene;
+        if !moves_alike {
+            self.motion.continue_here();
+            self.rebuild(true);
+        }
+    }
+
+    fn open(&mut self, scene: Arc<Scene>, assets: Arc<Assets>) {
+        (self.scene, self.assets) = (scene, assets);
+        self.motion.forget();
+        self.rebuild(false);
+        self.motion.record_series();
+    }
+
+    fn reset(&mut self) {
+        self.start_comparison();
+        if !self.motion.restart() {
+            self.rebuild(false);
+        }
+        self.motion.record_series();
+    }
+
+    /// Puts the scene together. After an edit the motion goes on; where that fails, what was there before does.
+    fn rebuild(&mut self, keeps_motion: bool) {
+        let scene = Arc::clone(&self.scene);
+        match self.build(&scene) {
+            Ok(baked) => {
+                self.motion.take_up(baked, keeps_motion);
+                self.start_comparison();
+            }
+            Err(problem) => self.motion.status.failure = Some(problem),
+        }
+    }
+
+    /// Puts the ghost together if another one is wanted. While an earlier frame is shown it waits.
+    fn rebuild_ghost(&mut self) {
+        let Some(scene) = self.motion.replace_ghost() else { return };
+        match self.build(&scene) {
+            Ok(baked) => self.motion.runs.start_ghost(scene, Runner::new(baked)),
+            Err(problem) => self.motion.note_no_ghost(&problem),
+        }
+    }
+
+    fn start_comparison(&mut self) {
+        if let Err(problem) = self.motion.comparison.start(&self.scene, &self.assets) {
+            self.motion.status.failure = Some(problem);
+        }
+    }
+
+    /// Bakes a scene with the document's models, and shows what is being worked on.
+    fn build(&mut self, scene: &Scene) -> Result<Baked, String> {
+        let motion = &mut self.motion;
+        let mut shown = Instant::now();
+        let baked = build(scene, &self.assets, &mut |name, stage| {
+            motion.status.baking = Some(format!("{name}: {stage}"));
+            if shown.elapsed() > READABLE {
+                shown = Instant::now();
+                motion.publish();
+            }
+        });
+        motion.status.baking = None;
+        baked
+    }
+}

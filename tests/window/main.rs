@@ -7,6 +7,7 @@ mod comparing;
 mod editing;
 mod fibres;
 mod gallery;
+mod hashes;
 mod patterns;
 mod picture;
 mod plots;
@@ -47,12 +48,44 @@ fn open_with(document: Document, build: impl FnOnce(App) -> App + 'static) -> Wi
     window
 }
 
-/// The window on the built-in scene, held still.
+/// The window on the built-in scene, held still a little after its start: in the same frame however busy the machine is.
 fn still() -> Window {
     let mut window = open(Document::load(None).expect("the built-in scene"));
-    press_key(&mut window, Modifiers::NONE, egui::Key::Space);
-    until(&mut window, |app| !app.published().status.playing);
+    hold(&mut window);
+    reset(&mut window);
+    for _ in 0..2 {
+        advance(&mut window);
+    }
     window
+}
+
+/// Holds the simulation, wherever it has come to.
+fn hold(window: &mut Window) {
+    press_key(window, Modifiers::NONE, egui::Key::Space);
+    until(window, |app| !app.published().status.playing);
+}
+
+/// Back to the start of the scene as it is now, with every edit, and held there.
+fn reset(window: &mut Window) {
+    // What is asked for together with an edit is done before the scene is put together: the reset comes alone.
+    advance(window);
+    press_key(window, Modifiers::COMMAND, egui::Key::R);
+    until(window, |app| {
+        let status = &app.published().status;
+        status.time == 0.0 && status.timeline.frames == 1 && status.baking.is_none()
+    });
+}
+
+/// One frame of a simulation that is held; with it, whatever was asked for before has been done.
+fn advance(window: &mut Window) {
+    let before = window.state().published().status.time;
+    press_key(window, Modifiers::NONE, egui::Key::Period);
+    until(window, |app| app.published().status.time > before && app.published().status.baking.is_none());
+}
+
+/// Whether the simulation has taken up every edit and put the scene together.
+fn is_settled(app: &App) -> bool {
+    app.is_up_to_date() && app.published().status.baking.is_none()
 }
 
 fn scene(text: &str) -> Document {

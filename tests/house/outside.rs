@@ -15,6 +15,8 @@ const TABLE: &[(&str, &[&str])] = &[
     ("std::process", &["cli", "main"]),
     ("std::time", &["io", "sim", "cli", "ui"]),
     ("std::thread", &["sim", "cli", "ui"]),
+    // What a trace calls its threads.
+    ("std::thread::current", &["io"]),
 ];
 
 /// Every path of a file into the system that its room may not know, tests left out.

@@ -60,6 +60,7 @@ fn left_behind(folder: &Path) -> usize {
 }
 
 #[test]
+#[allow(clippy::disallowed_methods, reason = "the moment of a kill is to be any")]
 fn a_save_that_is_killed_leaves_one_whole_version() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("scene.json");

@@ -61,6 +61,7 @@ fn start(text: &str) -> Run {
 }
 
 /// Waits for a picture that satisfies a condition.
+#[allow(clippy::disallowed_methods, reason = "here what is waited for is looked at again and again")]
 fn until(worker: &Run, wanted: impl Fn(&Published) -> bool) -> Arc<Published> {
     let start = Instant::now();
     loop {

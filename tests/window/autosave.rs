@@ -4,7 +4,7 @@ mod keeping;
 mod watching;
 
 use super::editing::{drop_file, type_path};
-use super::{PATIENCE, Window, click, open, press_key, still, until};
+use super::{Window, click, open, press_key, still, until, until_seen};
 use egui::{Event, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::kittest::Queryable;
 use sinew::io::{load_scene, save_scene};
@@ -13,7 +13,6 @@ use sinew::ui::Document;
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
@@ -96,12 +95,7 @@ fn new(window: &mut Window) {
 }
 
 fn until_shown(window: &mut Window, text: &str) {
-    let start = Instant::now();
-    while !shows(window, text) {
-        assert!(start.elapsed() < PATIENCE, "{text:?} never came; the last message: {:?}", window.state().message());
-        std::thread::sleep(Duration::from_millis(2));
-        window.step();
-    }
+    until_seen(window, |window| shows(window, text));
 }
 
 /// A way out of the document, on to another one of this path if it needs one.

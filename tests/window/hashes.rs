@@ -54,7 +54,7 @@ fn saved(window: &mut Window) -> Runner {
 fn headless(path: &Path) -> Runner {
     let scene = load_scene(path).expect("a scene");
     let assets = load_assets(&scene, path.parent().expect("a folder"), &mut |_| {}).expect("its models");
-    Runner::new(bake(&scene, &assets, &mut |_, _| {}).expect("a scene that bakes"))
+    Runner::new(bake(&scene, &assets).expect("a scene that bakes"))
 }
 
 /// Every number of a picture.

@@ -52,10 +52,12 @@ fn open_with(document: Document, build: impl FnOnce(App) -> App + 'static) -> Wi
 fn still() -> Window {
     let mut window = open(Document::load(None).expect("the built-in scene"));
     hold(&mut window);
-    reset(&mut window);
+    press_key(&mut window, Modifiers::COMMAND, egui::Key::R);
+    until(&mut window, is_at_start);
     for _ in 0..2 {
-        advance(&mut window);
+        press_key(&mut window, Modifiers::NONE, egui::Key::Period);
     }
+    until(&mut window, |app| app.published().status.recording.frames == 3);
     window
 }
 
@@ -70,10 +72,12 @@ fn reset(window: &mut Window) {
     // What is asked for together with an edit is done before the scene is put together: the reset comes alone.
     advance(window);
     press_key(window, Modifiers::COMMAND, egui::Key::R);
-    until(window, |app| {
-        let status = &app.published().status;
-        status.time == 0.0 && status.timeline.frames == 1 && status.baking.is_none()
-    });
+    until(window, is_at_start);
+}
+
+fn is_at_start(app: &App) -> bool {
+    let status = &app.published().status;
+    status.time == 0.0 && status.recording.frames == 1 && status.baking.is_none()
 }
 
 /// One frame of a simulation that is held; with it, whatever was asked for before has been done.
@@ -95,8 +99,14 @@ fn scene(text: &str) -> Document {
 
 /// Shows frames until something has come about.
 fn until(window: &mut Window, mut wanted: impl FnMut(&App) -> bool) {
+    until_seen(window, |window| wanted(window.state()));
+}
+
+/// Shows frames until the window as it is seen is as wanted.
+#[allow(clippy::disallowed_methods, reason = "here what is waited for is looked at again and again")]
+fn until_seen(window: &mut Window, mut wanted: impl FnMut(&Window) -> bool) {
     let start = Instant::now();
-    while !wanted(window.state()) {
+    while !wanted(window) {
         assert!(start.elapsed() < PATIENCE, "it never came about; the last message: {:?}", window.state().message());
         std::thread::sleep(Duration::from_millis(2));
         window.step();

@@ -9,6 +9,7 @@ use std::sync::Arc;
 impl Loop {
     /// Hands the newest picture over, of the frame that is shown.
     pub(super) fn publish(&mut self) {
+        let _publish = tracing::info_span!("publish").entered();
         let mut snapshot = Snapshot::default();
         let (field, tension, mut ghost) = (self.field(), self.tension(), self.ghost());
         self.status.recording = self.timeline();

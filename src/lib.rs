@@ -29,7 +29,7 @@
 //!   paces it for a window and keeps the last minutes of motion in bounded memory, to be shown again and gone on from
 //!   bit for bit; readings frame by frame; the comparison of integrators, by numbers and side by side.
 //! - [`io`]: the only file access. Scene JSON and its schema, models, OBJ sequences, atomic writes, recovery, folders of
-//!   what the program keeps for a person.
+//!   what the program keeps for a person, traces of what took how long.
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.
 //! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,

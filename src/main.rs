@@ -1,17 +1,17 @@
 //! The `sinew` binary: arguments in, a headless command or the window out.
 
 use clap::Parser;
-use sinew::cli::{Cli, Console, run};
+use sinew::cli::{Cli, Console, run, traced};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
     let mut console = Console::of_process();
-    match &cli.command {
-        Some(command) => run(command, &mut console),
-        None => show(cli.scene, &mut console),
-    }
+    traced(cli.trace.as_deref(), &mut console, |console| match &cli.command {
+        Some(command) => run(command, console),
+        None => show(cli.scene, console),
+    })
 }
 
 #[cfg(feature = "gui")]

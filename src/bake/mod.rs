@@ -7,6 +7,7 @@ mod layer_model;
 mod limits;
 mod measures;
 mod particle_sampling;
+mod spans;
 mod supports;
 mod two_layer;
 
@@ -278,6 +279,14 @@ pub fn bake(scene: &Scene, assets: &Assets) -> Result<Baked, BakeError> {
 /// # Errors
 /// [`BakeError`] with the pointer to what cannot be put together.
 pub fn bake_with_progress(
+    scene: &Scene,
+    assets: &Assets,
+    progress: &mut dyn FnMut(&str, BakeStage),
+) -> Result<Baked, BakeError> {
+    spans::within(progress, |progress| put_together(scene, assets, progress))
+}
+
+fn put_together(
     scene: &Scene,
     assets: &Assets,
     progress: &mut dyn FnMut(&str, BakeStage),

@@ -30,6 +30,7 @@ mod summary;
 mod sweep;
 mod table;
 mod table1;
+mod trace;
 mod vary;
 
 #[cfg(not(feature = "render"))]
@@ -41,6 +42,7 @@ pub use console::Console;
 pub use error::CliError;
 pub use make_pictures::{Demo, demo};
 pub use outcome::Outcome;
+pub use trace::traced;
 
 use clap::{Parser, Subcommand};
 #[cfg(feature = "gui")]
@@ -54,6 +56,9 @@ use std::process::ExitCode;
 pub struct Cli {
     /// Scene or model to open in the window; the built-in scene unless given
     pub scene: Option<PathBuf>,
+    /// Write how long what took as a trace, for Perfetto or chrome://tracing
+    #[arg(long, global = true, value_name = "FILE")]
+    pub trace: Option<PathBuf>,
     /// What to do.
     #[command(subcommand)]
     pub command: Option<Command>,

@@ -19,6 +19,7 @@ use tempfile::NamedTempFile;
 /// [`IoError::Write`] within [`IoError::InFile`]: the folder is missing or read-only, the disk is full, the path is a
 /// folder, or `content` failed. The old file is untouched then and no temporary file is left.
 pub fn write_atomically(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), IoError> {
+    let _write = tracing::info_span!("write", file = %path.display()).entered();
     replace(path, content).map_err(|error| IoError::Write(error).within(path))
 }
 
@@ -121,20 +122,46 @@ impl WriteTarget {
 }
 
 fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let target = WriteTarget::of(path)?;
-    let mut file = target.temporary_file()?;
-    let mut buffer = BufWriter::new(file.as_file_mut());
-    content(&mut buffer)?;
-    buffer.flush()?;
-    drop(buffer);
-    if let Some(old) = &target.old {
-        file.as_file().set_permissions(old.permissions())?;
+    let mut draft = Draft::begin(path)?;
+    content(&mut draft)?;
+    draft.replace()
+}
+
+/// A file that is being written beside the one that it is to replace. Dropped, it is gone.
+pub(super) struct Draft {
+    target: WriteTarget,
+    file: BufWriter<NamedTempFile>,
+}
+
+impl Draft {
+    pub(super) fn begin(path: &Path) -> io::Result<Self> {
+        let target = WriteTarget::of(path)?;
+        let file = BufWriter::new(target.temporary_file()?);
+        Ok(Self { target, file })
     }
-    file.as_file().sync_all()?;
-    file.persist(&target.path).map_err(|error| error.error)?;
-    // The rename itself is on the disk once the folder is. Not every system can open a folder: then it is on its own.
-    if let Ok(folder) = File::open(target.folder()) {
-        folder.sync_all().ok();
+
+    /// Brings what was written to the disk and renames it over what was there.
+    pub(super) fn replace(self) -> io::Result<()> {
+        let file = self.file.into_inner().map_err(io::IntoInnerError::into_error)?;
+        if let Some(old) = &self.target.old {
+            file.as_file().set_permissions(old.permissions())?;
+        }
+        file.as_file().sync_all()?;
+        file.persist(&self.target.path).map_err(|error| error.error)?;
+        // The rename itself is on the disk once the folder is. Not every system can open a folder: then it is on its own.
+        if let Ok(folder) = File::open(self.target.folder()) {
+            folder.sync_all().ok();
+        }
+        Ok(())
     }
-    Ok(())
+}
+
+impl Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
 }

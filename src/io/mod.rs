@@ -19,6 +19,7 @@ mod recovery;
 mod scene;
 mod schema;
 mod stamp;
+mod trace;
 
 pub use assets::{complete_assets, load_assets, load_assets_by};
 pub use atomic::{check_writable, make_folder, write_atomically};
@@ -36,3 +37,4 @@ pub use recovery::{Origin, RecoverableDocument, RecoveryFile, recoverable_docume
 pub use scene::{MAX_SCENE_BYTES, load_scene, save_scene, scene_from_json, scene_to_json};
 pub use schema::{scene_schema, unknown_fields};
 pub use stamp::{FileStamp, FileState};
+pub use trace::Trace;

@@ -37,6 +37,7 @@ impl Runner {
 
     /// Advances by one frame.
     pub fn advance_frame(&mut self) {
+        let _frame = tracing::info_span!("frame", number = self.world.frame()).entered();
         self.world.advance_frame();
         self.restful_frames = if self.world.at_rest() { self.restful_frames + 1 } else { 0 };
     }

@@ -79,7 +79,7 @@ mod tests {
     fn recovers_the_rotation_of_a_stretched_turn_from_any_start() {
         let stretch = DMat3::from_cols_array(&[1.3, 0.1, -0.2, 0.1, 0.8, 0.05, -0.2, 0.05, 1.1]);
         for k in 0..50 {
-            let axis = DVec3::new((f64::from(k) * 0.7).sin(), (f64::from(k) * 1.3).cos(), 0.3).normalize();
+            let axis = DVec3::new((f64::from(k) * 0.7).sin(), (f64::from(k) * 1.3).cos(), 0.3).normalize_or_zero();
             let turn = DQuat::from_axis_angle(axis, 0.06 * f64::from(k));
             let f = DMat3::from_quat(turn) * stretch;
             let found = nearest_rotation(f, DQuat::IDENTITY);

@@ -197,6 +197,9 @@ impl World {
                 panel.drift(time, outer_dt);
             }
             for (index, (body, &count)) in self.bodies.iter_mut().zip(&self.plan.substeps).enumerate() {
+                // Bodies that take turns many times in a frame would fill a trace with their steps.
+                let whole = self.plan.outer_steps == 1;
+                let _body = whole.then(|| tracing::info_span!("body", name = body.parts().name).entered());
                 let (probes, peaks) = (&self.probes, &mut self.peaks);
                 body.advance(time, count, &mut |body| {
                     for (probe, peak) in probes.iter().zip(peaks.iter_mut()) {

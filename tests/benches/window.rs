@@ -48,6 +48,7 @@ fn open(document: Document) -> Window {
     window
 }
 
+#[allow(clippy::disallowed_methods, reason = "here what is waited for is looked at again and again")]
 fn until(window: &mut Window, wanted: impl Fn(&App) -> bool) {
     while !wanted(window.state()) {
         std::thread::sleep(Duration::from_micros(200));
@@ -107,6 +108,7 @@ fn start_to_first_frame() -> Window {
 /// From an edit, as the release of a second stroke makes one, to the state of the solid that has taken it up, while the
 /// built-in scene plays.
 #[divan::bench(sample_count = 50)]
+#[allow(clippy::disallowed_methods, reason = "here what is waited for is looked at again and again")]
 fn answer(bencher: Bencher<'_, '_>) {
     let document = built_in();
     let without = {

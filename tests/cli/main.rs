@@ -7,6 +7,7 @@ mod pictures;
 mod simulate;
 mod sweep;
 mod table1;
+mod trace;
 
 use serde_json::{Value, json};
 use std::fs;

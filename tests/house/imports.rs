@@ -228,7 +228,7 @@ impl Reader {
             }
             _ => {
                 let line = self.tokens[at].1;
-                path.extend(written.iter().cloned());
+                path.extend(written.iter().filter(|segment| *segment != "self").cloned());
                 self.found.push(Import { path, rooted: false, module: self.module.clone(), name, kind, line });
                 return;
             }

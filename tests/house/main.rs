@@ -2,7 +2,10 @@
 
 mod circles;
 mod imports;
+mod licences;
+mod outside;
 mod tokens;
+mod words;
 
 use circles::{Circle, circles, module_of};
 use imports::{Import, imports};

@@ -55,7 +55,11 @@ fn what_was_left_behind_is_offered_with_time_and_place() {
     let before = SystemTime::now() - Duration::from_millis(2);
     let [older, newer, open] = [(); 3].map(|()| RecoveryFile::open(folder).expect("a place"));
     older.write(&origin(), &named("Older")).expect("kept");
-    std::thread::sleep(Duration::from_millis(5));
+    // Times are told apart by milliseconds.
+    let written = SystemTime::now();
+    while SystemTime::now() < written + Duration::from_millis(5) {
+        std::thread::yield_now();
+    }
     newer.write(&Origin::default(), &named("Newer")).expect("kept");
     open.write(&origin(), &named("Open")).expect("kept");
     drop((older, newer));
@@ -127,7 +131,8 @@ fn keeps_until_killed() {
     let recovery = RecoveryFile::open(&folder).expect("a place");
     recovery.write(&origin(), &named("Killed")).expect("kept");
     eprintln!("kept");
-    std::thread::sleep(Duration::from_mins(1));
+    // Nothing ever comes: this waits until it is killed, or the test that would do so is gone.
+    std::io::stdin().lines().next();
 }
 
 #[test]
@@ -136,6 +141,7 @@ fn the_document_of_a_killed_program_is_recovered() {
     let mut child = Command::new(std::env::current_exe().expect("this program"))
         .args(["--exact", "recovery::keeps_until_killed", "--ignored", "--nocapture"])
         .env(TARGET, folder.path())
+        .stdin(Stdio::piped())
         .stdout(Stdio::null())
         .stderr(Stdio::piped())
         .spawn()

@@ -6,10 +6,19 @@
 #   (change the code, build again)
 #   tests/tools/state_hashes.sh target/release/sinew | diff before.txt -
 #
-# Hashes are to be compared on one machine only. Further arguments name the scenes; SECONDS_RUN is the time that is simulated [s].
+# With --window first, the tests of what the window shows run too, and their hashes follow: of scenes that were edited by
+# pointer and keys, each the same as that of a run without the window. This builds the tests.
+#
+# Hashes are to be compared on one machine only. Further arguments name the scenes; SECONDS_RUN is the time that is
+# simulated [s], CARGO the cargo that is called.
 set -euo pipefail
 
-binary=$(realpath "${1:?usage: state_hashes.sh BINARY [SCENE...]}")
+window=
+if [ "${1:-}" = --window ]; then
+  window=yes
+  shift
+fi
+binary=$(realpath "${1:?usage: state_hashes.sh [--window] BINARY [SCENE...]}")
 shift
 cd "$(dirname "$0")/../.."
 export binary seconds=${SECONDS_RUN:-0.05}
@@ -25,3 +34,9 @@ export -f hash_scene
 
 if [ $# -eq 0 ]; then set -- scenes/*.json; fi
 printf '%s\n' "$@" | xargs -P "$(nproc)" -I{} bash -c 'hash_scene {}' | sort
+
+if [ -n "$window" ]; then
+  shown=$("${CARGO:-cargo}" test --locked --test window -- --test-threads 1 --nocapture hashes:: 2>/dev/null) ||
+    { echo "window failed"; exit 1; }
+  grep -o 'state_hash window/[a-z-]* [0-9a-f]\{16\}' <<<"$shown" | sed 's/^state_hash //' | sort
+fi

@@ -4,7 +4,7 @@ mod keeping;
 mod watching;
 
 use super::editing::{drop_file, type_path};
-use super::{Window, click, open, press_key, still, until};
+use super::{Window, click, open, press_key, still, until, until_seen};
 use egui::{Event, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::kittest::Queryable;
 use sinew::io::{load_scene, save_scene};
@@ -95,14 +95,7 @@ fn new(window: &mut Window) {
 }
 
 fn until_shown(window: &mut Window, text: &str) {
-    for _ in 0..20_000 {
-        if shows(window, text) {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(2));
-        window.step();
-    }
-    panic!("{text:?} never came; the last message: {:?}", window.state().message());
+    until_seen(window, |window| shows(window, text));
 }
 
 /// A way out of the document, on to another one of this path if it needs one.

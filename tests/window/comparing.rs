@@ -1,6 +1,6 @@
 //! The same scene under several integrators, side by side.
 
-use super::{Window, click, open, scene, until};
+use super::{Window, click, open, scene, until, until_seen};
 use egui_kittest::kittest::Queryable;
 use sinew::scene::IntegratorKind;
 
@@ -59,12 +59,7 @@ fn orders_are_measured_and_plotted() {
     click(&mut window, "Explicit Euler");
     click(&mut window, "Midpoint");
     click(&mut window, "Measure the orders");
-    let start = std::time::Instant::now();
-    while window.query_all_by_label_contains("Midpoint: order 2.").next().is_none() {
-        assert!(start.elapsed() < super::PATIENCE);
-        std::thread::sleep(std::time::Duration::from_millis(5));
-        window.step();
-    }
+    until_seen(&mut window, |window| window.query_all_by_label_contains("Midpoint: order 2.").next().is_some());
     let euler = window.query_all_by_label_contains("Explicit Euler: order 1.").next().is_some()
         || window.query_all_by_label_contains("Explicit Euler: order 0.9").next().is_some();
     assert!(euler);

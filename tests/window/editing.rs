@@ -1,6 +1,6 @@
 //! Panels, files and drops change the document as they say.
 
-use super::{Window, click, open, press_key, scene, still, until};
+use super::{Window, click, is_settled, open, press_key, scene, still, until};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -38,7 +38,7 @@ fn a_material_is_edited_while_it_plays_and_undone_in_one_step() {
     let before = window.state().scene().bodies[0].material.clone();
     set(&mut window, "Young's modulus", "2e5");
     assert_eq!(window.state().scene().bodies[0].material.young_modulus, 2e5);
-    until(&mut window, |app| app.published().status.edits == 1);
+    until(&mut window, |app| app.published().status.edits == 1 && is_settled(app));
     assert!(window.state().published().status.playing && window.state().published().status.failure.is_none());
     press_key(&mut window, Modifiers::COMMAND, Key::Z);
     assert_eq!(window.state().scene().bodies[0].material, before);
@@ -49,7 +49,7 @@ fn a_support_radius_samples_the_shape_anew() {
     let mut window = still();
     let particles = window.state().published().status.particles;
     set(&mut window, "Support radius", "0.02");
-    until(&mut window, |app| app.published().status.edits == 1);
+    until(&mut window, |app| app.published().status.edits == 1 && is_settled(app));
     let fewer = window.state().published().status.particles;
     assert!(fewer < particles && fewer > 20, "{particles} became {fewer}");
 }
@@ -90,7 +90,7 @@ fn a_pin_holds_the_bottom_and_can_be_removed() {
     assert_eq!(body.pins.len(), pins + 1);
     assert_eq!(body.pins[pins].axes, [Axis::X, Axis::Y, Axis::Z]);
     assert!(body.regions.iter().any(|region| region.id == body.pins[pins].region));
-    until(&mut window, |app| app.published().status.edits == 1);
+    until(&mut window, |app| app.published().status.edits == 1 && is_settled(app));
     assert!(window.state().published().status.failure.is_none());
 }
 
@@ -163,7 +163,8 @@ fn a_model_that_is_dropped_becomes_a_soft_solid() {
     window.step();
     let body = &window.state().scene().bodies[0];
     assert!(matches!(&body.shape, Shape::Mesh(_)), "{:?}", window.state().message());
-    until(&mut window, |app| app.published().at_rest.bodies[0].skin.len() > 1000);
+    // While it is put together there is no body.
+    until(&mut window, |app| app.published().at_rest.bodies.first().is_some_and(|body| body.skin.len() > 1000));
     assert!(window.state().published().status.failure.is_none());
 }
 

@@ -1,7 +1,7 @@
 //! Fibres are chosen, moved, turned, cut and changed by pointer and keys; each is one step that can be taken back.
 
 use super::editing::set;
-use super::{Window, button, click, drag, draw, press_key, still, until, view};
+use super::{Window, button, click, drag, draw, is_settled, press_key, still, until, view};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
@@ -25,7 +25,7 @@ fn middle(fibre: &Fibre) -> DVec3 {
 /// Waits until the simulation has taken up every edit, so that what moves follows the pointer.
 fn settle(window: &mut Window) {
     window.step();
-    until(window, sinew::ui::App::is_up_to_date);
+    until(window, is_settled);
     window.step();
 }
 
@@ -67,6 +67,7 @@ fn one_step(window: &mut Window, change: impl FnOnce(&mut Window)) {
     assert!(*window.state().scene() == before, "undo does not give what was there");
     redo(window);
     assert!(*window.state().scene() == after, "redo does not give what was made");
+    settle(window);
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod comparing;
 mod editing;
 mod fibres;
 mod gallery;
+mod hashes;
 mod patterns;
 mod picture;
 mod plots;
@@ -47,12 +48,48 @@ fn open_with(document: Document, build: impl FnOnce(App) -> App + 'static) -> Wi
     window
 }
 
-/// The window on the built-in scene, held still.
+/// The window on the built-in scene, held still a little after its start: in the same frame however busy the machine is.
 fn still() -> Window {
     let mut window = open(Document::load(None).expect("the built-in scene"));
-    press_key(&mut window, Modifiers::NONE, egui::Key::Space);
-    until(&mut window, |app| !app.published().status.playing);
+    hold(&mut window);
+    press_key(&mut window, Modifiers::COMMAND, egui::Key::R);
+    until(&mut window, is_at_start);
+    for _ in 0..2 {
+        press_key(&mut window, Modifiers::NONE, egui::Key::Period);
+    }
+    until(&mut window, |app| app.published().status.recording.frames == 3);
     window
+}
+
+/// Holds the simulation, wherever it has come to.
+fn hold(window: &mut Window) {
+    press_key(window, Modifiers::NONE, egui::Key::Space);
+    until(window, |app| !app.published().status.playing);
+}
+
+/// Back to the start of the scene as it is now, with every edit, and held there.
+fn reset(window: &mut Window) {
+    // What is asked for together with an edit is done before the scene is put together: the reset comes alone.
+    advance(window);
+    press_key(window, Modifiers::COMMAND, egui::Key::R);
+    until(window, is_at_start);
+}
+
+fn is_at_start(app: &App) -> bool {
+    let status = &app.published().status;
+    status.time == 0.0 && status.recording.frames == 1 && status.baking.is_none()
+}
+
+/// One frame of a simulation that is held; with it, whatever was asked for before has been done.
+fn advance(window: &mut Window) {
+    let before = window.state().published().status.time;
+    press_key(window, Modifiers::NONE, egui::Key::Period);
+    until(window, |app| app.published().status.time > before && app.published().status.baking.is_none());
+}
+
+/// Whether the simulation has taken up every edit and put the scene together.
+fn is_settled(app: &App) -> bool {
+    app.is_up_to_date() && app.published().status.baking.is_none()
 }
 
 fn scene(text: &str) -> Document {
@@ -62,8 +99,14 @@ fn scene(text: &str) -> Document {
 
 /// Shows frames until something has come about.
 fn until(window: &mut Window, mut wanted: impl FnMut(&App) -> bool) {
+    until_seen(window, |window| wanted(window.state()));
+}
+
+/// Shows frames until the window as it is seen is as wanted.
+#[allow(clippy::disallowed_methods, reason = "here what is waited for is looked at again and again")]
+fn until_seen(window: &mut Window, mut wanted: impl FnMut(&Window) -> bool) {
     let start = Instant::now();
-    while !wanted(window.state()) {
+    while !wanted(window) {
         assert!(start.elapsed() < PATIENCE, "it never came about; the last message: {:?}", window.state().message());
         std::thread::sleep(Duration::from_millis(2));
         window.step();

@@ -1,6 +1,6 @@
 //! Readings of the running scene: plotted below the views, written as a table.
 
-use super::{Window, click, open, press_key, scene, until};
+use super::{Window, advance, click, hold, open, press_key, reset, scene, until};
 use egui::accesskit::Toggled;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -25,13 +25,10 @@ fn shown(window: &Window, text: &str) -> bool {
 /// A fifth of a second after the start, held.
 fn played() -> Window {
     let mut window = open(scene(CUBE));
-    press_key(&mut window, Modifiers::NONE, Key::Space);
-    until(&mut window, |app| !app.published().status.playing);
-    press_key(&mut window, Modifiers::COMMAND, Key::R);
-    until(&mut window, |app| app.published().status.time == 0.0);
-    for frame in 1..=12 {
-        press_key(&mut window, Modifiers::NONE, Key::Period);
-        until(&mut window, |app| app.published().status.time * 60.0 > f64::from(frame) - 0.5);
+    hold(&mut window);
+    reset(&mut window);
+    for _ in 0..12 {
+        advance(&mut window);
     }
     window
 }

@@ -111,11 +111,9 @@ fn a_drag_beside_the_body_pulls_nothing() {
 #[test]
 fn a_two_layer_body_hangs_from_the_pointer_by_its_own_spring() {
     let mut window = open(scene(RING));
-    super::press_key(&mut window, Modifiers::NONE, Key::Space);
-    until(&mut window, |app| !app.published().status.playing);
+    super::hold(&mut window);
     // From its start, however far it has fallen by now.
-    super::press_key(&mut window, Modifiers::COMMAND, Key::R);
-    until(&mut window, |app| app.published().status.time == 0.0);
+    super::reset(&mut window);
     // Its uppermost particle, where the result view shows it.
     let app = window.state();
     let particles = &app.published().snapshot.bodies[0].particles[..10];
@@ -164,10 +162,8 @@ fn frames_until_it_leaves(dt: f64) -> u32 {
             "time": {{"step": {{"manual": {{"dt": {dt}, "substeps_per_frame": {steps}}}}}}},
             "two_layer": [{{"id": "ring", "shape": {{"ring": {{}}}}, "initial": {{"velocity": [2, 0, 0]}}}}]}}"#
     )));
-    super::press_key(&mut window, Modifiers::NONE, Key::Space);
-    until(&mut window, |app| !app.published().status.playing);
-    super::press_key(&mut window, Modifiers::COMMAND, Key::R);
-    until(&mut window, |app| app.published().status.time == 0.0);
+    super::hold(&mut window);
+    super::reset(&mut window);
     let particles = &window.state().published().snapshot.bodies[0].particles[..10];
     let farthest = particles.iter().copied().min_by(|a, b| a.x.total_cmp(&b.x)).expect("a ring");
     let at = window.state().shown_at(farthest).expect("it is seen");
@@ -175,9 +171,7 @@ fn frames_until_it_leaves(dt: f64) -> u32 {
     move_to(&mut window, at, at - Vec2::new(40.0, 0.0));
     assert!(window.state().grabbed().is_some());
     for frame in 1..500 {
-        let time = window.state().published().status.time;
-        super::press_key(&mut window, Modifiers::NONE, Key::Period);
-        until(&mut window, |app| app.published().status.time > time);
+        super::advance(&mut window);
         let right = window.state().published().snapshot.bodies[0].particles.iter().map(|x| x.x);
         if right.fold(f64::NEG_INFINITY, f64::max) < 1.99 - 1e-9 {
             return frame;

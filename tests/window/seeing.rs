@@ -5,6 +5,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use sinew::sim::Published;
 use sinew::solver::snapshot::FieldKind;
+use sinew::ui::App;
 
 fn legend(window: &Window, text: &str) -> bool {
     window.query_all_by_label_contains(text).next().is_some()
@@ -68,7 +69,9 @@ fn what_moves_faster_widens_the_range() {
     for _ in 0..4 {
         press_key(&mut window, Modifiers::ALT, Key::C);
     }
-    until(&mut window, |app| app.published().status.time > 0.3 && app.published().snapshot.field.is_some());
+    let is_speed =
+        |app: &App| app.published().snapshot.field.as_ref().is_some_and(|field| field.kind == FieldKind::Speed);
+    until(&mut window, |app| app.published().status.time > 0.3 && is_speed(app));
     let field = window.state().published().snapshot.field.clone().expect("a field");
     let speed = 9.81 * window.state().published().status.time;
     assert!((field.range[1] / speed - 1.0).abs() < 0.01, "{:?} {speed}", field.range);
@@ -126,7 +129,7 @@ fn the_solid_is_cut_open_and_what_is_gone_is_not_pulled() {
 fn a_break_is_said_with_its_time_and_a_reset_takes_it_back() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/figure_10_soft.json");
     let mut window = super::open(sinew::ui::Document::load(Some(path)).expect("the scene"));
-    let breaks = |app: &sinew::ui::App| -> Vec<f64> {
+    let breaks = |app: &App| -> Vec<f64> {
         app.published().snapshot.bodies.iter().flat_map(|body| body.breaks.iter().map(|at| at.time)).collect()
     };
     until(&mut window, |app| !breaks(app).is_empty());

@@ -1,6 +1,7 @@
 //! The timeline is dragged, stepped and gone on from by pointer and keys.
 
-use super::{Window, button, click, drag, press_key, still, until, view};
+use super::{Window, advance, button, click, drag, press_key, still, until, view};
+use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect};
 use egui_kittest::kittest::{NodeT, Queryable};
 use sinew::sim::RecordingStatus;
@@ -22,9 +23,7 @@ fn recorded(frames: usize) -> (Window, Vec<Snapshot>) {
     until(&mut window, |app| time(app) == 0.0 && timeline(app).frames == 1);
     let mut shown = vec![window.state().published().snapshot.clone()];
     for _ in 0..frames {
-        let before = time(window.state());
-        press_key(&mut window, Modifiers::NONE, Key::Period);
-        until(&mut window, |app| time(app) > before);
+        advance(&mut window);
         shown.push(window.state().published().snapshot.clone());
     }
     window.step();
@@ -111,9 +110,24 @@ fn keys_and_buttons_step_through_the_motion() {
     assert_eq!(timeline(window.state()).frames, 9, "nothing was computed");
 }
 
+/// Types the speed of the simulation.
+fn slow_down(window: &mut Window, speed: &str) {
+    let is_speed = |text: String| text.ends_with(" ×");
+    let field = window.get_all_by_role(Role::SpinButton).find(|node| node.value().is_some_and(is_speed));
+    field.expect("the speed").click();
+    window.step();
+    window.step();
+    press_key(window, Modifiers::COMMAND, Key::A);
+    window.event(Event::Text(speed.to_owned()));
+    window.step();
+    press_key(window, Modifiers::NONE, Key::Enter);
+}
+
 #[test]
 fn a_replay_ends_where_the_recording_does() {
     let (mut window, shown) = recorded(20);
+    // Slowly, so that a busy machine sees something of it.
+    slow_down(&mut window, "0.2");
     click(&mut window, "Replay");
     until(&mut window, |app| timeline(app).in_replay && app.published().status.playing);
     until(&mut window, |app| !timeline(app).in_replay && !app.published().status.playing);

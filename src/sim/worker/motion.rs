@@ -307,6 +307,7 @@ impl Motion {
 
     /// Hands the newest picture over, of what is shown.
     pub(super) fn publish(&mut self) {
+        let _publish = tracing::info_span!("publish").entered();
         let live = &self.runs.live;
         let mut snapshot = Snapshot::default();
         if let Some(runner) = self.replay.shown().or(live.runner()) {

@@ -122,7 +122,7 @@ mod tests {
     fn sample(k: usize) -> (DMat3, DQuat) {
         let k = k as f64;
         let stretch = DMat3::from_cols_array(&[1.3, 0.1, -0.2, 0.1, 0.8, 0.05, -0.2, 0.05, 1.1]);
-        let axis = DVec3::new((0.7 * k).sin(), (1.3 * k).cos(), 0.3).normalize();
+        let axis = DVec3::new((0.7 * k).sin(), (1.3 * k).cos(), 0.3).normalize_or_zero();
         let turn = DQuat::from_axis_angle(axis, 0.1 * k);
         (DMat3::from_quat(turn) * stretch, turn)
     }

@@ -1,0 +1,86 @@
+//! What of the system a room may know: files, clocks and threads are each the business of a few rooms only.
+
+use super::circles::module_of;
+use super::every_source;
+use crate::imports::{Import, imports};
+use std::path::Path;
+
+/// Parts of the standard library, and the rooms that may know of them.
+const TABLE: &[(&str, &[&str])] = &[
+    ("std::fs", &["io"]),
+    // To tell whether two paths name one file.
+    ("std::fs::canonicalize", &["cli"]),
+    ("std::net", &[]),
+    ("std::env", &[]),
+    ("std::process", &["cli", "main"]),
+    ("std::time", &["io", "sim", "cli", "ui"]),
+    ("std::thread", &["sim", "cli", "ui"]),
+    // What a trace calls its threads.
+    ("std::thread::current", &["io"]),
+];
+
+/// Every path of a file into the system that its room may not know, tests left out.
+fn violations(path: &Path, text: &str) -> Vec<String> {
+    let module = module_of(path);
+    let Some(room) = module.first() else { return Vec::new() };
+    let found = imports(text, &module, false);
+    let brought: Vec<&Import> = found.iter().filter(|import| import.name.is_some() && !import.rooted).collect();
+    let mut told = Vec::new();
+    for import in found.iter().filter(|import| !import.rooted) {
+        // What a `use` brings in by the name of a module is told by the paths through it: `use std::fs`, `fs::write`.
+        let mut path = import.path[import.module.len()..].to_vec();
+        if let Some(whole) = brought.iter().find(|whole| whole.name.as_ref() == path.first()) {
+            path.splice(..1, whole.path[whole.module.len()..].iter().cloned());
+        }
+        let path = path.join("::");
+        let is_within = |part: &str| path == part || path.starts_with(&format!("{part}::"));
+        let Some((part, _)) = TABLE.iter().find(|(part, _)| is_within(part)) else { continue };
+        let is_whole = import.name.is_some() && path == *part;
+        let may = TABLE.iter().any(|(part, rooms)| is_within(part) && rooms.contains(&room.as_str()));
+        if !may && !is_whole {
+            told.push(format!("{} line {}: {room} may not know {path}", import.module.join("::"), import.line));
+        }
+    }
+    told
+}
+
+#[test]
+fn only_rooms_that_may_know_files_clocks_and_threads() {
+    let sources = every_source();
+    let found: Vec<String> = sources.iter().flat_map(|(path, text)| violations(path, text)).collect();
+    assert!(found.is_empty(), "\n{}", found.join("\n"));
+    // What is allowed is made use of: a row for a room that has no need of it goes.
+    for (part, rooms) in TABLE {
+        for room in *rooms {
+            let uses = |(path, text): &(std::path::PathBuf, String)| {
+                module_of(path).first().is_some_and(|first| first == room) && {
+                    let module = module_of(path);
+                    let last = part.rsplit("::").next().unwrap_or_default();
+                    imports(text, &module, false).iter().any(|import| import.path.iter().any(|segment| segment == last))
+                }
+            };
+            assert!(sources.iter().any(uses), "{room} makes no use of {part}");
+        }
+    }
+}
+
+#[test]
+fn ways_to_the_system_are_found_however_they_are_written() {
+    let cases: &[(&str, &str, usize)] = &[
+        ("solver/a.rs", "use std::time::Instant;", 1),
+        ("solver/a.rs", "fn f() { std::time::Instant::now(); }", 1),
+        ("solver/a.rs", "use std::time; fn f() { time::Instant::now(); }", 1),
+        ("solver/a.rs", "use std::{fmt, fs::{self, File}}; fn f() { fs::write(); }", 2),
+        ("solver/a.rs", "use std::fs as files; fn f() { files::write(); }", 1),
+        ("solver/a.rs", "use std::{fmt, ops::Range};", 0),
+        ("solver/a.rs", "#[cfg(test)] mod tests { use std::time::Instant; }", 0),
+        ("solver/a.rs", "fn time(time: f64) -> f64 { self.fs(time) }", 0),
+        ("cli/a.rs", "use std::fs; fn f() { fs::canonicalize(); }", 0),
+        ("cli/a.rs", "use std::fs; fn f() { fs::canonicalize(); fs::write(); }", 1),
+        ("io/a.rs", "use std::fs::File; fn f() { std::fs::write(); }", 0),
+    ];
+    for (path, text, expected) in cases {
+        let found = violations(Path::new(path), text);
+        assert_eq!(found.len(), *expected, "{path}: {text}: {found:?}");
+    }
+}

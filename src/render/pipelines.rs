@@ -33,6 +33,9 @@ const CLEAR: RenderState = RenderState {
 /// Where something is in front: depth is reversed.
 const BEHIND: RenderState = RenderState { depth_compare: CompareFunction::Less, ..CLEAR };
 const ANYWHERE: RenderState = RenderState { depth_compare: CompareFunction::Always, ..CLEAR };
+/// The lowest of all stays: shadows are made of heights, which are not reversed.
+const LOWEST: RenderState =
+    RenderState { depth_compare: CompareFunction::Less, depth_write: true, cull: None, ..OPAQUE };
 
 /// Pipelines that draw into the same kind of target.
 pub(super) struct Pipelines {
@@ -137,13 +140,6 @@ impl Pipelines {
         };
         let inside = RenderState { cull: Some(Face::Front), ..OPAQUE };
         let solid_pick = RenderState { blend: false, ..OPAQUE };
-        let lowest = RenderState {
-            depth_compare: CompareFunction::Less,
-            depth_write: true,
-            blend: false,
-            alpha_to_coverage: false,
-            cull: None,
-        };
         Self {
             background: picture.build(&background, ["vs_background", "fs_background"], VertexInput::None, ANYWHERE),
             paper: picture.build(&ground, ["vs_ground", "fs_ground"], VertexInput::None, ANYWHERE),
@@ -192,8 +188,8 @@ impl Pipelines {
                 VertexInput::Segments,
                 RenderState { cull: None, ..solid_pick },
             ),
-            cast_mesh: cast.build(&shadow, ["vs_cast_mesh", ""], VertexInput::Vertices, lowest),
-            cast_points: cast.build(&shadow, ["vs_cast_point", ""], VertexInput::Points, lowest),
+            cast_mesh: cast.build(&shadow, ["vs_cast_mesh", ""], VertexInput::Vertices, LOWEST),
+            cast_points: cast.build(&shadow, ["vs_cast_point", ""], VertexInput::Points, LOWEST),
             shade: shades.build(
                 &shade,
                 ["vs_shade", "fs_shade"],

@@ -286,11 +286,7 @@ pub fn bake_with_progress(
     spans::within(progress, |progress| put_together(scene, assets, progress))
 }
 
-fn put_together(
-    scene: &Scene,
-    assets: &Assets,
-    progress: &mut dyn FnMut(&str, BakeStage),
-) -> Result<Baked, BakeError> {
+fn put_together(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeStage)) -> Result<Baked, BakeError> {
     let mut notes = Vec::new();
     let panels: Vec<Panel> = scene.panels.iter().map(|drawn| panel(drawn, scene.room.floor)).collect();
     let mut drafts = Vec::new();

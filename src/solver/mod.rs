@@ -1,8 +1,8 @@
 //! The solver: a world of bodies and its step. Knows no scene file, clock, thread start, egui or wgpu.
 //!
 //! A body is a [`ParticleState`] with a list of [`forces`], grabs among them, and any of the [`integrators`] steps any
-//! body. Contact between bodies and with panels belongs to pairs and is no force of that list: the [`world`] evaluates it.
-//! Positions are world coordinates in metres; rest data are in the body's model frame, and rotations carry one into
+//! body. Contact between bodies and with panels belongs to pairs and is no force of that list: the [`world`] evaluates
+//! it. Positions are world coordinates in metres; rest data are in the body's model frame, and rotations carry one into
 //! the other. State and forces are f64.
 
 pub mod body;

@@ -22,7 +22,8 @@
 //! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
 //!   fibre, as pure functions: [`edit::fibre_ops`].
 //! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of [`solver::forces`], and any of
-//!   the [`solver::integrators`] steps any body. Knows no file, clock, thread start or window.
+//!   the [`solver::integrators`] steps any body; contact between bodies is the world's. Knows no file, clock, thread
+//!   start or window.
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
 //!   world.
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
@@ -78,7 +79,7 @@
 //!
 //! ```
 //! use glam::DVec3;
-//! use sinew::solver::{dynamics::Dynamics, energy::Energies, forces::Force, integrators::Integrator, state::ParticleState};
+//! use sinew::solver::{Dynamics, Energies, Force, Integrator, ParticleState};
 //!
 //! /// A steady push on every particle [N].
 //! #[derive(Clone)]

@@ -1,32 +1,26 @@
 //! One body of the scene: particles, forces, start, stable step.
 
+use super::draft::Draft;
+use super::error::BakeError;
+use super::integrator::integrator;
 use super::limits::{Resistance, SolidParameter};
+use super::note::Note;
 use super::particle_sampling::ParticleSampling;
-use super::{BakeError, BakeStage, Note, fibres, supports};
+use super::stage::BakeStage;
+use super::start::{deformed, give_impulse, spin, to_world};
+use super::{fibres, room, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, Initial, IntegratorKind, Mass, Placement, Scene, TimeStep};
+use crate::scene::{Body, BodyKind, Mass, Scene, TimeStep};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
-    AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, MatrixForce, PairDamping, Plane, StepLimit,
-};
-use crate::solver::integrators::{
-    BackwardEuler, ExplicitEuler, Integrator, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet,
+    AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, MatrixForce, PairDamping, StepLimit,
 };
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 use std::collections::HashMap;
 use std::sync::Arc;
-
-/// A body put together but for its time step, which depends on the others.
-pub(super) struct Draft {
-    pub(super) parts: BodyParts,
-    /// Particles of every region by its id.
-    pub(super) regions: HashMap<String, Vec<u32>>,
-    /// Volume fraction of fibre at every particle; none of a two-layer body.
-    pub(super) fractions: Vec<f64>,
-}
 
 /// Friction below its Coulomb limit acts like a damper of this share of the contact's critical rate.
 const STICKING: f64 = 0.5;
@@ -98,7 +92,7 @@ pub(super) fn draft(
     }
 
     progress(name, BakeStage::StableStep);
-    let contact = Contact { planes: room_planes(scene), law: contact_law(scene, body, mass) };
+    let contact = Contact { planes: room::planes(scene), law: contact_law(scene, body, mass) };
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
     let integrator = integrator(body.integrator);
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
@@ -174,10 +168,6 @@ fn contact_law(scene: &Scene, body: &Body, mass: f64) -> ContactLaw {
     }
 }
 
-pub(super) fn to_world(placement: &Placement, x: DVec3) -> DVec3 {
-    placement.rotation.quaternion() * x + DVec3::from_array(placement.translation)
-}
-
 fn initial_state(
     body: &Body,
     points: &[DVec3],
@@ -192,62 +182,7 @@ fn initial_state(
     spin(&mut state, &body.initial);
     for (k, impulse) in body.impulses.iter().enumerate() {
         let group = supports::find(regions, &impulse.region, &format!("{path}/impulses/{k}/region"))?;
-        kick(&mut state, group, DVec3::from_array(impulse.impulse));
+        give_impulse(&mut state, group, DVec3::from_array(impulse.impulse));
     }
     Ok(state)
-}
-
-/// The points under the deformation of the start, about their centre.
-pub(super) fn deformed(initial: &Initial, points: &[DVec3]) -> impl Iterator<Item = DVec3> {
-    let center = points.iter().sum::<DVec3>() / points.len() as f64;
-    let [row0, row1, row2] = initial.deformation.map(DVec3::from_array);
-    let undeformed = initial.deformation == Initial::default().deformation;
-    points.iter().map(move |&x| {
-        let y = x - center;
-        if undeformed { x } else { center + DVec3::new(row0.dot(y), row1.dot(y), row2.dot(y)) }
-    })
-}
-
-/// Adds the angular velocity of the start about the centre of mass.
-pub(super) fn spin(state: &mut ParticleState, initial: &Initial) {
-    let spin = DVec3::from_array(initial.angular_velocity.map(f64::to_radians));
-    if spin != DVec3::ZERO {
-        let center = state.center();
-        for (v, &x) in state.velocities.iter_mut().zip(&state.positions) {
-            *v += spin.cross(x - center);
-        }
-    }
-}
-
-/// Gives a group an impulse [N s], shared by mass.
-pub(super) fn kick(state: &mut ParticleState, group: &[u32], impulse: DVec3) {
-    let mass: f64 = group.iter().map(|&i| state.masses[i as usize]).sum();
-    for &i in group {
-        state.velocities[i as usize] += impulse / mass;
-    }
-}
-
-pub(super) fn integrator(kind: IntegratorKind) -> Box<dyn Integrator> {
-    match kind {
-        IntegratorKind::LeapFrog => Box::new(LeapFrog::default()),
-        IntegratorKind::ExplicitEuler => Box::new(ExplicitEuler::default()),
-        IntegratorKind::Midpoint => Box::new(Midpoint::default()),
-        IntegratorKind::Rk4 => Box::new(Rk4::default()),
-        IntegratorKind::SymplecticEuler => Box::new(SymplecticEuler::default()),
-        IntegratorKind::Verlet => Box::new(Verlet::default()),
-        IntegratorKind::BackwardEuler => Box::new(BackwardEuler::default()),
-    }
-}
-
-pub(super) fn room_planes(scene: &Scene) -> Vec<Plane> {
-    let room = &scene.room;
-    let sides = [
-        (room.floor, DVec3::Y),
-        (room.ceiling, DVec3::NEG_Y),
-        (room.x_min, DVec3::X),
-        (room.x_max, DVec3::NEG_X),
-        (room.z_min, DVec3::Z),
-        (room.z_max, DVec3::NEG_Z),
-    ];
-    sides.into_iter().filter_map(|(at, normal)| at.map(|at| Plane { point: at * normal.abs(), normal })).collect()
 }

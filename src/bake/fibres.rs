@@ -1,6 +1,6 @@
 //! Fibres of a body: from vertices or strokes to structure particles that ride on the material.
 
-use super::Note;
+use super::note::Note;
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape, painted};
 use crate::sketch::{Placed, SketchError, SketchNote, structure_particles, trim};

@@ -1,6 +1,7 @@
 //! The rest shape of a two-layer body: its particles, and how they hang together.
 
-use super::{BakeError, Note};
+use super::error::BakeError;
+use super::note::Note;
 use crate::geometry::mesh::TriangleMesh;
 use crate::geometry::octahedron::{edges, sphere};
 use crate::geometry::offset::moved_inwards;

@@ -1,7 +1,8 @@
 //! Measures of the scene as probes of the world.
 
-use super::body::Draft;
-use super::{BakeError, known, supports};
+use super::draft::Draft;
+use super::error::{BakeError, known};
+use super::supports;
 use crate::scene::{MeasureKind, OverTime, Scene};
 use crate::solver::measure::{Group, Quantity};
 use crate::solver::world::Probe;

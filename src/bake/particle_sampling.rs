@@ -1,6 +1,7 @@
 //! From a shape to the particles that fill it and the surface that is drawn of it.
 
-use super::{BakeError, Note};
+use super::error::BakeError;
+use super::note::Note;
 use crate::geometry::fill::{FEW, FillError, FillResolution, Filling, fill, two_layer_spacing};
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box};

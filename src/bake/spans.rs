@@ -1,6 +1,6 @@
 //! Baking as a trace shows it: one span for the whole, one within it for each stage of each body.
 
-use super::BakeStage;
+use super::stage::BakeStage;
 use std::mem::{Discriminant, discriminant};
 use tracing::span::EnteredSpan;
 use tracing::{Span, info_span};

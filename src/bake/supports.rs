@@ -1,6 +1,6 @@
 //! Regions and pins.
 
-use super::{BakeError, known};
+use super::error::{BakeError, known};
 use crate::geometry::lattice::LatticeSample;
 use crate::scene::{Axis, Body, Distance, Easing, Motion, Pin, Region, Selector, Side};
 use crate::solver::constraint::{Constraint, Course, PrescribedMotion};

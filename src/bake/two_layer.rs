@@ -1,8 +1,13 @@
 //! One two-layer body of the scene: particles, springs, gas, start, stable step.
 
-use super::body::{Draft, deformed, integrator, kick, room_planes, spin, to_world};
+use super::draft::Draft;
+use super::error::BakeError;
+use super::integrator::integrator;
 use super::layer_model::LayerModel;
-use super::{BakeError, BakeStage, Note, limits, supports};
+use super::note::Note;
+use super::stage::BakeStage;
+use super::start::{deformed, give_impulse, spin, to_world};
+use super::{limits, room, supports};
 use crate::scene::{Assets, ContactKind, Initial, PressureIn, Scene, TimeStep, TwoLayer};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::constraint::{Constraint, PrescribedMotion};
@@ -34,7 +39,7 @@ pub(super) fn draft(
     let mut state = start(&body.initial, body, &model.points, masses);
     for (k, impulse) in body.impulses.iter().enumerate() {
         let group = supports::find(&regions, &impulse.region, &format!("{path}/impulses/{k}/region"))?;
-        kick(&mut state, group, DVec3::from_array(impulse.impulse));
+        give_impulse(&mut state, group, DVec3::from_array(impulse.impulse));
     }
     let layers = layers(scene, body, &model, &rest);
     for pressure in gas(body, &layers) {
@@ -47,7 +52,7 @@ pub(super) fn draft(
 
     progress(name, BakeStage::StableStep);
     let integrator = integrator(body.integrator);
-    let contact = Contact { planes: room_planes(scene), law: contact_law(scene, body) };
+    let contact = Contact { planes: room::planes(scene), law: contact_law(scene, body) };
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
@@ -157,7 +162,7 @@ fn layers(scene: &Scene, body: &TwoLayer, model: &LayerModel, rest: &[DVec3]) ->
         grab: [body.mks, body.mkd],
         reset: match body.contact.law {
             ContactKind::Penalty => Vec::new(),
-            ContactKind::PaperReset => room_planes(scene),
+            ContactKind::PaperReset => room::planes(scene),
         },
     }
 }

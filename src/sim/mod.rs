@@ -15,7 +15,7 @@ mod worker;
 pub use command::SimCommand;
 pub use compare::{Trial, convergence_order, reference};
 pub use recording::DEFAULT_MEMORY;
-pub use report::{BodyReport, EnergyReport, MeasureReport, Report};
+pub use report::{BodyReport, MeasureReport, Report};
 pub use runner::Runner;
 pub use series::{Column, ColumnKind, TimeSeries, body_labels};
 pub use status::{ComparedRun, ComparedSample, Published, RecordingStatus, Status, Stepping};

@@ -3,6 +3,7 @@
 use super::runner::Runner;
 use crate::scene::Scene;
 use crate::solver::body::Body;
+use crate::solver::energy::Energies;
 use crate::solver::measure::MeasureValue;
 use serde::Serialize;
 use std::hash::{DefaultHasher, Hasher};
@@ -65,36 +66,13 @@ pub struct BodyReport {
     /// Why the body was stopped; null if it was not.
     pub diverged: Option<String>,
     /// Energies [J].
-    pub energy: EnergyReport,
+    pub energy: Energies,
     /// Linear momentum [kg m/s].
     pub linear_momentum: [f64; 3],
     /// Angular momentum about the world's origin [kg m²/s].
     pub angular_momentum: [f64; 3],
     /// Hash of all positions and velocities, equal only for equal bits; to be compared on one machine.
     pub state_hash: String,
-}
-
-/// Energies [J].
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct EnergyReport {
-    /// Energy of motion.
-    pub kinetic: f64,
-    /// Strain energy of the matrix.
-    pub matrix: f64,
-    /// Energy of the terms that hold back zero-energy modes.
-    pub zero_energy: f64,
-    /// Stretching energy of the fibres.
-    pub stretching: f64,
-    /// Bending energy of the fibres.
-    pub bending: f64,
-    /// Energy of springs.
-    pub springs: f64,
-    /// Energy of enclosed gas.
-    pub pressure: f64,
-    /// Elastic energy of contacts: with the room and panels whole, with other bodies half.
-    pub contact: f64,
-    /// Potential energy in the gravity field.
-    pub gravity: f64,
 }
 
 /// One measure.
@@ -162,54 +140,11 @@ impl BodyReport {
             steps: body.steps(),
             evaluations: body.evaluations(),
             diverged: body.divergence().map(ToString::to_string),
-            energy: EnergyReport::new(body, time),
+            energy: body.energies(time),
             linear_momentum: state.linear_momentum().to_array(),
             angular_momentum: state.angular_momentum().to_array(),
             state_hash: state_hash(body),
         }
-    }
-}
-
-impl EnergyReport {
-    /// Energies of a body at `time` [s].
-    pub fn new(body: &Body, time: f64) -> Self {
-        let energies = body.energies(time);
-        Self {
-            kinetic: energies.kinetic,
-            matrix: energies.matrix,
-            zero_energy: energies.zero_energy,
-            stretching: energies.stretching,
-            bending: energies.bending,
-            springs: energies.springs,
-            pressure: energies.pressure,
-            contact: energies.contact,
-            gravity: energies.gravity,
-        }
-    }
-
-    /// The names that energies have in reports.
-    pub const NAMES: [&str; 9] =
-        ["kinetic", "matrix", "zero_energy", "stretching", "bending", "springs", "pressure", "contact", "gravity"];
-
-    /// Every energy [J] in the order of [`Self::NAMES`].
-    pub fn values(&self) -> [f64; 9] {
-        [
-            self.kinetic,
-            self.matrix,
-            self.zero_energy,
-            self.stretching,
-            self.bending,
-            self.springs,
-            self.pressure,
-            self.contact,
-            self.gravity,
-        ]
-    }
-
-    /// Every energy [J] with its name, in their order.
-    pub fn named(&self) -> [(&'static str, f64); 9] {
-        let values = self.values();
-        std::array::from_fn(|k| (Self::NAMES[k], values[k]))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Energies, momenta and measures frame by frame: rows for tables and plots.
 
-use super::report::EnergyReport;
 use crate::scene::one_line;
 use crate::solver::body::Body;
+use crate::solver::energy::Energies;
 use crate::solver::measure::MeasureValue;
 use crate::solver::world::World;
 use std::collections::{HashSet, VecDeque};
@@ -14,7 +14,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub enum ColumnKind {
     /// Simulated time.
     Time,
-    /// An energy of a body, by its place in [`EnergyReport::named`].
+    /// An energy of a body, by its place in [`Energies::NAMES`].
     Energy(usize),
     /// A component of a body's linear momentum.
     LinearMomentum(usize),
@@ -161,7 +161,7 @@ fn columns(world: &World) -> Vec<Column> {
     let mut columns = vec![column("time".to_owned(), "s", ColumnKind::Time)];
     for label in body_labels(bodies) {
         let prefix = if bodies.len() > 1 { format!("{label}: ") } else { String::new() };
-        let energies = EnergyReport::NAMES.iter().enumerate();
+        let energies = Energies::NAMES.iter().enumerate();
         columns.extend(energies.map(|(k, name)| column(format!("{prefix}{name}"), "J", ColumnKind::Energy(k))));
         for (what, unit, kind) in [
             ("linear_momentum", "kg m/s", ColumnKind::LinearMomentum as fn(usize) -> ColumnKind),
@@ -185,7 +185,7 @@ fn columns(world: &World) -> Vec<Column> {
 fn row(world: &World) -> Vec<f64> {
     let mut row = vec![world.time()];
     for body in world.bodies() {
-        row.extend(EnergyReport::new(body, world.time()).values());
+        row.extend(body.energies(world.time()).values());
         row.extend(body.state().linear_momentum().to_array());
         row.extend(body.state().angular_momentum().to_array());
     }

@@ -1,84 +1,19 @@
-//! One body: a [`ParticleState`] with a list of forces and an integrator that steps it.
+//! One body: a [`ParticleState`] with a list of forces, the grabs at its end, and an integrator that steps it.
 
 pub(super) mod checkpoint;
+mod parts;
 
-use super::constraint::Constraint;
+pub use parts::{BodyParts, FibreLine, RestScale};
+
 use super::dynamics::Dynamics;
 use super::embedding::EmbeddingWeights;
 use super::energy::Energies;
 use super::forces::fibre::breaking::FibreBreak;
-use super::forces::{ContactLaw, Force, Grab};
+use super::forces::{Force, Grab};
 use super::integrators::Integrator;
-use super::layers::Layers;
-use super::skin::Skin;
 use super::state::ParticleState;
 use glam::DVec3;
-use std::sync::Arc;
 use thiserror::Error;
-
-/// What a body is put together from.
-#[derive(Clone)]
-pub struct BodyParts {
-    /// Stable identifier of the scene.
-    pub id: String,
-    /// Name a person reads.
-    pub name: String,
-    /// Kind, as in reports.
-    pub kind: &'static str,
-    /// Particles at the start.
-    pub state: ParticleState,
-    /// Rest positions in the model frame [m].
-    pub model: Arc<[DVec3]>,
-    /// Rest positions in the world [m]: where the particles would start without any initial deformation.
-    pub rest: Arc<[DVec3]>,
-    /// Everything that pushes and pulls.
-    pub forces: Vec<Box<dyn Force>>,
-    /// How it is stepped.
-    pub integrator: Box<dyn Integrator>,
-    /// Prescribed motions.
-    pub constraints: Vec<Constraint>,
-    /// How it pushes on other things.
-    pub contact: ContactLaw,
-    /// Centre lines of the fibres, for drawing and counting.
-    pub fibres: Vec<FibreLine>,
-    /// Build of a two-layer body; none for others.
-    pub layers: Option<Arc<Layers>>,
-    /// Render surface.
-    pub skin: Option<Arc<Skin>>,
-    /// Distance [m] that no particle may cross in one step against the body's mean motion.
-    pub reach: f64,
-    /// Force [N] and energy [J] scales below which the body counts as at rest.
-    pub rest_scale: RestScale,
-    /// Mean number of neighbours of a particle.
-    pub mean_neighbours: f64,
-    /// Time step [s].
-    pub dt: f64,
-    /// Greatest stable time step that was measured [s].
-    pub stable_dt: f64,
-    /// JSON pointer of the parameter that chooses the time step, named when the body diverges.
-    pub step_parameter: String,
-    /// JSON pointer of the parameter that sets the stable step: of all, halving it raises that step most. None where no
-    /// single one does by more than a hundredth.
-    pub limited_by: Option<String>,
-}
-
-/// Scales below which a body counts as at rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RestScale {
-    /// Largest net force on a free particle [N].
-    pub force: f64,
-    /// Kinetic energy of a particle [J].
-    pub energy: f64,
-}
-
-/// Centre line of one embedded fibre.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FibreLine {
-    /// Identifier of the scene's fibre.
-    pub id: String,
-    /// Embedded vertices, ends without force included.
-    pub vertices: Vec<EmbeddingWeights>,
-}
 
 /// A body that was stopped because its motion could no longer be computed.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -373,7 +308,8 @@ impl Body {
     /// Energies of the present state.
     pub fn energies(&self, time: f64) -> Energies {
         let mut energies = Energies { kinetic: self.parts.state.kinetic_energy(), ..Energies::default() };
-        for force in &self.parts.forces {
+        let grabs = self.grabs.iter().map(|grab| grab as &dyn Force);
+        for force in self.parts.forces.iter().map(|force| &**force).chain(grabs) {
             force.add_energy(time, &self.parts.state, &mut energies);
         }
         energies.contact += self.contact_energy;

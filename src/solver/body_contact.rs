@@ -1,5 +1,6 @@
-//! Contact between two bodies of either kind: particles of one against the surface of the other, evaluated once an outer
-//! step, equal and opposite, held as one impulse.
+//! Contact between two bodies of either kind: particles of one against the surface of the other, evaluated at the ends
+//! of an outer step, equal and opposite, and given as impulses by the [`super::world`]. It is no force of either body's
+//! list.
 //!
 //! A fibre solid is a heap of balls, one around each particle. A two-layer body is the surface of its outer layer, whose
 //! particles are points. What is pushed with a normal force keeps both momenta of the pair; friction acts at the
@@ -92,7 +93,7 @@ fn outer_surface(body: &Body) -> Option<OuterSurface> {
     })
 }
 
-/// Particles of a body that touch others, in a overlap.
+/// Particles of a body that touch others, in a box.
 fn touching(body: &Body, overlap: &Aabb) -> Vec<u32> {
     let count = body.parts().layers.as_ref().map_or(body.state().len(), |layers| layers.outer);
     let positions = &body.state().positions;
@@ -121,7 +122,7 @@ fn balls_on_balls(a: &mut Body, b: &mut Body, law: &ContactLaw, overlap: &Aabb) 
     }
 }
 
-/// A place on a surface: what it hangs on, and which way is out.
+/// The place on a surface that is closest to a point: what it hangs on, and which way is out.
 struct ClosestPoint<const N: usize> {
     particles: [u32; N],
     weights: [f64; N],

@@ -5,7 +5,8 @@ use super::forces::{Force, Grab};
 use super::state::ParticleState;
 use glam::DVec3;
 
-/// The forces and constraints of one body during one step.
+/// The forces and constraints of one body during one step. The grabs are forces like those of the body's list, and come
+/// after them.
 ///
 /// The forces of the last evaluation are kept; where an integrator says that they belong to the end of its step, the
 /// next step starts from them without evaluating again.
@@ -34,11 +35,8 @@ impl Dynamics<'_> {
         }
         self.net.clear();
         self.net.resize(state.len(), DVec3::ZERO);
-        for force in self.forces.iter_mut() {
+        for force in all_forces(self.forces, self.grabs) {
             force.add_forces(time, state, self.net);
-        }
-        for grab in self.grabs.iter_mut() {
-            grab.add_forces(time, state, self.net);
         }
         *self.current = false;
         *self.evaluations += 1;
@@ -61,11 +59,8 @@ impl Dynamics<'_> {
 
     /// Adds the first-order change of all forces [N] under a change of positions and one of velocities.
     pub fn derivative(&mut self, time: f64, state: &ParticleState, change: [&[DVec3]; 2], out: &mut [DVec3]) {
-        for force in self.forces.iter_mut() {
+        for force in all_forces(self.forces, self.grabs) {
             force.add_derivative(time, state, change, out);
-        }
-        for grab in self.grabs.iter_mut() {
-            grab.add_derivative(time, state, change, out);
         }
     }
 
@@ -82,4 +77,9 @@ impl Dynamics<'_> {
             constraint.apply(time, state);
         }
     }
+}
+
+fn all_forces<'a>(forces: &'a mut [Box<dyn Force>], grabs: &'a mut [Grab]) -> impl Iterator<Item = &'a mut dyn Force> {
+    let grabs = grabs.iter_mut().map(|grab| grab as &mut dyn Force);
+    forces.iter_mut().map(|force| &mut **force).chain(grabs)
 }

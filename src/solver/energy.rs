@@ -1,29 +1,58 @@
 //! Energies of a body by what stores them.
 
-/// Energies [J].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Energies {
+use serde::Serialize;
+
+/// The one list of energies: fields, names in reports and their order all follow from it.
+macro_rules! energies {
+    ($($(#[$doc:meta])* $name:ident,)+) => {
+        /// Energies [J] by what stores them, in the order of reports.
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+        pub struct Energies {
+            $($(#[$doc])* pub $name: f64,)+
+        }
+
+        impl Energies {
+            /// The names that energies have in reports.
+            pub const NAMES: [&str; [$(stringify!($name)),+].len()] = [$(stringify!($name)),+];
+
+            /// Every energy [J] in the order of [`Self::NAMES`].
+            pub fn values(&self) -> [f64; Self::NAMES.len()] {
+                [$(self.$name),+]
+            }
+        }
+    };
+}
+
+energies! {
     /// Energy of motion.
-    pub kinetic: f64,
+    kinetic,
     /// Strain energy of the matrix.
-    pub matrix: f64,
+    matrix,
     /// Energy of the terms that hold back the zero-energy modes.
-    pub zero_energy: f64,
+    zero_energy,
     /// Stretching energy of the fibres.
-    pub stretching: f64,
+    stretching,
     /// Bending energy of the fibres.
-    pub bending: f64,
+    bending,
     /// Energy of springs.
-    pub springs: f64,
+    springs,
     /// Energy of enclosed gas.
-    pub pressure: f64,
+    pressure,
     /// Elastic energy of contacts: with the room and panels whole, with other bodies half.
-    pub contact: f64,
+    contact,
     /// Potential energy in the gravity field, zero at the world's origin.
-    pub gravity: f64,
+    gravity,
+    /// Elastic energy of the springs by which the body is grabbed.
+    grab,
 }
 
 impl Energies {
+    /// Every energy [J] with its name, in their order.
+    pub fn named(&self) -> [(&'static str, f64); Self::NAMES.len()] {
+        let values = self.values();
+        std::array::from_fn(|k| (Self::NAMES[k], values[k]))
+    }
+
     /// Sum of all.
     pub fn total(&self) -> f64 {
         self.kinetic + self.potential()
@@ -31,13 +60,6 @@ impl Energies {
 
     /// Sum of all but the kinetic energy.
     pub fn potential(&self) -> f64 {
-        self.matrix
-            + self.zero_energy
-            + self.stretching
-            + self.bending
-            + self.springs
-            + self.pressure
-            + self.contact
-            + self.gravity
+        Self { kinetic: 0.0, ..*self }.values().iter().sum()
     }
 }

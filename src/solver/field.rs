@@ -2,7 +2,7 @@
 //! and at every edge of its fibres, how hard they pull.
 
 use super::body::Body;
-use super::forces::MatrixForce;
+use super::forces::{FibreForce, MatrixForce};
 
 /// A scalar at every particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -37,7 +37,7 @@ impl Body {
     /// layers has no matrix.
     pub fn field(&self, kind: FieldKind) -> Vec<f64> {
         let state = self.state();
-        let matrix = self.parts().forces.iter().find_map(|force| force.matrix());
+        let matrix = self.parts().forces.iter().find_map(|force| force.downcast_ref::<MatrixForce>());
         let read = |of: fn(&MatrixForce, &[_]) -> Vec<f64>| {
             matrix.map_or_else(Vec::new, |matrix| of(matrix, &state.positions))
         };
@@ -54,7 +54,7 @@ impl Body {
     pub fn tensions(&self) -> Vec<Vec<f64>> {
         let edges = self.parts().fibres.iter().map(|line| line.vertices.len().saturating_sub(1));
         let mut lines: Vec<Vec<f64>> = edges.map(|count| vec![0.0; count]).collect();
-        for fibres in self.parts().forces.iter().filter_map(|force| force.fibres()) {
+        for fibres in self.parts().forces.iter().filter_map(|force| force.downcast_ref::<FibreForce>()) {
             fibres.tensions(&self.state().positions, &mut lines);
         }
         lines

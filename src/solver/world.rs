@@ -1,4 +1,10 @@
 //! The simulated world: bodies and panels, advanced frame by frame.
+//!
+//! What acts within a body, its contact with the room and the grabs are forces of the body's own and evaluated in each of
+//! its steps. Contact between two bodies ([`super::body_contact`]) and between a body and a panel ([`super::panel`])
+//! belongs to a pair and is no force of either: it is evaluated here at the ends of every outer step, both sides of a
+//! pair together, and given as impulses, half of an outer step's before the bodies' own steps and half after them. Its
+//! energy is among the bodies' energies of contact.
 
 mod checkpoint;
 
@@ -239,6 +245,39 @@ impl World {
     /// The first body that was stopped, if any.
     pub fn divergence(&self) -> Option<&Divergence> {
         self.bodies.iter().find_map(Body::divergence)
+    }
+
+    /// What the world goes on from.
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            bodies: self.bodies.iter().map(Body::checkpoint).collect(),
+            panels: self.panels.iter().map(|panel| [panel.height, panel.velocity]).collect(),
+            peaks: self.peaks.clone(),
+            contact_current: self.contact_current,
+            lifts: self.lifts.clone(),
+            since: self.since,
+            frame: self.frame,
+        }
+    }
+
+    /// Back to a checkpoint of this world, or of another that was baked from the same scene.
+    pub fn go_back(&mut self, to: &Checkpoint) {
+        for (body, kept) in self.bodies.iter_mut().zip(&to.bodies) {
+            body.go_back(kept);
+        }
+        for (panel, [height, velocity]) in self.panels.iter_mut().zip(&to.panels) {
+            (panel.height, panel.velocity) = (*height, *velocity);
+        }
+        self.peaks.clone_from(&to.peaks);
+        self.contact_current = to.contact_current;
+        self.lifts.clone_from(&to.lifts);
+        self.since = to.since;
+        self.frame = to.frame;
+    }
+
+    /// Memory that the world takes [bytes], about.
+    pub fn bytes(&self) -> usize {
+        self.bodies.iter().map(Body::bytes).sum()
     }
 
     /// Whether every body is at rest, every prescribed motion has ended and no panel moves.

@@ -5,7 +5,8 @@ use super::context::Context;
 use super::controls::button;
 use super::plots::{BOLD, LINE, THIN, Trace, over_time, thinned};
 use super::theme::{self, GRID, Tone};
-use crate::sim::{ColumnKind, EnergyReport, RecordedSeries, TimeSeries};
+use crate::sim::{ColumnKind, RecordedSeries, TimeSeries};
+use crate::solver::energy::Energies;
 use crate::text::number::three_figures;
 use egui::{Align2, Color32, Panel, RichText, Role, ScrollArea, Sense, TextStyle, Ui, Vec2, WidgetInfo};
 use std::collections::BTreeSet;
@@ -180,11 +181,13 @@ impl TimeSeriesPanel {
         let pictures = tone.pictures();
         let ink = theme::color(pictures.text);
         let hue = |k: usize| theme::color(pictures.fibre(k));
-        // Kinds that follow each other are far apart in hue, and none of the nine comes near another.
-        let of_kind = |k: usize| theme::color(pictures.hue(FIRST_HUE + (4 * k % 9) as f32 / 9.0));
+        // Kinds that follow each other are far apart in hue, and none of the first nine comes near another; a tenth lies
+        // between two of them.
+        let of_kind =
+            |k: usize| theme::color(pictures.hue(FIRST_HUE + ((4 * k % 9) as f32 + 0.5 * (k / 9) as f32) / 9.0));
         match self.tab {
             Tab::Energies => {
-                let all = EnergyReport::NAMES.iter().enumerate();
+                let all = Energies::NAMES.iter().enumerate();
                 let by_kind: Vec<(usize, &str, Vec<usize>)> =
                     all.map(|(k, name)| (k, *name, columns(series, ColumnKind::Energy(k)))).collect();
                 let total = by_kind.iter().flat_map(|(_, _, columns)| columns.iter().copied()).collect();

@@ -74,8 +74,18 @@ fn a_report_has_every_field() {
         "state_hash",
     ];
     assert!(members(body).is_superset(&BTreeSet::from(fields)), "{body}");
-    let energies =
-        ["kinetic", "matrix", "zero_energy", "stretching", "bending", "springs", "pressure", "contact", "gravity"];
+    let energies = [
+        "kinetic",
+        "matrix",
+        "zero_energy",
+        "stretching",
+        "bending",
+        "springs",
+        "pressure",
+        "contact",
+        "gravity",
+        "grab",
+    ];
     assert_eq!(members(&body["energy"]), BTreeSet::from(energies));
     assert_eq!((&report["scene"], &body["kind"]), (&json!("Pressed block"), &json!("fibre_solid")));
     assert_eq!((&body["particles"], &body["fibres"], &body["structure_particles"]), (&json!(96), &json!(1), &json!(5)));

@@ -6,7 +6,7 @@ use sinew::io::scene_from_json;
 use sinew::scene::{Assets, IntegratorKind, Scene};
 use sinew::solver::dynamics::Dynamics;
 use sinew::solver::energy::Energies;
-use sinew::solver::forces::Force;
+use sinew::solver::forces::{Force, MatrixForce};
 use sinew::solver::integrators::Integrator;
 use sinew::solver::snapshot::Snapshot;
 use sinew::solver::state::ParticleState;
@@ -114,7 +114,7 @@ fn particles_too_dense_for_a_stencil_go_back_exactly() {
     scene.two_layer.clear();
     scene.bodies[0].material.spacing_ratio = 0.28;
     let world = baked(&scene);
-    let matrix = world.bodies()[0].parts().forces.iter().find_map(|force| force.matrix()).unwrap();
+    let matrix = world.bodies()[0].parts().forces.iter().find_map(|force| force.downcast_ref::<MatrixForce>()).unwrap();
     assert!(!matrix.is_stencil());
     goes_back_exactly(&world, 6);
 }

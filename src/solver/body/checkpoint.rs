@@ -37,7 +37,7 @@ impl BodyCheckpoint {
             + size_of_val(&*self.velocities)
             + size_of_val(&*self.net)
             + size_of_val(&*self.external_forces);
-        let grabs: usize = self.grabs.iter().map(|grab| size_of_val(grab) + size_of_val(&*grab.point.weights)).sum();
+        let grabs: usize = self.grabs.iter().map(Force::bytes).sum();
         let forces: usize = self.forces.iter().map(|force| force.bytes() + size_of_val(force)).sum();
         size_of_val(self) + lists + grabs + forces + size_of_val(&*self.integrator)
     }
@@ -92,7 +92,7 @@ impl Body {
         let particles = size_of_val(&*state.positions) + size_of_val(&*state.velocities) + size_of_val(&*state.masses);
         let frames = size_of_val(&*self.parts.rest) + size_of_val(&*self.parts.model);
         let forces: usize = self.parts.forces.iter().map(|force| force.bytes()).sum();
-        let matrix = self.parts.forces.iter().find_map(|force| force.matrix());
+        let matrix = self.parts.forces.iter().find_map(|force| force.downcast_ref::<MatrixForce>());
         let vertices = self.parts.fibres.iter().flat_map(|fibre| &fibre.vertices);
         let fibres: usize = vertices.map(|vertex| size_of_val(&*vertex.weights)).sum();
         let skin = self.parts.skin.as_deref().map_or(0, Skin::bytes);

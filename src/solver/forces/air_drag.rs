@@ -1,6 +1,6 @@
 //! Drag of the surrounding air.
 
-use super::{Force, StepLimit};
+use super::force::{Force, StepLimit};
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
 use glam::DVec3;

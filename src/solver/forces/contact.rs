@@ -1,6 +1,6 @@
 //! Contact of particles with planes: penalty that only pushes, with Coulomb friction.
 
-use super::{Force, StepLimit};
+use super::force::{Force, StepLimit};
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! Grabbing a body by a point: a damped spring of no rest length from the point to where it is wanted.
 
-use super::{Force, StepLimit};
+use super::force::{Force, StepLimit};
 use crate::solver::embedding::EmbeddingWeights;
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
@@ -58,7 +58,7 @@ impl Force for Grab {
     fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
         if time < self.until {
             let x = self.point.gather(&state.positions);
-            energies.springs += 0.5 * self.stiffness * x.distance_squared(self.target);
+            energies.grab += 0.5 * self.stiffness * x.distance_squared(self.target);
         }
     }
 
@@ -67,6 +67,10 @@ impl Force for Grab {
             frequency_squared: self.per_mass(self.stiffness, state),
             damping_rate: self.per_mass(self.damping, state),
         }
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(self) + size_of_val(&*self.point.weights)
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

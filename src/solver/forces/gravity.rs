@@ -1,6 +1,6 @@
 //! Weight.
 
-use super::Force;
+use super::force::Force;
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
 use glam::DVec3;

@@ -5,7 +5,7 @@
 //! a neighbour along x is the number beside. An empty place has no weight in any bond.
 
 use super::bricks::{Alignment, Bricks, CELLS, Palette, brick_and_lane};
-use super::{Force, StepLimit};
+use super::force::{Force, StepLimit};
 use crate::solver::energy::Energies;
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::scratch::Scratch;

@@ -1,6 +1,6 @@
 //! Pressure of enclosed gas: the two-layer paper's, with the signed volume in place of a bounding box.
 
-use super::Force;
+use super::force::Force;
 use crate::solver::energy::Energies;
 use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;

@@ -1,6 +1,6 @@
 //! Damped springs between particles, as in the two-layer paper.
 
-use super::{Force, StepLimit};
+use super::force::{Force, StepLimit};
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
 use glam::DVec3;

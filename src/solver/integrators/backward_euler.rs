@@ -1,7 +1,9 @@
 //! Backward Euler: Newton's method with conjugate gradients on Hessian-vector products.
 
-use super::Integrator;
+use super::integrator::Integrator;
 use crate::solver::dynamics::Dynamics;
+use crate::solver::linear_algebra::conjugate_gradients::conjugate_gradients;
+use crate::solver::linear_algebra::vectors::dot;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
@@ -49,44 +51,18 @@ impl BackwardEuler {
     /// Solves for the change of velocity into `self.change`.
     fn solve(&mut self, dynamics: &mut Dynamics<'_>, end_time: f64, dt: f64, tolerance: f64) {
         let n = self.residual.len();
-        let masses = &self.end.masses;
-        self.change.clear();
-        self.change.resize(n, DVec3::ZERO);
-        let mut r = self.residual.clone();
-        let precondition = |r: &[DVec3]| -> Vec<DVec3> { r.iter().zip(masses).map(|(&r, &m)| r / m).collect() };
-        let mut z = precondition(&r);
-        let mut p = z.clone();
-        let mut rz = dot(&r, &z);
-        let enough = tolerance * tolerance * rz;
-        for _ in 0..MOST_CG_STEPS.min(6 * n + 6) {
-            if rz <= enough || rz == 0.0 {
-                break;
-            }
+        let (end, masses) = (&self.end, &self.end.masses);
+        let apply = |p: &[DVec3]| {
             let moved: Vec<DVec3> = p.iter().map(|&p| dt * p).collect();
             let mut stiffness = vec![DVec3::ZERO; n];
-            dynamics.derivative(end_time, &self.end, [&moved, &p], &mut stiffness);
+            dynamics.derivative(end_time, end, [&moved, p], &mut stiffness);
             let mut product: Vec<DVec3> = (0..n).map(|i| masses[i] * p[i] - dt * stiffness[i]).collect();
             dynamics.mask(&mut product);
-            let curvature = dot(&p, &product);
-            if curvature <= 0.0 {
-                // Not downhill any more: what has been found so far is used, or the plain explicit step.
-                if dot(&self.change, &self.change) == 0.0 {
-                    self.change.clone_from(&z);
-                }
-                break;
-            }
-            let step = rz / curvature;
-            for i in 0..n {
-                self.change[i] += step * p[i];
-                r[i] -= step * product[i];
-            }
-            z = precondition(&r);
-            let next = dot(&r, &z);
-            for i in 0..n {
-                p[i] = z[i] + (next / rz) * p[i];
-            }
-            rz = next;
-        }
+            product
+        };
+        // Where it is not downhill any more, what has been found so far is used, or the plain explicit step.
+        let most = MOST_CG_STEPS.min(6 * n + 6);
+        conjugate_gradients(&self.residual, masses, tolerance, most, &mut self.change, apply);
     }
 }
 
@@ -132,8 +108,4 @@ impl Integrator for BackwardEuler {
         // Its buffers carry nothing from step to step.
         Box::new(Self::default())
     }
-}
-
-fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
 }

@@ -1,7 +1,9 @@
 //! Explicit Euler.
 
-use super::{Integrator, advance, greatest_step_of};
+use super::integrator::Integrator;
+use super::stability::greatest_step_of;
 use crate::solver::dynamics::Dynamics;
+use crate::solver::linear_algebra::vectors::axpy;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
@@ -15,10 +17,8 @@ impl Integrator for ExplicitEuler {
     fn step(&mut self, dynamics: &mut Dynamics<'_>, state: &mut ParticleState, time: f64, dt: f64) {
         dynamics.start(time, state);
         dynamics.accelerations(state, &mut self.accelerations);
-        for (x, &v) in state.positions.iter_mut().zip(&state.velocities) {
-            *x += dt * v;
-        }
-        advance(&mut state.velocities, &self.accelerations, dt);
+        axpy(dt, &state.velocities, &mut state.positions);
+        axpy(dt, &self.accelerations, &mut state.velocities);
         dynamics.constrain(time + dt, state);
     }
 

@@ -1,7 +1,8 @@
 //! Kick-drift-kick leap-frog (velocity Verlet).
 
-use super::{Integrator, advance};
+use super::integrator::Integrator;
 use crate::solver::dynamics::Dynamics;
+use crate::solver::linear_algebra::vectors::axpy;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
@@ -18,13 +19,11 @@ impl Integrator for LeapFrog {
     fn step(&mut self, dynamics: &mut Dynamics<'_>, state: &mut ParticleState, time: f64, dt: f64) {
         dynamics.start(time, state);
         dynamics.accelerations(state, &mut self.accelerations);
-        advance(&mut state.velocities, &self.accelerations, 0.5 * dt);
-        for (x, &v) in state.positions.iter_mut().zip(&state.velocities) {
-            *x += dt * v;
-        }
+        axpy(0.5 * dt, &self.accelerations, &mut state.velocities);
+        axpy(dt, &state.velocities, &mut state.positions);
         dynamics.evaluate_end(time + dt, state);
         dynamics.accelerations(state, &mut self.accelerations);
-        advance(&mut state.velocities, &self.accelerations, 0.5 * dt);
+        axpy(0.5 * dt, &self.accelerations, &mut state.velocities);
     }
 
     fn stable_step(&self, omega: f64, damping: f64) -> f64 {

@@ -1,7 +1,9 @@
 //! Explicit midpoint.
 
-use super::{Integrator, advance, greatest_step_of};
+use super::integrator::Integrator;
+use super::stability::greatest_step_of;
 use crate::solver::dynamics::Dynamics;
+use crate::solver::linear_algebra::vectors::axpy;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
@@ -17,12 +19,12 @@ impl Integrator for Midpoint {
         dynamics.start(time, state);
         dynamics.accelerations(state, &mut self.accelerations);
         self.middle.clone_from(state);
-        advance(&mut self.middle.positions, &state.velocities, 0.5 * dt);
-        advance(&mut self.middle.velocities, &self.accelerations, 0.5 * dt);
+        axpy(0.5 * dt, &state.velocities, &mut self.middle.positions);
+        axpy(0.5 * dt, &self.accelerations, &mut self.middle.velocities);
         dynamics.evaluate(time + 0.5 * dt, &mut self.middle);
         dynamics.accelerations(state, &mut self.accelerations);
-        advance(&mut state.positions, &self.middle.velocities, dt);
-        advance(&mut state.velocities, &self.accelerations, dt);
+        axpy(dt, &self.middle.velocities, &mut state.positions);
+        axpy(dt, &self.accelerations, &mut state.velocities);
         dynamics.constrain(time + dt, state);
     }
 

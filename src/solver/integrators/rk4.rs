@@ -1,7 +1,9 @@
 //! Classical Runge-Kutta.
 
-use super::{Integrator, advance, greatest_step_of};
+use super::integrator::Integrator;
+use super::stability::greatest_step_of;
 use crate::solver::dynamics::Dynamics;
+use crate::solver::linear_algebra::vectors::axpy;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
@@ -30,11 +32,11 @@ impl Integrator for Rk4 {
             }
             dynamics.evaluate(time + h, &mut self.stage);
             dynamics.accelerations(state, &mut self.accelerations);
-            advance(&mut self.velocity_sum, &self.stage.velocities, weight);
-            advance(&mut self.acceleration_sum, &self.accelerations, weight);
+            axpy(weight, &self.stage.velocities, &mut self.velocity_sum);
+            axpy(weight, &self.accelerations, &mut self.acceleration_sum);
         }
-        advance(&mut state.positions, &self.velocity_sum, dt / 6.0);
-        advance(&mut state.velocities, &self.acceleration_sum, dt / 6.0);
+        axpy(dt / 6.0, &self.velocity_sum, &mut state.positions);
+        axpy(dt / 6.0, &self.acceleration_sum, &mut state.velocities);
         dynamics.constrain(time + dt, state);
     }
 

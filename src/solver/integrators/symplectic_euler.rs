@@ -1,7 +1,8 @@
 //! Symplectic (semi-implicit) Euler.
 
-use super::{Integrator, advance};
+use super::integrator::Integrator;
 use crate::solver::dynamics::Dynamics;
+use crate::solver::linear_algebra::vectors::axpy;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
@@ -15,10 +16,8 @@ impl Integrator for SymplecticEuler {
     fn step(&mut self, dynamics: &mut Dynamics<'_>, state: &mut ParticleState, time: f64, dt: f64) {
         dynamics.start(time, state);
         dynamics.accelerations(state, &mut self.accelerations);
-        advance(&mut state.velocities, &self.accelerations, dt);
-        for (x, &v) in state.positions.iter_mut().zip(&state.velocities) {
-            *x += dt * v;
-        }
+        axpy(dt, &self.accelerations, &mut state.velocities);
+        axpy(dt, &state.velocities, &mut state.positions);
         dynamics.constrain(time + dt, state);
     }
 

@@ -1,7 +1,9 @@
 //! Velocity Verlet with a predicted velocity.
 
-use super::{Integrator, advance, greatest_step, spectral_radius};
+use super::integrator::Integrator;
+use super::stability::{greatest_step, spectral_radius};
 use crate::solver::dynamics::Dynamics;
+use crate::solver::linear_algebra::vectors::axpy;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
@@ -26,8 +28,8 @@ impl Integrator for Verlet {
         dynamics.evaluate(time + dt, &mut self.predicted);
         dynamics.accelerations(state, &mut self.at_end);
         state.positions.clone_from(&self.predicted.positions);
-        advance(&mut state.velocities, &self.accelerations, 0.5 * dt);
-        advance(&mut state.velocities, &self.at_end, 0.5 * dt);
+        axpy(0.5 * dt, &self.accelerations, &mut state.velocities);
+        axpy(0.5 * dt, &self.at_end, &mut state.velocities);
         dynamics.constrain(time + dt, state);
     }
 

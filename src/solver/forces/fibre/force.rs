@@ -9,7 +9,7 @@ use super::rest::FibreRest;
 use super::soa::{SoaVectors, put, zeros};
 use super::strip::BlockVectors;
 use crate::solver::energy::Energies;
-use crate::solver::forces::Force;
+use crate::solver::forces::force::Force;
 use crate::solver::rotation::turn_stiffness;
 use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
@@ -184,7 +184,7 @@ impl Force for FibreForce {
     }
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {
-        if let Some(before) = before.iter().find_map(|force| force.fibres()) {
+        if let Some(before) = before.iter().find_map(|force| force.downcast_ref::<Self>()) {
             self.broken = before.broken.carried([&before.fibres, &self.fibres]);
             self.workspace = Scratch::default();
         }
@@ -200,10 +200,6 @@ impl Force for FibreForce {
 
     fn bytes(&self) -> usize {
         size_of_val(self) + size_of_val(&*self.turns) + self.broken.bytes()
-    }
-
-    fn fibres(&self) -> Option<&FibreForce> {
-        Some(self)
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

@@ -5,7 +5,7 @@ use super::pair_list::PairList;
 use super::reference::ReferenceConfiguration;
 use super::stencil::Stencil;
 use crate::solver::energy::Energies;
-use crate::solver::forces::Force;
+use crate::solver::forces::force::Force;
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::state::ParticleState;
 use glam::{DQuat, DVec3};
@@ -104,10 +104,6 @@ impl Force for MatrixForce {
 
     fn name(&self) -> &'static str {
         "matrix"
-    }
-
-    fn matrix(&self) -> Option<&MatrixForce> {
-        Some(self)
     }
 
     fn bytes(&self) -> usize {

@@ -4,16 +4,20 @@ use std::ops::{Add, Mul, Sub};
 
 /// A complex number.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Complex {
+pub struct Complex {
+    /// Real part.
     pub re: f64,
+    /// Imaginary part.
     pub im: f64,
 }
 
 impl Complex {
+    /// A real number.
     pub fn real(re: f64) -> Self {
         Self { re, im: 0.0 }
     }
 
+    /// Its distance from zero.
     pub fn abs(self) -> f64 {
         self.re.hypot(self.im)
     }
@@ -59,7 +63,7 @@ impl Mul for Complex {
 }
 
 /// Eigenvalues of a real upper Hessenberg matrix, given row by row, by QR iterations with Wilkinson's shift.
-pub(super) fn eigenvalues(matrix: &[Vec<f64>]) -> Vec<Complex> {
+pub fn eigenvalues(matrix: &[Vec<f64>]) -> Vec<Complex> {
     const MOST_SWEEPS: usize = 60;
     let mut h: Vec<Vec<Complex>> = matrix.iter().map(|row| row.iter().map(|&x| Complex::real(x)).collect()).collect();
     let mut found = vec![Complex::default(); h.len()];
@@ -130,7 +134,7 @@ fn sweep(h: &mut [Vec<Complex>], first: usize, last: usize, shift: Complex) {
 }
 
 /// Unit eigenvector to an eigenvalue, by inverse iteration.
-pub(super) fn eigenvector(matrix: &[Vec<f64>], value: Complex) -> Vec<Complex> {
+pub fn eigenvector(matrix: &[Vec<f64>], value: Complex) -> Vec<Complex> {
     let n = matrix.len();
     let scale = matrix.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
     // A little beside the eigenvalue, so that the system can be solved.

@@ -4,14 +4,14 @@
 //! differences of the forces: forty or so evaluations find the modes that set the limit. Unlike the highest frequency
 //! alone (`stable_step`) it sees which mode is damped how, on which the limit of a two-layer body depends.
 
-mod hessenberg;
-
-use super::forces::Force;
+use super::forces::{Force, total_forces};
 use super::integrators::Integrator;
+use super::linear_algebra::arnoldi::{KrylovSpace, krylov_space};
+use super::linear_algebra::hessenberg::{Complex, eigenvalues, eigenvector};
+use super::linear_algebra::vectors::{axpy, dot, normalise};
 use super::stable_step::highest_frequency_squared;
 use super::state::ParticleState;
 use glam::DVec3;
-use hessenberg::{Complex, eigenvalues, eigenvector};
 
 /// One mode: `x'' = -w² x - c x'`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,9 +105,7 @@ fn combined(shares: &[Complex], basis: &[Vec<DVec3>]) -> [Vec<DVec3>; 2] {
     for (share, base) in shares.iter().zip(basis) {
         let turned = [share.re * largest.re + share.im * largest.im, share.im * largest.re - share.re * largest.im];
         for (part, share) in parts.iter_mut().zip(turned) {
-            for (sum, base) in part.iter_mut().zip(base) {
-                *sum += (share / largest.abs()) * *base;
-            }
+            axpy(share / largest.abs(), base, part);
         }
     }
     parts
@@ -130,16 +128,8 @@ impl<'a> Linearised<'a> {
         probe.velocities.fill(DVec3::ZERO);
         let root_masses = state.masses.iter().map(|mass| mass.sqrt()).collect();
         let mut linearised = Self { forces, state, probe, at_rest: Vec::new(), root_masses, rate, scale };
-        linearised.at_rest = linearised.total();
+        linearised.at_rest = total_forces(linearised.forces, &linearised.probe);
         linearised
-    }
-
-    fn total(&mut self) -> Vec<DVec3> {
-        let mut sum = vec![DVec3::ZERO; self.state.len()];
-        for force in self.forces.iter_mut() {
-            force.add_forces(0.0, &self.probe, &mut sum);
-        }
-        sum
     }
 
     /// The rate of change of a small motion, both in the scaled variables.
@@ -153,14 +143,16 @@ impl<'a> Linearised<'a> {
             self.probe.positions[i] = self.state.positions[i] + y[i] * (step / (self.rate * self.root_masses[i]));
             self.probe.velocities[i] = y[n + i] * (step / self.root_masses[i]);
         }
-        let moved = self.total();
+        let moved = total_forces(self.forces, &self.probe);
         let mut out: Vec<DVec3> = y[n..].iter().map(|&v| self.rate * v).collect();
         out.extend((0..n).map(|i| (moved[i] - self.at_rest[i]) / (step * self.root_masses[i])));
         out
     }
 
     fn modes(mut self) -> Modes {
-        let (mut basis, matrix, beside) = self.arnoldi();
+        let most = MOST_VECTORS.min(6 * self.state.len());
+        let (start, rate) = (starting_vector(2 * self.state.len()), self.rate);
+        let KrylovSpace { mut basis, matrix, residual } = krylov_space(start, most, rate, |y| self.apply(y));
         // From here on only displacements are asked for.
         for base in &mut basis {
             base.truncate(self.state.len());
@@ -173,7 +165,7 @@ impl<'a> Linearised<'a> {
             .into_iter()
             .filter(|value| value.im >= -on_axis && value.abs() > SLOW * fastest)
             .map(|value| (value, eigenvector(&matrix, value)))
-            .filter(|(_, vector)| vector.last().map_or(0.0, |last| last.abs()) * beside <= RESIDUAL * fastest)
+            .filter(|(_, vector)| vector.last().map_or(0.0, |last| last.abs()) * residual <= RESIDUAL * fastest)
             .collect();
         let (mut real, swinging): (Vec<_>, Vec<_>) = found.into_iter().partition(|(value, _)| value.im <= on_axis);
         let mode = |value: Complex| Mode { frequency: value.abs(), damping: at_least_zero(-2.0 * value.re) };
@@ -219,48 +211,6 @@ impl<'a> Linearised<'a> {
         let brake = self.apply(&[&still, y].concat());
         [-self.rate * dot(y, &pull[n..]), -dot(y, &brake[n..])]
     }
-
-    /// An orthonormal basis of the Krylov space, the motion in it row by row, and the length of what leads out of it.
-    fn arnoldi(&mut self) -> (Vec<Vec<DVec3>>, Vec<Vec<f64>>, f64) {
-        let most = MOST_VECTORS.min(6 * self.state.len());
-        let mut basis = vec![starting_vector(2 * self.state.len())];
-        let mut columns: Vec<Vec<f64>> = Vec::new();
-        let mut beside = 0.0;
-        for k in 0..most {
-            let mut w = self.apply(&basis[k]);
-            let before = dot(&w, &w).sqrt();
-            let mut column = vec![0.0; k + 1];
-            // Twice is enough to keep the basis orthogonal.
-            for _ in 0..2 {
-                for (entry, base) in column.iter_mut().zip(&basis) {
-                    let share = dot(&w, base);
-                    *entry += share;
-                    for (w, &base) in w.iter_mut().zip(base) {
-                        *w -= share * base;
-                    }
-                }
-            }
-            columns.push(column);
-            beside = dot(&w, &w).sqrt();
-            if beside <= 1e-9 * before.max(self.rate) || !beside.is_finite() {
-                beside = 0.0;
-                break;
-            }
-            if k + 1 < most {
-                if let Some(column) = columns.last_mut() {
-                    column.push(beside);
-                }
-                for w in &mut w {
-                    *w /= beside;
-                }
-                basis.push(w);
-            }
-        }
-        let size = columns.len();
-        let entry = |row: usize, column: usize| columns[column].get(row).copied().unwrap_or(0.0);
-        let matrix = (0..size).map(|row| (0..size).map(|column| entry(row, column)).collect()).collect();
-        (basis, matrix, beside)
-    }
 }
 
 /// No force of a body at rest drives its motion: growth this close to none is the rounding of the differences.
@@ -276,13 +226,6 @@ fn starting_vector(n: usize) -> Vec<DVec3> {
             DVec3::new((1.7 * at).sin(), (2.3 * at * at.sqrt()).cos(), (0.9 * at + at.sqrt()).sin())
         })
         .collect();
-    let length = dot(&v, &v).sqrt();
-    for v in &mut v {
-        *v /= length;
-    }
+    normalise(&mut v);
     v
-}
-
-fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
 }

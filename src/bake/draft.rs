@@ -1,0 +1,13 @@
+//! A body on the way.
+
+use crate::solver::body::BodyParts;
+use std::collections::HashMap;
+
+/// A body put together but for its time step, which depends on the others.
+pub(super) struct Draft {
+    pub(super) parts: BodyParts,
+    /// Particles of every region by its id.
+    pub(super) regions: HashMap<String, Vec<u32>>,
+    /// Volume fraction of fibre at every particle; none of a two-layer body.
+    pub(super) fractions: Vec<f64>,
+}

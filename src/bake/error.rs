@@ -1,0 +1,188 @@
+//! What keeps a scene from being put together.
+
+use crate::solver::neighbourhood::TooThin;
+use thiserror::Error;
+
+/// A scene that cannot be put together.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum BakeError {
+    /// No lattice point lies inside the shape.
+    #[error(
+        "{path}: no particle fits into the shape at a spacing of {spacing} m; lower {body}/material/support_radius"
+    )]
+    Empty {
+        /// Pointer to the shape.
+        path: String,
+        /// Pointer to the body.
+        body: String,
+        /// Particle spacing [m].
+        spacing: f64,
+    },
+    /// The shape's model was not loaded.
+    #[error("{path}: the model was not loaded; load the scene's assets first")]
+    NotLoaded {
+        /// Pointer to the shape's path.
+        path: String,
+    },
+    /// The shape would need more particles than are allowed.
+    #[error(
+        "{path}: about {wanted:.1e} {what} where {limit:.1e} are allowed; give {suggested:.2e} m or more, or check the scale"
+    )]
+    TooMany {
+        /// Pointer to the value that decides.
+        path: String,
+        /// What there would be too much of.
+        what: &'static str,
+        /// How many there would be.
+        wanted: f64,
+        /// Greatest number.
+        limit: f64,
+        /// Support radius that would do [m].
+        suggested: f64,
+    },
+    /// Much of a mesh is thinner than two layers.
+    #[error(
+        "{path}: the shape is too thin for its particles ({flat} of {total} have too few others around them): {}",
+        remedy(*.suggested)
+    )]
+    MeshTooThin {
+        /// Pointer to the value that decides.
+        path: String,
+        /// Particles that nothing could hold in place.
+        flat: usize,
+        /// Lattice points inside.
+        total: usize,
+        /// Support radius that gives two layers [m], as was tried.
+        suggested: Option<f64>,
+    },
+    /// Part of the shape is a single layer of particles.
+    #[error("{path}: {source}")]
+    TooThin {
+        /// Pointer to the support radius.
+        path: String,
+        /// What was found.
+        source: TooThin,
+    },
+    /// A region that selects no particle.
+    #[error("{path}: the region selects none of the {particles} particles; enlarge it or remove it")]
+    EmptyRegion {
+        /// Pointer to the region.
+        path: String,
+        /// Particles of the body.
+        particles: usize,
+    },
+    /// A two-layer body whose gas has no room.
+    #[error("{path}: the gas would have a volume of {volume:.3e} at the start; deform the body less")]
+    InsideOut {
+        /// Pointer to the deformation.
+        path: String,
+        /// Signed volume [m³], or area [m²].
+        volume: f64,
+    },
+    /// A two-layer body whose outer layer would have holes.
+    #[error(
+        "{path}: the surface is not closed ({open_edges} open edges), so that no gas stays in it; close it in the program \
+         it is from"
+    )]
+    NotClosed {
+        /// Pointer to the mesh's path.
+        path: String,
+        /// Edges of one face only.
+        open_edges: usize,
+    },
+    /// A two-layer body of more particles than are allowed.
+    #[error("{path}: the mesh has {points} points where {limit} are allowed; simplify it")]
+    TooManyPoints {
+        /// Pointer to the mesh's path.
+        path: String,
+        /// Points of the mesh.
+        points: usize,
+        /// Greatest number.
+        limit: usize,
+    },
+    /// An inner layer that does not fit into the outer one.
+    #[error(
+        "{path}: {value} turns the inner layer inside out (faces turned over: {turned}, pairs that pass through each \
+         other: {crossings}, volume inside: {volume:.2e} m³); {remedy}"
+    )]
+    InnerLayer {
+        /// Pointer to the offset.
+        path: String,
+        /// The offset, as given.
+        value: f64,
+        /// Faces that would look the other way.
+        turned: usize,
+        /// Pairs of faces that would pass through each other.
+        crossings: usize,
+        /// Volume inside [m³].
+        volume: f64,
+        /// What to give.
+        remedy: String,
+    },
+    /// A reference to something that is not there.
+    #[error("{path}: {what} \"{id}\" does not exist; there are: {known}")]
+    Unknown {
+        /// Pointer to the reference.
+        path: String,
+        /// What it refers to.
+        what: &'static str,
+        /// The identifier.
+        id: String,
+        /// Identifiers that exist.
+        known: String,
+    },
+    /// A height between regions that lie at the same height.
+    #[error(
+        "{path}: the two regions lie only {apart:.2e} m apart along this axis, which is no height; choose another axis"
+    )]
+    NoHeight {
+        /// Pointer to the axis.
+        path: String,
+        /// Distance at rest [m].
+        apart: f64,
+    },
+    /// More steps to a frame than anybody can wait for.
+    #[error(
+        "{path}: a frame of {frame_seconds:.3e} s would take {steps:.2e} steps of at most {stable_dt:.2e} s for \"{body}\"; \
+         raise the frame rate, or {}", softer(.limited_by.as_deref())
+    )]
+    TooManySteps {
+        /// Pointer to the frame rate.
+        path: String,
+        /// Name of the body.
+        body: String,
+        /// Length of a frame [s].
+        frame_seconds: f64,
+        /// Steps that it would take.
+        steps: f64,
+        /// Stable step [s].
+        stable_dt: f64,
+        /// Pointer to the parameter that sets it.
+        limited_by: Option<String>,
+    },
+    /// A reaction asked of a region that nothing holds.
+    #[error("{path}: nothing holds region \"{region}\", so it has no reaction; add a pin on it")]
+    NotHeld {
+        /// Pointer to the measure.
+        path: String,
+        /// The region.
+        region: String,
+    },
+}
+
+fn softer(limited_by: Option<&str>) -> String {
+    limited_by.map_or("soften its material or fibres".to_owned(), |pointer| format!("lower {pointer}"))
+}
+
+fn remedy(suggested: Option<f64>) -> String {
+    match suggested {
+        Some(radius) => format!("a support radius of {radius:.3e} m gives two layers"),
+        None => "two layers would take more particles than are allowed; give it more thickness".to_owned(),
+    }
+}
+
+/// Where a reference fails: the identifiers that exist, for the message.
+pub(super) fn known<'a>(ids: impl Iterator<Item = &'a str>) -> String {
+    let ids: Vec<&str> = ids.collect();
+    if ids.is_empty() { "none".to_owned() } else { ids.join(", ") }
+}

@@ -1,0 +1,42 @@
+//! What bodies touch: the planes of the room, and its panels.
+
+use crate::scene::{PanelMotion, Scene};
+use crate::solver::forces::Plane;
+use crate::solver::panel::Panel;
+use glam::{DVec2, DVec3};
+
+/// Floor, ceiling and walls, as far as there are any.
+pub(super) fn planes(scene: &Scene) -> Vec<Plane> {
+    let room = &scene.room;
+    let sides = [
+        (room.floor, DVec3::Y),
+        (room.ceiling, DVec3::NEG_Y),
+        (room.x_min, DVec3::X),
+        (room.x_max, DVec3::NEG_X),
+        (room.z_min, DVec3::Z),
+        (room.z_max, DVec3::NEG_Z),
+    ];
+    sides.into_iter().filter_map(|(at, normal)| at.map(|at| Plane { point: at * normal.abs(), normal })).collect()
+}
+
+/// The scene's panels at the start.
+pub(super) fn panels(scene: &Scene) -> Vec<Panel> {
+    scene.panels.iter().map(|drawn| panel(drawn, scene.room.floor)).collect()
+}
+
+fn panel(panel: &crate::scene::Panel, floor: Option<f64>) -> Panel {
+    Panel {
+        id: panel.id.clone(),
+        height: panel.height,
+        velocity: 0.0,
+        center: DVec2::from_array(panel.center),
+        half_size: 0.5 * DVec2::from_array(panel.size),
+        mass: panel.mass,
+        friction: panel.friction,
+        floor,
+        driven: match &panel.motion {
+            PanelMotion::Falls => None,
+            PanelMotion::Driven(keys) => Some(keys.iter().map(|key| (key.time, key.height)).collect()),
+        },
+    }
+}

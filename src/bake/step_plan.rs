@@ -1,0 +1,63 @@
+//! How a frame is divided into steps.
+
+use super::draft::Draft;
+use super::error::BakeError;
+use crate::scene::{Scene, TimeStep};
+use crate::solver::body_contact::stiffness_between;
+use crate::solver::world::StepPlan;
+
+/// More steps than this to one frame are refused: nothing would be seen to happen.
+const MOST_STEPS: f64 = 1e6;
+
+/// Divides a frame so that no body steps beyond its share of the stable step. Bodies that share a panel step together;
+/// bodies that may meet share outer steps short enough for the contact between them.
+pub(super) fn step_plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, BakeError> {
+    let (frame_seconds, wanted, for_contact): (f64, Vec<u32>, u32) = match &scene.time.step {
+        TimeStep::Automatic(automatic) => {
+            let frame = scene.time.frame_seconds();
+            let count = |stable: f64| (frame / (automatic.safety * stable)).ceil().max(1.0) as u32;
+            for draft in drafts {
+                let stable_dt = draft.parts.stable_dt;
+                let steps = frame / (automatic.safety * stable_dt);
+                if steps.is_nan() || steps > MOST_STEPS {
+                    return Err(BakeError::TooManySteps {
+                        path: "/time/frames_per_second".to_owned(),
+                        body: draft.parts.name.clone(),
+                        frame_seconds: frame,
+                        steps,
+                        stable_dt,
+                        limited_by: draft.parts.limited_by.clone(),
+                    });
+                }
+            }
+            let wanted = drafts.iter().map(|draft| count(draft.parts.stable_dt)).collect();
+            (frame, wanted, count(stable_contact_step(drafts)))
+        }
+        TimeStep::Manual(manual) => {
+            let count = manual.substeps_per_frame;
+            (scene.time.frame_seconds(), vec![count; drafts.len()], count)
+        }
+    };
+    let outer_steps = match (scene.panels.is_empty(), drafts.len()) {
+        (false, _) => wanted.iter().copied().max().unwrap_or(1).max(for_contact),
+        (true, 0 | 1) => 1,
+        (true, _) => for_contact,
+    };
+    let substeps = wanted.iter().map(|count| count.div_ceil(outer_steps)).collect();
+    Ok(StepPlan { frame_seconds, outer_steps, substeps })
+}
+
+/// Greatest outer step [s] that resolves the contact between any two bodies; infinite without any.
+fn stable_contact_step(drafts: &[Draft]) -> f64 {
+    // A particle of a surface may carry several others.
+    const CARRIED: f64 = 4.0;
+    let lightest = |draft: &Draft| draft.parts.state.masses.iter().copied().fold(f64::INFINITY, f64::min);
+    let mut fastest: f64 = 0.0;
+    for (index, a) in drafts.iter().enumerate() {
+        for b in &drafts[index + 1..] {
+            let stiffness = CARRIED * stiffness_between(&a.parts.contact, &b.parts.contact);
+            fastest = fastest.max(stiffness * (1.0 / lightest(a) + 1.0 / lightest(b)));
+        }
+    }
+    if fastest > 0.0 { 2.0 / fastest.sqrt() } else { f64::INFINITY }
+}

@@ -1,0 +1,75 @@
+//! What bodies are put together from.
+
+use crate::solver::constraint::Constraint;
+use crate::solver::embedding::EmbeddingWeights;
+use crate::solver::forces::{ContactLaw, Force};
+use crate::solver::integrators::Integrator;
+use crate::solver::layers::Layers;
+use crate::solver::skin::Skin;
+use crate::solver::state::ParticleState;
+use glam::DVec3;
+use std::sync::Arc;
+
+/// What a body is put together from.
+#[derive(Clone)]
+pub struct BodyParts {
+    /// Stable identifier of the scene.
+    pub id: String,
+    /// Name a person reads.
+    pub name: String,
+    /// Kind, as in reports.
+    pub kind: &'static str,
+    /// Particles at the start.
+    pub state: ParticleState,
+    /// Rest positions in the model frame [m].
+    pub model: Arc<[DVec3]>,
+    /// Rest positions in the world [m]: where the particles would start without any initial deformation.
+    pub rest: Arc<[DVec3]>,
+    /// Everything that pushes and pulls.
+    pub forces: Vec<Box<dyn Force>>,
+    /// How it is stepped.
+    pub integrator: Box<dyn Integrator>,
+    /// Prescribed motions.
+    pub constraints: Vec<Constraint>,
+    /// How it pushes on other things.
+    pub contact: ContactLaw,
+    /// Centre lines of the fibres, for drawing and counting.
+    pub fibres: Vec<FibreLine>,
+    /// Build of a two-layer body; none for others.
+    pub layers: Option<Arc<Layers>>,
+    /// Render surface.
+    pub skin: Option<Arc<Skin>>,
+    /// Distance [m] that no particle may cross in one step against the body's mean motion.
+    pub reach: f64,
+    /// Force [N] and energy [J] scales below which the body counts as at rest.
+    pub rest_scale: RestScale,
+    /// Mean number of neighbours of a particle.
+    pub mean_neighbours: f64,
+    /// Time step [s].
+    pub dt: f64,
+    /// Greatest stable time step that was measured [s].
+    pub stable_dt: f64,
+    /// JSON pointer of the parameter that chooses the time step, named when the body diverges.
+    pub step_parameter: String,
+    /// JSON pointer of the parameter that sets the stable step: of all, halving it raises that step most. None where no
+    /// single one does by more than a hundredth.
+    pub limited_by: Option<String>,
+}
+
+/// Scales below which a body counts as at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RestScale {
+    /// Largest net force on a free particle [N].
+    pub force: f64,
+    /// Kinetic energy of a particle [J].
+    pub energy: f64,
+}
+
+/// Centre line of one embedded fibre.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FibreLine {
+    /// Identifier of the scene's fibre.
+    pub id: String,
+    /// Embedded vertices, ends without force included.
+    pub vertices: Vec<EmbeddingWeights>,
+}

@@ -3,7 +3,44 @@
 //! crate is its core, its command line and its window: on one machine the same scene gives the same motion, bit for bit,
 //! on any number of threads.
 //!
-//! # The way through the house
+//! # Start here
+//!
+//! Build a scene, put it together, run it, read it:
+//!
+//! ```
+//! use sinew::{bake::bake, scene::{Assets, Body, Material, Scene}, sim::Runner};
+//!
+//! let cube = Body::cuboid("cube", [0.03; 3]) // [m]
+//!     .with_material(Material::new(1e5, 0.33, 1000.0)) // Young's modulus [Pa], Poisson's ratio, density [kg/m³]
+//!     .with_translation([0.0, 0.05, 0.0]);
+//! let scene = Scene::new("Drop").with_floor(0.0).with_body(cube);
+//! scene.validate()?;
+//! let mut runner = Runner::new(bake(&scene, &Assets::default())?);
+//! runner.advance_frame();
+//! assert!(runner.world().bodies()[0].state().center().y < 0.05);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Three examples of a page each go on from there; they lie in `tests/examples` and check what they say:
+//!
+//! - `cargo run --example box_drop`: a scene step by step, and where its particles are;
+//! - `cargo run --example own_force`: a force of your own on a body of the crate;
+//! - `cargo run --example parameter_study`: a table of how a result hangs on a parameter, beside theory.
+//!
+//! | to | see |
+//! | --- | --- |
+//! | build a scene | [`scene::Scene`], [`scene::Body`], [`scene::Material`], [`scene::Fibre`], [`scene::TwoLayer`] |
+//! | read one from a file, write one | [`io::load_scene`], [`io::save_scene`], [`io::load_assets`]; scenes that ship lie in `scenes` |
+//! | fill a mesh, from a file or from memory | [`scene::Body::from_mesh`], [`scene::Assets::insert_mesh`] |
+//! | put a scene together | [`bake::bake`] |
+//! | run it | [`sim::Runner`]; on a thread of its own, to be paused, pulled and replayed: [`sim::Worker`] |
+//! | read what it shows | [`solver::World`], [`sim::Report`], [`sim::TimeSeries`], [`solver::Snapshot`] |
+//! | write shapes for other programs | [`io::write_obj`], [`io::FrameFolder`], [`io::write_glb`] |
+//! | change a scene so that it can be undone | [`edit::Editor`] |
+//! | turn strokes into a curve | [`sketch::lift()`] |
+//! | make pictures | [`draw::draw`], `render::Offscreen` |
+//!
+//! # From a stroke to a picture
 //!
 //! ```text
 //! strokes --sketch--> curve --scene--> Scene --bake--> World --sim--> frames --> Snapshot, Report --io--> files
@@ -11,38 +48,54 @@
 //!                                                                         +--draw--> DrawList --render--> pixels
 //! ```
 //!
-//! # Rooms
+//! # Modules
 //!
 //! - [`text`]: how numbers are written for people.
 //! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, models and how they are checked,
 //!   filled and moved inwards, rigs of skins. Knows nothing of scenes or physics.
-//! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not; layouts of
-//!   fibres to start from. Pure functions.
-//! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, time, measures; data and validation only.
+//! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not
+//!   ([`sketch::lift()`]); layouts of fibres to start from ([`sketch::pattern`]). Pure functions.
+//! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, time, measures; data, constructors and
+//!   validation.
 //! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
 //!   fibre, as pure functions: [`edit::fibre_ops`].
-//! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of [`solver::forces`], and any of
-//!   the [`solver::integrators`] steps any body; contact between bodies is the world's. Knows no file, clock, thread
-//!   start or window.
+//! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of [`solver::forces`] and of
+//!   [constraints](solver::constraint), and any of the [`solver::integrators`] steps any body; what bodies and panels do to
+//!   each other is the world's ([`solver::body_contact`], [`solver::panel`]). Knows no file, clock, thread start or window.
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
 //!   world.
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
 //!   paces it for a window and keeps the last minutes of motion in bounded memory, to be shown again and gone on from
 //!   bit for bit; readings frame by frame; the comparison of integrators, by numbers and side by side.
-//! - [`io`]: the only file access. Scene JSON and its schema, models, OBJ sequences, atomic writes, recovery, folders of
-//!   what the program keeps for a person, traces of what took how long.
+//! - [`io`]: the only module that reads and writes files. Scene JSON and its schema, models, OBJ sequences, atomic writes,
+//!   recovery, folders of what the program keeps for a person, traces of what took how long. (The window's toolkit keeps
+//!   the window's settings.)
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.
 //! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,
 //!   pictures without a window. Its shaders are beside it as WGSL files.
-//! - [`cli`]: the command line, one file a command.
+//! - [`cli`]: the command line, a file or a folder for each command.
 //! - `ui` (feature `gui`): the window. Reads the document and the newest snapshot; what a person does leaves as a
 //!   [`edit::Command`] or a [`sim::SimCommand`].
 //!
-//! What a room may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
+//! What a module may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
 //! geometry; solver geometry; bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot;
 //! sim scene, bake and solver; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
 //! ui; ui all but cli; and text any but geometry and solver. A test holds the code to this.
+//!
+//! # Where to find
+//!
+//! | what | where |
+//! | --- | --- |
+//! | a stroke becomes a curve | [`sketch::lift()`]: `clean` the strokes, `correspond` them, merge them |
+//! | the matrix's force | [`solver::forces::matrix`]: the formulae at its head, a plain evaluation and a fast one |
+//! | the fibres' force | [`solver::forces::fibre`]; how a fibre hangs in the matrix: [`solver::embedding`] |
+//! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
+//! | the stable step | [`solver::stable_step`] of fibre solids, [`solver::modes`] of two-layer bodies; what sets it: `bake::limits` |
+//! | how a frame is divided into steps | `bake::step_plan`, carried out by [`solver::World::advance_frame`] |
+//! | what a file may hold, and the errors | `scene::validate` |
+//! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
+//! | what a change of the document does | [`edit::Command`], `edit::apply` |
 //!
 //! # Conventions
 //!
@@ -51,26 +104,56 @@
 //! world by its placement; capital X in formulae is the rest position, small x the present one. State and forces are
 //! f64. Parallel loops write by index and sums run in a fixed order, so that the number of threads changes nothing.
 //!
-//! # Running a scene
+//! # Glossary
 //!
-//! ```
-//! use sinew::{bake::bake, io::scene_from_json, sim::Runner};
+//! The matter:
+//! - *fibre solid*: a body of an elastic matrix with fibres in it, filled with particles (the fibre paper's).
+//! - *matrix*: the homogeneous, isotropic material of a fibre solid, without its fibres.
+//! - *material particle*: one of the points of mass that carry the matrix, on a cubic lattice at rest.
+//! - *structure particle*: a vertex of a fibre. It has no mass and no state of its own: material particles carry it.
+//! - *embedding weights*: by how much each of the material particles around a point carries it (eq. 17, corrected).
+//! - *spacing* D: distance of neighbours in the lattice [m]. *Support radius* h: reach of the smoothing kernel [m]; the
+//!   particles within it are a particle's *neighbours*. D / h is the spacing ratio.
+//! - *deformation gradient* F: the linear map from a particle's neighbourhood at rest to the present one.
+//! - *volume fraction* l: share of the material around a point that is fibre. *Matrix fraction*: 1 - l, the share of the
+//!   matrix's energy that is left there (eq. 18).
+//! - *stencil*: the offsets of the lattice within h with their weights, the same for every particle. *Brick*: four
+//!   places of the lattice in a row along x, computed at once. *Pair list*: the same forces, neighbour by neighbour.
+//! - *two-layer body*: an outer and an inner *layer* of particles joined by springs, with gas inside (the two-layer
+//!   paper's). It has no matrix and no fibres.
+//! - *skin*: the surface that is drawn, carried by the particles. *Rig*: how it hangs on them.
 //!
-//! let scene = scene_from_json(r#"{
-//!     "version": 1,
-//!     "room": {"floor": 0.0},
-//!     "bodies": [{
-//!         "id": "cube",
-//!         "shape": {"box": {"center": [0, 0.05, 0], "size": [0.03, 0.03, 0.03]}},
-//!         "material": {"young_modulus": 1e5, "mass": {"density": 1000}, "support_radius": 0.015}
-//!     }]
-//! }"#)?;
-//! let baked = bake(&scene, &sinew::scene::Assets::default())?;
-//! let mut runner = Runner::new(baked);
-//! runner.advance_frame();
-//! assert!(runner.world().bodies()[0].state().center().y < 0.05);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+//! The scene:
+//! - *scene*: the document. *Assets*: the solids that its meshes stand for. *Solid*: a mesh with an inside.
+//! - *room*: the floor, walls and ceiling. *Panel*: a rigid horizontal plate that falls or is driven.
+//! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved.
+//! - *measure*: a quantity read off a body, such as the twist of one region against another. *Probe*: a measure in a world.
+//! - *model frame*: the frame in which a body is described. *Placement*: where it stands in the world.
+//! - *view*: front, side or top. *Stroke*: what was drawn in one. *Lift*: to make a curve of two strokes.
+//! - *pattern*: a layout of fibres to start from. *Dab*: one touch of the brush that paints the volume fraction.
+//!
+//! The motion:
+//! - *bake*: to put a scene together into a world. *Note*: what was noticed on the way.
+//! - *world*: bodies and panels at one time. *State*: positions and velocities of a body.
+//! - *frame*: the time from one picture to the next. *Outer step*: a part of it for which contact between bodies and with
+//!   panels is evaluated once. *Sub-step*: one of a body's own steps in that.
+//! - *stable step*: the longest step under which a body's small motions do not grow. *Safety*: the share of it in use.
+//! - *body contact*: the push between two bodies. *Grab*: the pull at a point of a body. *Strike*: an impulse on a whole
+//!   body.
+//! - *divergence*: a motion that can no longer be computed; the body is stopped. *Break*: of a fibre, past its limits.
+//! - *snapshot*: what can be seen of a world at one time, as plain data.
+//! - *recording*: the states kept of the last minutes, to go back to. *Time series*: the numbers of every frame.
+//! - *checkpoint*: all that a world goes on from, bit for bit.
+//! - *ghost*: the scene without its fibres, or before the last edit, run in step beside it.
+//! - *study*, *trial*: a scene under several integrators and steps; under one.
+//!
+//! The picture and the window:
+//! - *draw list*: what is to be seen, as plain data. *Pick number*: what was drawn at a pixel.
+//! - *view inputs*: all that the picture of a view follows from but its camera; it is kept until one of them changes.
+//! - *command*: a change of the document, one step of undo. *Gesture*: changes that undo as one, such as a drag.
+//! - *action*: what menus, keys and the palette offer. *Disabled reason*: why one cannot be had just now.
+//! - *autosave*: the copy of a changed scene that is kept aside. *Recoverable document*: one that is found at the next
+//!   start.
 //!
 //! # A force and an integrator of your own
 //!
@@ -119,10 +202,9 @@
 //!     }
 //! }
 //!
-//! # let scene = sinew::io::scene_from_json(r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{"id": "cube",
-//! #     "shape": {"box": {"size": [0.03, 0.03, 0.03]}},
-//! #     "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.015}}]}"#)?;
-//! let mut world = sinew::bake::bake(&scene, &sinew::scene::Assets::default())?.world;
+//! use sinew::scene::{Assets, Body, Scene};
+//! let scene = Scene::new("Wind").with_gravity([0.0; 3]).with_body(Body::cuboid("cube", [0.03; 3]));
+//! let mut world = sinew::bake::bake(&scene, &Assets::default())?.world;
 //! let body = world.body_mut(0).expect("the scene's first body");
 //! body.set_integrator(Box::new(SymplecticEuler::default()));
 //! body.add_force(Box::new(Wind(DVec3::X * 1e-3)));
@@ -130,6 +212,14 @@
 //! assert!(world.bodies()[0].state().linear_momentum().x > 0.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! To make one part of the crate, so that scene files can ask for it:
+//!
+//! - a force: a file (or, for a large one, a folder) of its own under `src/solver/forces`; what it needs of a scene as
+//!   fields in [`scene`] with their checks in `scene::validate`; and a line in `bake::body` or `bake::two_layer` that
+//!   pushes it. Its energy is counted under one of the names of [`solver::Energies`], which reports know.
+//! - an integrator: a file of its own under `src/solver/integrators`, a line in the table of [`scene::IntegratorKind`],
+//!   which files, the command line and the window go by, and an arm in `bake::integrator` that makes it.
 //!
 //! # Where the formulation differs from the papers' print
 //!

@@ -49,6 +49,6 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     assert!((fallen - 0.5 * 9.81 * 0.08 * 0.08).abs() < 1e-9, "it fell by {fallen} m in 0.08 s");
     let height = runner.world().bodies()[0].state().center().y;
     assert!((height - HALF).abs() < 0.1 * HALF, "the centre lies {height} m above the floor");
-    println!("It lies still on the floor, its centre {:.1} mm above it.", 1e3 * height);
+    println!("It lies on the floor, its centre {:.1} mm above it.", 1e3 * height);
     Ok(())
 }

@@ -5,7 +5,7 @@ mod own_force;
 mod parameter_study;
 
 #[test]
-fn a_box_falls_and_lies_still() {
+fn a_box_falls_onto_the_floor() {
     box_drop::main().expect("the example runs");
 }
 

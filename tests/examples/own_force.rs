@@ -7,9 +7,7 @@
 use glam::DVec3;
 use sinew::bake::bake;
 use sinew::scene::{Assets, Body, Scene};
-use sinew::solver::energy::Energies;
-use sinew::solver::forces::Force;
-use sinew::solver::state::ParticleState;
+use sinew::solver::{Energies, Force, ParticleState};
 use std::error::Error;
 use std::f64::consts::TAU;
 

@@ -6,7 +6,7 @@
 use sinew::bake::bake;
 use sinew::scene::{Assets, Axis, Body, Material, Measure, MeasureKind, Pin, Region, Scene, Side};
 use sinew::sim::Runner;
-use sinew::solver::measure::MeasureValue;
+use sinew::solver::MeasureValue;
 use std::error::Error;
 
 /// Particle spacing, length and thickness of the rod [m]: 27 layers by 3 by 3.

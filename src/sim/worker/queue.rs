@@ -127,10 +127,11 @@ fn effect(newer: &SimCommand, older: &SimCommand) -> Effect {
         | (Tension(_), Tension(_))
         | (Show(_), Show(_))
         | (MoveGrab(_), MoveGrab(_)) => Effect::Supersedes,
-        // Settings and all the rest do not heed each other.
-        (Open(..) | Speed(_) | Field(_) | Tension(_), _) | (_, Speed(_) | Field(_) | Tension(_)) => Effect::Passes,
-        // Whether time runs is all the same to a document and a ghost: no frame is computed between two commands.
-        (Edit(_) | Ghost(_), Edit(_) | Ghost(_) | Play | Pause) => Effect::Passes,
+        // Settings and all the rest do not heed each other. Whether time runs is all the same to a document and a ghost: no
+        // frame is computed between two commands.
+        (Open(..) | Speed(_) | Field(_) | Tension(_), _)
+        | (_, Speed(_) | Field(_) | Tension(_))
+        | (Edit(_) | Ghost(_), Edit(_) | Ghost(_) | Play | Pause) => Effect::Passes,
         _ => Effect::Stops,
     }
 }

@@ -26,6 +26,7 @@ impl BrickLaw {
     /// The particles' own part of their forces [N], and what their neighbours feel of them; `rotations` are those of
     /// the last evaluation, and of this one afterwards.
     #[inline(always)]
+    #[allow(clippy::needless_pass_by_value, reason = "the sums lie in registers")]
     pub(super) fn finish<S: Simd>(
         &self,
         simd: S,

@@ -11,6 +11,7 @@ const GROUPS: [(usize, usize); 13] =
     [(0, 0), (1, 0), (0, 1), (1, 1), (2, 0), (0, 2), (2, 1), (1, 2), (2, 2), (3, 0), (0, 3), (3, 1), (1, 3)];
 
 /// Rows (dy, dz), group after group, so that a smaller stencil uses the first of them: 21 up to |o|² = 6.
+#[allow(clippy::cast_possible_wrap, reason = "groups are a few cells away")]
 pub(super) const ROWS: [(i32, i32); rows_within(MAX_NORM_SQUARED)] = {
     let mut rows = [(0, 0); rows_within(MAX_NORM_SQUARED)];
     let (mut n, mut g) = (0, 0);
@@ -94,6 +95,7 @@ macro_rules! for_every_group {
 }
 pub(super) use for_every_group;
 
+#[allow(clippy::cast_possible_wrap, reason = "groups are a few cells away")]
 const _: () = {
     let (mut g, mut norm_squared) = (0, 0);
     while g < GROUPS.len() {

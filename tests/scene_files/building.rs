@@ -11,6 +11,7 @@ use sinew::sketch::View;
 
 /// Every default of a file is that of the call, and what a call is given is where the file has it.
 #[test]
+#[allow(clippy::too_many_lines, reason = "a line a field")]
 fn what_calls_build_is_what_a_file_says() {
     let file = r#"{
         "version": 1,

@@ -72,7 +72,9 @@ fn hash_on(hasher: &mut DefaultHasher, app: &App, runner: &Runner, frame: usize)
     let computed = runner.particles();
     assert_eq!(bits(shown), bits(&computed), "frame {frame}");
     assert_eq!(*shown, computed, "frame {frame}");
-    bits(shown).into_iter().for_each(|number| hasher.write_u64(number));
+    for number in bits(shown) {
+        hasher.write_u64(number);
+    }
 }
 
 /// Advances both frame by frame; gives the hash of all that was shown.

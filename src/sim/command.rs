@@ -22,7 +22,7 @@ pub enum SimCommand {
     Edit(Arc<Scene>),
     /// Another document and its models: put it together and start anew.
     Open(Arc<Scene>, Arc<Assets>),
-    /// Pull on a point of a body.
+    /// Take hold of a point of a body and pull it to another place.
     Grab {
         /// Index of the body.
         body: usize,
@@ -61,7 +61,7 @@ pub enum SimCommand {
     /// Show the kept frames from the one that is shown on, or from the first, as fast as they were meant to be, and hold
     /// at the end.
     Replay,
-    /// Go on from the frame that is shown; the later ones are dropped. A pull, a strike and an edit do so, too.
+    /// Go on from the frame that is shown; the later ones are dropped. A grab, a strike and an edit do so, too.
     ContinueHere,
     /// Back from earlier frames to where the simulation has come to.
     Live,

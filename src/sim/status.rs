@@ -78,7 +78,7 @@ pub struct RecordingStatus {
     pub edits: Vec<f64>,
     /// Times of frames in which fibres broke [s].
     pub breaks: Vec<f64>,
-    /// How often the simulation went on from an earlier frame, and what is to be said of the last time.
+    /// How often the simulation continued from an earlier frame, and what is to be said of the last time.
     pub continued: (u64, String),
 }
 

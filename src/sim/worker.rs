@@ -53,9 +53,9 @@ impl Worker {
         Self { commands: Some(commands), shared, thread }
     }
 
-    /// Asks for something, which is done in the order in which it was asked for, as soon as the frame is finished that is
-    /// being computed. What a later request makes pointless may be left out: of a drag, of settings and of documents that
-    /// follow each other only the newest counts. False if the thread is gone.
+    /// Asks for something, which is done in the order in which it was asked for, as soon as the frame is finished that
+    /// is being computed. What a later request makes pointless may be left out: of a drag, of settings and of documents
+    /// that follow each other only the newest counts. False if the thread is gone.
     pub fn send(&self, command: SimCommand) -> bool {
         self.commands.as_ref().is_some_and(|commands| commands.send(command))
     }

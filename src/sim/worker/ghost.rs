@@ -53,7 +53,8 @@ impl GhostRun {
         self.wanted.is_some()
     }
 
-    /// Ends the ghost that is no longer wanted; gives the scene of the one that is wanted in its place, to be put together.
+    /// Ends the ghost that is no longer wanted; gives the scene of the one that is wanted in its place, to be put
+    /// together.
     pub(super) fn replace(&mut self) -> Option<Arc<Scene>> {
         if !std::mem::take(&mut self.is_stale) {
             return None;

@@ -39,8 +39,8 @@ impl LiveRun {
         self.runner = None;
     }
 
-    /// Goes on from a run of before: in its own build where that is still the present one, and as the present one in its
-    /// motion where it is not, which is what it gives.
+    /// Goes on from a run of before: in its own build where that is still the present one, and as the present one in
+    /// its motion where it is not, which is what it gives.
     pub(super) fn continue_from(&mut self, restored: RestoredRun) -> bool {
         let changed = self.start.as_ref().filter(|start| !Arc::ptr_eq(start, &restored.build));
         let is_changed = changed.is_some();

@@ -153,8 +153,8 @@ impl Motion {
         }
     }
 
-    /// Ends the ghost that is no longer wanted; gives the scene of the one that is wanted in its place, to be put together.
-    /// While an earlier frame is shown all waits.
+    /// Ends the ghost that is no longer wanted; gives the scene of the one that is wanted in its place, to be put
+    /// together. While an earlier frame is shown all waits.
     pub(super) fn replace_ghost(&mut self) -> Option<Arc<Scene>> {
         if self.replay.is_active() {
             return None;
@@ -230,7 +230,8 @@ impl Motion {
         self.playback.set_playing(self.replay.is_active());
     }
 
-    /// Makes the frame that is shown the live run's state and drops the later ones; all stays as it is where none is shown.
+    /// Makes the frame that is shown the live run's state and drops the later ones; all stays as it is where none is
+    /// shown.
     pub(super) fn continue_here(&mut self) {
         let Some(from) = self.replay.continue_here(&mut self.playback) else { return };
         if self.runs.live.runner().is_none() {

@@ -1,8 +1,9 @@
 //! What the window has asked for and the simulation thread has not heard yet.
 //!
-//! Commands are heard in the order in which they were sent, and the window never waits. A command that a newer one makes
-//! pointless leaves the queue for it, so that it stays as short as what a person can ask for while a frame is computed.
-//! Whether it does is decided by what lies between them: nothing may, that would turn out otherwise without the older one.
+//! Commands are heard in the order in which they were sent, and the window never waits. A command that a newer one
+//! makes pointless leaves the queue for it, so that it stays as short as what a person can ask for while a frame is
+//! computed. Whether it does is decided by what lies between them: nothing may, that would turn out otherwise without
+//! the older one.
 
 use super::shared::lock;
 use crate::sim::command::SimCommand;
@@ -53,8 +54,8 @@ impl CommandSender {
 }
 
 impl CommandReceiver {
-    /// All that waits, as soon as something does; nothing if nothing has come by `deadline`, where there is one. None once
-    /// the window is gone.
+    /// All that waits, as soon as something does; nothing if nothing has come by `deadline`, where there is one. None
+    /// once the window is gone.
     pub(super) fn take_all(&self, deadline: Option<Instant>) -> Option<Vec<Request>> {
         let mut waiting = lock(&self.0.waiting);
         while waiting.requests.is_empty() && !waiting.closed {
@@ -127,8 +128,8 @@ fn effect(newer: &SimCommand, older: &SimCommand) -> Effect {
         | (Tension(_), Tension(_))
         | (Show(_), Show(_))
         | (MoveGrab(_), MoveGrab(_)) => Effect::Supersedes,
-        // Settings and all the rest do not heed each other. Whether time runs is all the same to a document and a ghost: no
-        // frame is computed between two commands.
+        // Settings and all the rest do not heed each other. Whether time runs is all the same to a document and a
+        // ghost: no frame is computed between two commands.
         (Open(..) | Speed(_) | Field(_) | Tension(_), _)
         | (_, Speed(_) | Field(_) | Tension(_))
         | (Edit(_) | Ghost(_), Edit(_) | Ghost(_) | Play | Pause) => Effect::Passes,

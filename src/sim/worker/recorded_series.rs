@@ -6,7 +6,8 @@ use crate::solver::world::World;
 /// Rows that are kept: ten minutes at sixty frames a second.
 const MOST_ROWS: usize = 36_000;
 
-/// Energies, momenta and measures of every frame since the start of the scene, or since it has other bodies or measures.
+/// Energies, momenta and measures of every frame since the start of the scene, or since it has other bodies or
+/// measures.
 #[derive(Clone, Debug, Default)]
 pub struct RecordedSeries {
     /// Of the world.

@@ -154,8 +154,8 @@ impl Replay {
         }
     }
 
-    /// Ends the replay where the simulation is to continue, and drops the later frames; none where no frame is shown, or
-    /// none is kept any longer.
+    /// Ends the replay where the simulation is to continue, and drops the later frames; none where no frame is shown,
+    /// or none is kept any longer.
     pub(super) fn continue_here(&mut self, playback: &mut Playback) -> Option<Continuation> {
         let restored = self.shown.take()?;
         self.leave();

@@ -15,7 +15,11 @@
 //!     .with_translation([0.0, 0.05, 0.0]);
 //! let scene = Scene::new("Drop").with_floor(0.0).with_body(cube);
 //! scene.validate()?;
-//! let mut runner = Runner::new(bake(&scene, &Assets::default())?);
+//! let baked = bake(&scene, &Assets::default())?;
+//! for note in &baked.notes {
+//!     println!("{note}"); // what should be looked at
+//! }
+//! let mut runner = Runner::new(baked);
 //! runner.advance_frame();
 //! assert!(runner.world().bodies()[0].state().center().y < 0.05);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -65,8 +69,8 @@
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
 //!   world.
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
-//!   paces it for a window and keeps the last minutes of motion in bounded memory, to be shown again and gone on from
-//!   bit for bit; readings frame by frame; the comparison of integrators, by numbers and side by side.
+//!   paces it for a window and keeps as much of the last motion as fits its memory, to be shown again and gone on
+//!   from bit for bit; time series; the comparison of integrators, by numbers and side by side.
 //! - [`io`]: the only module that reads and writes files. Scene JSON and its schema, models, OBJ sequences, atomic writes,
 //!   recovery, folders of what the program keeps for a person, traces of what took how long. (The window's toolkit keeps
 //!   the window's settings.)
@@ -81,7 +85,7 @@
 //! What a module may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
 //! geometry; solver geometry; bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot;
 //! sim scene, bake and solver; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
-//! ui; ui all but cli; and text any but geometry and solver. A test holds the code to this.
+//! ui; ui all but cli; and any but geometry and solver may import text. A test holds the code to this.
 //!
 //! # Where to find
 //!
@@ -91,6 +95,9 @@
 //! | the matrix's force | [`solver::forces::matrix`]: the formulae at its head, a plain evaluation and a fast one |
 //! | the fibres' force | [`solver::forces::fibre`]; how a fibre hangs in the matrix: [`solver::embedding`] |
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
+//! | contact with the room, with panels, between bodies | [`solver::forces::Contact`]; [`solver::panel`]; [`solver::body_contact`] |
+//! | the recording, and what asks for it | `sim::recording`; [`sim::SimCommand`] |
+//! | where a force or an integrator is added | [below](#a-force-and-an-integrator-of-your-own) |
 //! | the stable step | [`solver::stable_step`] of fibre solids, [`solver::modes`] of two-layer bodies; what sets it: `bake::limits` |
 //! | how a frame is divided into steps | `bake::step_plan`, carried out by [`solver::World::advance_frame`] |
 //! | what a file may hold, and the errors | `scene::validate` |
@@ -133,8 +140,8 @@
 //! - *pattern*: a layout of fibres to start from. *Dab*: one touch of the brush that paints the volume fraction.
 //!
 //! The motion:
-//! - *bake*: to put a scene together into a world. *Note*: what was noticed on the way.
-//! - *world*: bodies and panels at one time. *State*: positions and velocities of a body.
+//! - *bake*: to put a scene together into a world. *Note*: what was noticed on the way ([`bake::Baked::notes`]).
+//! - *world*: bodies and panels at one time. *State*: positions, velocities and masses of a body.
 //! - *frame*: the time from one picture to the next. *Outer step*: a part of it for which contact between bodies and with
 //!   panels is evaluated once. *Sub-step*: one of a body's own steps in that.
 //! - *stable step*: the longest step under which a body's small motions do not grow. *Safety*: the share of it in use.
@@ -142,7 +149,8 @@
 //!   body.
 //! - *divergence*: a motion that can no longer be computed; the body is stopped. *Break*: of a fibre, past its limits.
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
-//! - *recording*: the states kept of the last minutes, to go back to. *Time series*: the numbers of every frame.
+//! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of
+//!   the last frames, many more of them.
 //! - *checkpoint*: all that a world goes on from, bit for bit.
 //! - *ghost*: the scene without its fibres, or before the last edit, run in step beside it.
 //! - *study*, *trial*: a scene under several integrators and steps; under one.
@@ -213,11 +221,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Neither changes the step that was measured when the scene was put together; [`bake::bake`] measures it for what a scene
+//! file names.
+//!
 //! To make one part of the crate, so that scene files can ask for it:
 //!
 //! - a force: a file (or, for a large one, a folder) of its own under `src/solver/forces`; what it needs of a scene as
 //!   fields in [`scene`] with their checks in `scene::validate`; and a line in `bake::body` or `bake::two_layer` that
-//!   pushes it. Its energy is counted under one of the names of [`solver::Energies`], which reports know.
+//!   pushes it before the stable step is measured, with `step_limit` where its linearisation at the start hides how stiff
+//!   it gets. Its energy is counted under one of the names of [`solver::Energies`], which reports know.
 //! - an integrator: a file of its own under `src/solver/integrators`, a line in the table of [`scene::IntegratorKind`],
 //!   which files, the command line and the window go by, and an arm in `bake::integrator` that makes it.
 //!

@@ -204,7 +204,7 @@ fn behind(gate: &Arc<Mutex<()>>, scene: Arc<Scene>, playing: bool) -> Worker {
 /// The cube under another name, with another start.
 fn renamed(name: &str, velocity: f64) -> Arc<Scene> {
     let mut scene = (*scene("")).clone();
-    scene.bodies[0].name = name.to_owned();
+    name.clone_into(&mut scene.bodies[0].name);
     scene.bodies[0].initial.velocity = [velocity, 0.0, 0.0];
     Arc::new(scene)
 }

@@ -74,7 +74,7 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        // Without a sender the thread ends after its present frame.
+        // Without a sender the thread ends after what it is doing just now; what waits is dropped.
         self.commands = None;
         if let Some(thread) = self.thread.take() {
             // A failure in there has been reported as a status.

@@ -17,7 +17,7 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 const KEPT: usize = 1800;
 /// Height of the plots below the views [points].
 const PLOTS_HEIGHT: f32 = 180.0;
-/// The study of orders: its length [frames], its coarsest run [steps a frame] and how often the step is halved.
+/// The study of orders: its length [s], its coarsest run [steps a frame] and how often the step is halved.
 const STUDY_SECONDS: f64 = 0.1;
 const STUDY_STEPS: u32 = 32;
 const STUDY_HALVINGS: u32 = 4;

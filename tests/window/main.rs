@@ -69,7 +69,6 @@ fn hold(window: &mut Window) {
 
 /// Back to the start of the scene as it is now, with every edit, and held there.
 fn reset(window: &mut Window) {
-    // What is asked for together with an edit is done before the scene is put together: the reset comes alone.
     advance(window);
     press_key(window, Modifiers::COMMAND, egui::Key::R);
     until(window, is_at_start);

@@ -105,7 +105,7 @@ impl Motion {
             self.playback.rest();
             return false;
         }
-        if Instant::now() < self.playback.due() {
+        if !self.playback.is_due() {
             return false;
         }
         self.advance();

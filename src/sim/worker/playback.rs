@@ -61,6 +61,11 @@ impl Playback {
         self.due.unwrap_or_else(Instant::now)
     }
 
+    /// Whether the next frame is due now.
+    pub(super) fn is_due(&self) -> bool {
+        self.due.is_none_or(|due| Instant::now() >= due)
+    }
+
     /// Plans no frame: what stands still has none to make up for.
     pub(super) fn rest(&mut self) {
         self.due = None;

@@ -68,6 +68,11 @@ impl CommandReceiver {
         }
         (!waiting.closed).then(|| std::mem::take(&mut waiting.requests))
     }
+
+    /// Whether the window is gone.
+    pub(super) fn is_closed(&self) -> bool {
+        lock(&self.0.waiting).closed
+    }
 }
 
 impl Drop for CommandSender {
@@ -90,21 +95,27 @@ impl Queue {
 }
 
 impl Waiting {
-    /// Appends a command in place of the older ones that it supersedes.
+    /// Appends a command without the older ones that it supersedes. An edit comes where the one was that it supersedes: a
+    /// ghost that was asked for behind that begins from where the edited scene is.
     fn push(&mut self, command: SimCommand) {
         let mut documents = u64::from(matches!(command, SimCommand::Edit(_) | SimCommand::Open(..)));
+        let mut place = None;
         for index in (0..self.requests.len()).rev() {
             match effect(&command, &self.requests[index].command) {
-                Effect::Supersedes => documents += self.requests.remove(index).documents,
+                Effect::Supersedes => {
+                    documents += self.requests.remove(index).documents;
+                    place = matches!(command, SimCommand::Edit(_)).then_some(index);
+                }
                 Effect::Passes => {}
                 Effect::Stops => break,
             }
         }
-        self.requests.push(Request { command, documents });
+        self.requests.insert(place.unwrap_or(self.requests.len()), Request { command, documents });
     }
 }
 
-/// What a command does to an older one that still waits.
+/// What a command does to an older one that still waits. Of documents and ghosts that follow each other only the newest is
+/// put together, whatever the others would have been.
 enum Effect {
     /// It takes its place: with or without the older one all comes to the same.
     Supersedes,
@@ -128,9 +139,9 @@ fn effect(newer: &SimCommand, older: &SimCommand) -> Effect {
         | (Tension(_), Tension(_))
         | (Show(_), Show(_))
         | (MoveGrab(_), MoveGrab(_)) => Effect::Supersedes,
-        // Settings and all the rest do not heed each other. Whether time runs is all the same to a document and a
-        // ghost: no frame is computed between two commands.
-        (Open(..) | Speed(_) | Field(_) | Tension(_), _)
+        // Settings and all the rest do not heed each other. Whether time runs is all the same to an edit and a ghost: no
+        // frame is computed between two commands.
+        (Speed(_) | Field(_) | Tension(_), _)
         | (_, Speed(_) | Field(_) | Tension(_))
         | (Edit(_) | Ghost(_), Edit(_) | Ghost(_) | Play | Pause) => Effect::Passes,
         _ => Effect::Stops,
@@ -186,9 +197,13 @@ mod tests {
         let edits = (0..400).flat_map(|k| [edit(&k.to_string()), ghost(&k.to_string())]);
         assert_eq!(heard(edits), [("edit 399".to_owned(), 400), ("ghost 399".to_owned(), 0)]);
         let opened = [edit("a"), SimCommand::Step, ghost("b"), open("c"), SimCommand::Pause, edit("d"), edit("e")];
-        let expected = [("Step", 0), ("open c", 2), ("Pause", 0), ("edit e", 2)];
+        let expected = [("edit a", 1), ("Step", 0), ("open c", 1), ("Pause", 0), ("edit e", 2)];
         assert_eq!(heard(opened), expected.map(|(word, documents)| (word.to_owned(), documents)));
-        assert_eq!(heard([open("a"), SimCommand::Play, open("b")])[1], ("open b".to_owned(), 2));
+        assert_eq!(heard([edit("a"), ghost("b"), open("c"), open("d")]), [("open d".to_owned(), 3)]);
+        // Whether time runs outlives a document, and what a document is played from.
+        assert_eq!(words([open("a"), SimCommand::Play, open("b")]), ["open a", "Play", "open b"]);
+        // A ghost joins the scene that was edited before it.
+        assert_eq!(words([edit("a"), ghost("b"), edit("c")]), ["edit c", "ghost b"]);
     }
 
     #[test]
@@ -198,7 +213,7 @@ mod tests {
             let word = format!("{between:?}");
             assert_eq!(words([edit("a"), between, edit("b")]), ["edit a", &word, "edit b"]);
         }
-        assert_eq!(words([edit("a"), SimCommand::Play, edit("b"), SimCommand::Reset]), ["Play", "edit b", "Reset"]);
+        assert_eq!(words([edit("a"), SimCommand::Play, edit("b"), SimCommand::Reset]), ["edit b", "Play", "Reset"]);
     }
 
     #[test]

@@ -21,11 +21,12 @@ impl SimThread {
         while let Some(requests) = self.commands.take_all(self.simulation.motion.due()) {
             let was_asked = !requests.is_empty();
             for Request { command, documents } in requests {
+                if self.commands.is_closed() {
+                    return;
+                }
                 self.simulation.handle(command, documents);
             }
-            if was_asked {
-                self.simulation.settle();
-            }
+            self.simulation.settle(was_asked);
             // What has just stopped everything is to be seen too.
             if self.simulation.motion.advance_if_due() || was_asked {
                 self.simulation.motion.publish();

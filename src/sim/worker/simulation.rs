@@ -53,11 +53,13 @@ impl Simulation {
         }
     }
 
-    /// Does what has waited until everything was heard: a ghost that was wanted during a replay, and the numbers of the
-    /// present frame.
-    pub(super) fn settle(&mut self) {
+    /// Does what has waited until everything was heard: a ghost that was wanted during a replay, which may have ended by
+    /// itself, and where something was asked for the numbers of the present frame.
+    pub(super) fn settle(&mut self, was_asked: bool) {
         self.rebuild_ghost();
-        self.motion.record_series();
+        if was_asked {
+            self.motion.record_series();
+        }
     }
 
     fn edit(&mut self, scene: Arc<Scene>) {

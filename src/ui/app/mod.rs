@@ -140,7 +140,6 @@ impl App {
     /// Works out what the panels are told of each other in this frame.
     fn prepare(&mut self) {
         self.cx.has_dialog = self.dialog.is_some();
-        self.prepare_pattern();
         self.cx.actions = self.action_states();
     }
 

@@ -8,7 +8,8 @@ use crate::ui::right_panel::PropertyTab;
 impl App {
     /// Does what the panel that was just shown asked for.
     pub(super) fn carry_out(&mut self, ctx: &egui::Context) {
-        for request in self.cx.take_requests() {
+        // What is done may leave further requests.
+        while let Some(request) = self.cx.next_request() {
             match request {
                 Request::Do(action) => self.perform(ctx, action),
                 Request::Open(dialog) => self.dialog = Some(dialog),

@@ -34,6 +34,7 @@ use super::theme::Tone;
 use crate::edit::Command;
 use crate::scene::Scene;
 use crate::sim::SimCommand;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// What panels and tools share.
@@ -58,7 +59,7 @@ pub struct Context {
     pub has_dialog: bool,
     lifts: Lifts,
     gestures: Gestures,
-    requests: Vec<Request>,
+    requests: VecDeque<Request>,
 }
 
 impl Context {
@@ -76,7 +77,7 @@ impl Context {
             has_dialog: false,
             lifts: Lifts::default(),
             gestures: Gestures::default(),
-            requests: Vec::new(),
+            requests: VecDeque::new(),
         }
     }
 
@@ -97,12 +98,12 @@ impl Context {
 
     /// Asks for something that concerns other panels.
     pub fn request(&mut self, request: Request) {
-        self.requests.push(request);
+        self.requests.push_back(request);
     }
 
-    /// What was asked for since this was called last.
-    pub fn take_requests(&mut self) -> Vec<Request> {
-        std::mem::take(&mut self.requests)
+    /// What was asked for first and is not carried out yet.
+    pub fn next_request(&mut self) -> Option<Request> {
+        self.requests.pop_front()
     }
 
     /// Changes the document; changes of one gesture are one step of undo.
@@ -117,6 +118,10 @@ impl Context {
             Ok(()) if Arc::ptr_eq(&before, self.scene()) => {}
             Ok(()) => self.hand_over(),
             Err(error) => self.say(Severity::Error, error.to_string()),
+        }
+        if step == Step::Own {
+            // What is dragged next is another step.
+            self.gestures.begin();
         }
     }
 

@@ -6,6 +6,7 @@ use super::links::Links;
 use super::options::ViewOptions;
 use super::pane::Pane;
 use super::picture::Painter;
+use super::region::RegionTool;
 use super::sketching::Sketching;
 use super::view::{Tools, show};
 use crate::sketch::View;
@@ -131,9 +132,10 @@ impl Views {
         &mut self.tools.editing
     }
 
-    /// Forgets what is drawn and done so far: another body is drawn into.
+    /// Forgets what is drawn, dragged and done so far: another body or document is drawn into.
     pub fn forget_gestures(&mut self) {
         self.tools.editing = Editing::default();
+        self.tools.region = RegionTool::default();
         self.tools.sketching.forget();
     }
 

@@ -4,7 +4,7 @@ use crate::render::Camera;
 use crate::sketch::View;
 use egui::Rect;
 
-/// How the drawing views lie and what one of them has done that the other follows.
+/// How the drawing views lie, what one of them has done that the other follows, and what all of them are fitted to.
 #[derive(Default)]
 pub struct Links {
     /// The drawing views, and where they lay in the last frame.

@@ -91,7 +91,9 @@ impl Sketching {
 
     /// Takes refused strokes by stretching the second onto the first.
     pub fn stretch(&mut self, cx: &mut Context) {
-        if let Some(outcome) = self.tool.stretch(cx.active.diagonal()) {
+        if self.is_refused()
+            && let Some(outcome) = self.tool.stretch(cx.active.diagonal())
+        {
             self.released(outcome, cx);
         }
     }

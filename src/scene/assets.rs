@@ -85,15 +85,17 @@ impl Assets {
     ///
     /// ```
     /// use sinew::geometry::{lattice::Cuboid, mesh::box_surface};
-    /// use sinew::scene::{Assets, Body};
+    /// use sinew::scene::{Assets, Body, Scene};
     /// use glam::DVec3;
     ///
     /// let mesh = box_surface(&Cuboid { center: DVec3::ZERO, size: DVec3::splat(0.04) }, 0.01);
     /// let mut assets = Assets::default();
     /// assets.insert_mesh("block", &mesh)?;
     /// let body = Body::from_mesh("body", "block");
-    /// # let scene = sinew::scene::Scene::new("").with_body(body);
-    /// # assert_eq!(sinew::bake::bake(&scene, &assets)?.world.bodies()[0].state().len(), 343);
+    /// let scene = Scene::new("Block").with_body(body);
+    /// let world = sinew::bake::bake(&scene, &assets)?.world;
+    /// // The material's 1000 kg/m³ times 64 cm³.
+    /// assert!((world.bodies()[0].state().mass() - 0.064).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

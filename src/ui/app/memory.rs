@@ -13,25 +13,15 @@ const WINDOW: &str = "window";
 const RECENT: &str = "recent";
 const START_SCREEN: &str = "start screen";
 
-/// How the window was left.
-#[derive(Deserialize)]
-struct Recalled {
-    views: Tree<Pane>,
+/// How the window is left; its views are lent to be written, and owned when they were read.
+#[derive(Serialize, Deserialize)]
+struct Remembered<V> {
+    views: V,
     light: bool,
     coach: bool,
     #[serde(default)]
     timeline: RememberedTimeline,
     #[serde(default)]
-    plots: bool,
-}
-
-/// How the window is left.
-#[derive(Serialize)]
-struct Remembered<'a> {
-    views: &'a Tree<Pane>,
-    light: bool,
-    coach: bool,
-    timeline: RememberedTimeline,
     plots: bool,
 }
 
@@ -46,7 +36,7 @@ impl App {
             self.recent = recent;
         }
         self.gallery.recall(eframe::get_value(storage, START_SCREEN).unwrap_or(false));
-        let Some(last) = eframe::get_value::<Recalled>(storage, WINDOW) else { return };
+        let Some(last) = eframe::get_value::<Remembered<Tree<Pane>>>(storage, WINDOW) else { return };
         self.views.recall(last.views, last.coach);
         self.timeline.recall(last.timeline, &self.cx);
         self.time_series.open = last.plots;

@@ -1,6 +1,6 @@
 //! Curves and vertices of fibres, lifted from their strokes once and not in every frame of every view.
 
-use crate::edit::fibre_ops::Sampling;
+use crate::edit::fibre_ops::{self, Sampling};
 use crate::scene::{Fibre, FibreSource};
 use crate::sketch::{Lifted, structure_particles};
 use glam::DVec3;
@@ -37,10 +37,9 @@ impl Lifts {
             FibreSource::Strokes(pair) => pair.lifted(sampling.model_diagonal).ok(),
             FibreSource::Vertices(_) => None,
         };
-        let vertices = match (&lifted, &fibre.source) {
-            (Some(lifted), _) => structure_particles(&lifted.curve, sampling.spacing).unwrap_or_default(),
-            (None, FibreSource::Vertices(vertices)) => vertices.iter().copied().map(DVec3::from_array).collect(),
-            (None, FibreSource::Strokes(_)) => Vec::new(),
+        let vertices = match &lifted {
+            Some(lifted) => structure_particles(&lifted.curve, sampling.spacing).unwrap_or_default(),
+            None => fibre_ops::vertices(fibre, sampling).unwrap_or_default(),
         };
         let lift = Rc::new(Lift { source: fibre.source.clone(), sampling, lifted, vertices });
         known.insert(fibre.id.clone(), Rc::clone(&lift));

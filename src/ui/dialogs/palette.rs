@@ -2,6 +2,7 @@
 
 use super::answer::Answer;
 use crate::ui::action::{Action, ActionStates, GESTURES, Menu};
+use crate::ui::controls::key_of;
 use crate::ui::theme::GRID;
 use egui::{Key, RichText, ScrollArea, TextEdit, Ui};
 
@@ -32,8 +33,7 @@ pub fn palette(ui: &mut Ui, text: &mut String, chosen: &mut usize, actions: &Act
             ui.label("No command of that name");
         }
         for (k, &action) in matches.iter().enumerate() {
-            let key =
-                action.shortcuts().first().map_or_else(String::new, |shortcut| ui.ctx().format_shortcut(shortcut));
+            let key = key_of(ui, action);
             let button = egui::Button::selectable(k == *chosen, action.name())
                 .shortcut_text(key)
                 .min_size(egui::vec2(340.0, 0.0));

@@ -54,7 +54,7 @@
 //!
 //! # Modules
 //!
-//! - [`text`]: how numbers are written for people.
+//! - `text`: how numbers are written for people.
 //! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, models and how they are checked,
 //!   filled and moved inwards, rigs of skins. Knows nothing of scenes or physics.
 //! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not
@@ -63,9 +63,9 @@
 //!   validation.
 //! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
 //!   fibre, as pure functions: [`edit::fibre_ops`].
-//! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of [`solver::forces`] and of
-//!   [constraints](solver::constraint), and any of the [`solver::integrators`] steps any body; what bodies and panels do to
-//!   each other is the world's ([`solver::body_contact`], [`solver::panel`]). Knows no file, clock, thread start or window.
+//! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of `solver::forces` and of
+//!   constraints, and any of the `solver::integrators` steps any body; what bodies and panels do to each other is the
+//!   world's (`solver::body_contact`, `solver::panel`). Knows no file, clock, thread start or window.
 //! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
 //!   world.
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
@@ -82,23 +82,28 @@
 //! - `ui` (feature `gui`): the window. Reads the document and the newest snapshot; what a person does leaves as a
 //!   [`edit::Command`] or a [`sim::SimCommand`].
 //!
+//! - `test_support`: what the tests look at besides all this.
+//!
+//! What is public is there to be called from other crates, and its changes are told in the list of changes; the rest is
+//! `pub(crate)` or less, which the lint `unreachable_pub` holds the code to.
+//!
 //! What a module may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
 //! geometry; solver geometry; bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot;
 //! sim scene, bake and solver; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
-//! ui; ui all but cli; and any but geometry and solver may import text. A test holds the code to this.
+//! ui; ui all but cli; any but geometry and solver may import text; and test_support may import all. A test holds the code to this.
 //!
 //! # Where to find
 //!
 //! | what | where |
 //! | --- | --- |
 //! | a stroke becomes a curve | [`sketch::lift()`]: `clean` the strokes, `correspond` them, merge them |
-//! | the matrix's force | [`solver::forces::matrix`]: the formulae at its head, a plain evaluation and a fast one |
-//! | the fibres' force | [`solver::forces::fibre`]; how a fibre hangs in the matrix: [`solver::embedding`] |
+//! | the matrix's force | `solver::forces::matrix`: the formulae at its head, a plain evaluation and a fast one |
+//! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
-//! | contact with the room, with panels, between bodies | [`solver::forces::Contact`]; [`solver::panel`]; [`solver::body_contact`] |
+//! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact` |
 //! | the recording, and what asks for it | `sim::recording`; [`sim::SimCommand`] |
 //! | where a force or an integrator is added | [below](#a-force-and-an-integrator-of-your-own) |
-//! | the stable step | [`solver::stable_step`] of fibre solids, [`solver::modes`] of two-layer bodies; what sets it: `bake::limits` |
+//! | the stable step | `solver::stable_step` of fibre solids, `solver::modes` of two-layer bodies; what sets it: `bake::limits` |
 //! | how a frame is divided into steps | `bake::step_plan`, carried out by [`solver::World::advance_frame`] |
 //! | what a file may hold, and the errors | `scene::validate` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
@@ -153,7 +158,7 @@
 //!   the last frames, many more of them.
 //! - *checkpoint*: all that a world goes on from, bit for bit.
 //! - *ghost*: the scene without its fibres, or before the last edit, run in step beside it.
-//! - *study*, *trial*: a scene under several integrators and steps; under one.
+//! - *study*, *trial*: a scene under several integrators and steps, put together once; under one.
 //!
 //! The picture and the window:
 //! - *draw list*: what is to be seen, as plain data. *Pick number*: what was drawn at a pixel.
@@ -237,10 +242,11 @@
 //!
 //! The fibre paper (Liu, He, Ren, Li, Wang: *Physical material editing with structure embedding for animated solid*,
 //! Graphics Interface 2012) is neither conservative nor dimensionally consistent as printed. What is done instead, and
-//! why, stands at the head of each file: [`geometry::kernel`] (eq. 13 unnormalised), [`solver::forces::matrix`] (eqs. 10
-//! to 15), [`solver::forces::fibre`] (eqs. 6 to 8 and the appendix), [`solver::embedding`] (eq. 17),
+//! why, stands at the head of each file: `geometry::kernel` (eq. 13 unnormalised), `solver::forces::matrix` (eqs. 10
+//! to 15), `solver::forces::fibre` (eqs. 6 to 8 and the appendix), `solver::embedding` (eq. 17),
 //! [`scene::PaperStiffness`] (Table 1). The README lists them all.
 // Units stand in brackets throughout the docs: [m], [N/m].
+#![warn(unreachable_pub)]
 #![allow(rustdoc::broken_intra_doc_links, reason = "units in brackets are no links")]
 
 pub mod bake;
@@ -255,6 +261,9 @@ pub mod scene;
 pub mod sim;
 pub mod sketch;
 pub mod solver;
-pub mod text;
+#[doc(hidden)]
+pub mod test_support;
+#[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "most numbers are written in the window"))]
+mod text;
 #[cfg(feature = "gui")]
 pub mod ui;

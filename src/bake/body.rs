@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::error::BakeError;
-use super::integrator::integrator;
+use super::integrator::{integrator, stable_steps};
 use super::limits::{Resistance, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
@@ -98,6 +98,7 @@ pub(super) fn draft(
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
     let resistance = Resistance::measured(&forces, weaker, &state, spacing, contact_limit, material.damping.air);
     let stable_dt = resistance.stable_step(integrator.as_ref());
+    let stable_steps = stable_steps(|integrator| resistance.stable_step(integrator));
     let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| match (parameter, strongest) {
         (SolidParameter::Fibres, Some(fibre)) => format!("{path}/fibres/{fibre}/stiffness"),
         (parameter, _) => format!("{path}/{}", parameter.pointer()),
@@ -139,7 +140,7 @@ pub(super) fn draft(
             TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
         },
     };
-    Ok(Draft { parts, regions, fractions })
+    Ok(Draft { parts, regions, stable_steps, fractions })
 }
 
 /// A body that starts inside the floor is thrown out of it.

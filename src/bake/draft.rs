@@ -8,6 +8,8 @@ pub(super) struct Draft {
     pub(super) parts: BodyParts,
     /// Particles of every region by its id.
     pub(super) regions: HashMap<String, Vec<u32>>,
+    /// Greatest stable step [s] under every integrator, in the order of [`crate::scene::IntegratorKind::ALL`].
+    pub(super) stable_steps: Vec<f64>,
     /// Volume fraction of fibre at every particle; none of a two-layer body.
     pub(super) fractions: Vec<f64>,
 }

@@ -5,6 +5,11 @@ use crate::solver::integrators::{
     BackwardEuler, ExplicitEuler, Integrator, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet,
 };
 
+/// What `stable_step` says of every integrator, in the order of [`IntegratorKind::ALL`].
+pub(super) fn stable_steps(stable_step: impl Fn(&dyn Integrator) -> f64) -> Vec<f64> {
+    IntegratorKind::ALL.map(|kind| stable_step(integrator(kind).as_ref())).to_vec()
+}
+
 /// The integrator of a kind, as it steps first.
 pub(super) fn integrator(kind: IntegratorKind) -> Box<dyn Integrator> {
     match kind {

@@ -24,7 +24,7 @@ pub use fibres::PlacedFibre;
 pub use note::Note;
 pub use stage::BakeStage;
 
-use crate::scene::{AnyBody, Assets, Scene};
+use crate::scene::{AnyBody, Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
 use crate::solver::world::World;
 use glam::DVec3;
@@ -41,6 +41,34 @@ pub struct Baked {
     pub regions: Vec<HashMap<String, Vec<u32>>>,
     /// Volume fraction of fibre at every particle of each body, painted or by distance; none of a two-layer body.
     pub fractions: Vec<Vec<f64>>,
+    /// Greatest stable step of each body [s] under every integrator, in the order of [`IntegratorKind::ALL`].
+    stable_steps: Vec<Vec<f64>>,
+}
+
+impl Baked {
+    /// Greatest step [s] that all bodies are estimated to take under `integrator`.
+    pub fn stable_step(&self, integrator: IntegratorKind) -> f64 {
+        self.stable_steps_under(integrator).fold(f64::INFINITY, f64::min)
+    }
+
+    fn stable_steps_under(&self, integrator: IntegratorKind) -> impl Iterator<Item = f64> {
+        let index = IntegratorKind::ALL.iter().position(|kind| *kind == integrator);
+        self.stable_steps.iter().filter_map(move |of_body| of_body.get(index?).copied())
+    }
+
+    /// The world with every body under `integrator` in steps of `dt` [s], one to a frame: no sub-steps, no automatic
+    /// choice. It moves as the one that the scene gives with these in its file, and measures nothing.
+    pub fn single_stepped(&self, integrator: IntegratorKind, dt: f64) -> World {
+        let mut world = self.world.clone();
+        world.step_singly(dt);
+        for (index, stable_dt) in self.stable_steps_under(integrator).enumerate() {
+            if let Some(body) = world.body_mut(index) {
+                body.set_integrator(integrator::integrator(integrator));
+                body.set_step(dt, stable_dt);
+            }
+        }
+        world
+    }
 }
 
 /// Puts a scene together. Call [`Scene::validate`] first: values out of range are not looked for again here. `assets`
@@ -99,8 +127,9 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, B
         }
     }
     let probes = measures::probes(scene, &drafts)?;
+    let stable_steps = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.stable_steps)).collect();
     let fractions = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.fractions)).collect();
     let (bodies, regions) = drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
     let world = World::new(bodies, room::panels(scene), probes, plan, DVec3::from_array(scene.gravity));
-    Ok(Baked { world, notes, regions, fractions })
+    Ok(Baked { world, notes, regions, fractions, stable_steps })
 }

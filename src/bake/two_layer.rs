@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::error::BakeError;
-use super::integrator::integrator;
+use super::integrator::{integrator, stable_steps};
 use super::layer_model::LayerModel;
 use super::note::Note;
 use super::stage::BakeStage;
@@ -65,6 +65,7 @@ pub(super) fn draft(
     };
     let modes = fastest_modes(&mut probed(body), &at_rest, model.radius);
     let stable_dt = modes.greatest_stable_step(integrator.as_ref());
+    let stable_steps = stable_steps(|integrator| modes.greatest_stable_step(integrator));
     let limited_by = limits::of_two_layer(body, &modes, integrator.as_ref(), &at_rest, model.radius, probed)
         .map(|parameter| format!("{path}/{parameter}"));
     let law = contact.law;
@@ -101,7 +102,7 @@ pub(super) fn draft(
             TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
         },
     };
-    Ok(Draft { parts, regions, fractions: Vec::new() })
+    Ok(Draft { parts, regions, stable_steps, fractions: Vec::new() })
 }
 
 /// All forces but contact, with the constants of `body`; it is grabbed by the particles that are nearest at the start.

@@ -5,7 +5,7 @@ use crate::solver::body::Body;
 use crate::text::number::four_figures;
 
 /// The columns.
-pub const COLUMNS: [(&str, Align); 6] = [
+pub(super) const COLUMNS: [(&str, Align); 6] = [
     ("body", Align::Left),
     ("kind", Align::Left),
     ("particles", Align::Right),
@@ -15,7 +15,7 @@ pub const COLUMNS: [(&str, Align); 6] = [
 ];
 
 /// What stands in them for a body of this name.
-pub fn cells(name: String, body: &Body) -> [String; 6] {
+pub(super) fn cells(name: String, body: &Body) -> [String; 6] {
     let parts = body.parts();
     [
         name,

@@ -31,7 +31,7 @@ pub struct Check {
 ///
 /// # Errors
 /// A scene or a set that cannot be used.
-pub fn run(args: &Check, console: &mut Console) -> Result<Outcome, CliError> {
+pub(super) fn run(args: &Check, console: &mut Console) -> Result<Outcome, CliError> {
     if is_model(&args.scene) {
         return check_model(&args.scene, &args.model, console);
     }

@@ -13,7 +13,7 @@ use std::path::Path;
 
 /// What a scene would say about a model.
 #[derive(Clone, Debug, Args)]
-pub struct ModelOptions {
+pub(super) struct ModelOptions {
     /// Of a model: metres to a unit of the file
     #[arg(long, value_name = "M", default_value_t = 1.0, value_parser = positive)]
     scale: f64,
@@ -52,7 +52,7 @@ const USUAL: [u32; 3] = [500, 2000, 8000];
 ///
 /// # Errors
 /// A file that cannot be read or whose surface has no inside.
-pub fn check_model(path: &Path, options: &ModelOptions, console: &mut Console) -> Result<Outcome, CliError> {
+pub(super) fn check_model(path: &Path, options: &ModelOptions, console: &mut Console) -> Result<Outcome, CliError> {
     let up = match options.up {
         UpOption::X => Axis::X,
         UpOption::Y => Axis::Y,

@@ -2,12 +2,11 @@
 
 use super::error::printable;
 use super::order_plot::{PlotLine, order_plot};
-use super::prepare::{Sets, Threads, folder_of, load, put_together};
+use super::prepare::{Sets, Threads, load, put_together};
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome, output};
-use crate::io::load_assets;
-use crate::scene::{Assets, IntegratorKind, Scene};
-use crate::sim::{Convergence, Trial, reference};
+use crate::scene::IntegratorKind;
+use crate::sim::{Convergence, Study, Trial};
 use crate::text::number::four_figures;
 use clap::Args;
 use serde::Serialize;
@@ -89,7 +88,7 @@ struct Order {
 ///
 /// # Errors
 /// A scene or an option that cannot be used, before anything runs; a file that cannot be written.
-pub fn run(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
+pub(super) fn run(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
     args.threads.run(|| compare(args, console))
 }
 
@@ -97,22 +96,19 @@ fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
     let source = printable(&args.scene);
     let path = Some(args.scene.as_path());
     let scene = load(Some(&args.scene), &args.sets, None)?;
-    put_together(&scene, path, console)?;
-    let assets = load_assets(&scene, folder_of(path), &mut |_| {})?;
+    let baked = put_together(&scene, path, console)?;
     output::check(Some(&args.scene), &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
 
     let seconds = args.seconds.unwrap_or(scene.time.duration);
     let pairs: Vec<(IntegratorKind, f64)> =
         args.integrators.iter().flat_map(|&integrator| args.dt.iter().map(move |&dt| (integrator, dt))).collect();
     console.begin();
-    let references = References::new(&scene, &assets, seconds, &args.dt).map_err(|error| bad(&source, error))?;
+    let study = Study::of(scene.clone(), baked);
+    let references = References::new(&study, seconds, &args.dt);
     let mut runs = Vec::new();
     for (index, &(integrator, dt)) in pairs.iter().enumerate() {
         console.progress(index as u64, pairs.len() as u64, "runs");
-        runs.push(
-            one(&scene, &assets, integrator, dt, steps(seconds, dt), &references)
-                .map_err(|error| bad(&source, error))?,
-        );
+        runs.push(one(&study, integrator, dt, steps(seconds, dt), &references));
     }
     console.end();
 
@@ -138,10 +134,6 @@ fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
-fn bad(scene: &str, source: crate::bake::BakeError) -> CliError {
-    CliError::Bake { scene: scene.to_owned(), source }
-}
-
 /// Whole steps of `dt` that come nearest to `seconds`, at least one.
 fn steps(seconds: f64, dt: f64) -> u64 {
     (seconds / dt).round().max(1.0) as u64
@@ -151,16 +143,16 @@ fn steps(seconds: f64, dt: f64) -> u64 {
 struct References(Vec<(f64, Trial)>);
 
 impl References {
-    fn new(scene: &Scene, assets: &Assets, seconds: f64, dts: &[f64]) -> Result<Self, crate::bake::BakeError> {
+    fn new(study: &Study, seconds: f64, dts: &[f64]) -> Self {
         let finest = dts.iter().copied().fold(f64::INFINITY, f64::min);
         let mut found: Vec<(f64, Trial)> = Vec::new();
         for &dt in dts {
             let end = steps(seconds, dt) as f64 * dt;
             if !found.iter().any(|(other, _)| is_same(*other, end)) {
-                found.push((end, reference(scene, assets, end, finest)?));
+                found.push((end, study.reference(end, finest)));
             }
         }
-        Ok(Self(found))
+        Self(found)
     }
 
     fn at(&self, end: f64) -> Option<&Trial> {
@@ -178,15 +170,8 @@ fn is_same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-9 * a
 }
 
-fn one(
-    scene: &Scene,
-    assets: &Assets,
-    integrator: IntegratorKind,
-    dt: f64,
-    steps: u64,
-    references: &References,
-) -> Result<Run, crate::bake::BakeError> {
-    let mut trial = Trial::new(scene, assets, integrator, dt)?;
+fn one(study: &Study, integrator: IntegratorKind, dt: f64, steps: u64, references: &References) -> Run {
+    let mut trial = study.trial(integrator, dt);
     let begun = Instant::now();
     for _ in 0..steps {
         trial.step();
@@ -194,7 +179,7 @@ fn one(
     let wall_seconds = begun.elapsed().as_secs_f64();
     let stable = trial.blew_up_at().is_none();
     let reference = references.at(steps as f64 * dt).filter(|reference| stable && reference.blew_up_at().is_none());
-    Ok(Run {
+    Run {
         integrator,
         dt,
         stable_dt: Some(trial.stable_dt()).filter(|limit| limit.is_finite()),
@@ -204,7 +189,7 @@ fn one(
         position_error: reference.map(|reference| trial.position_error(reference)),
         evaluations: trial.evaluations(),
         wall_seconds,
-    })
+    }
 }
 
 /// The errors of an integrator over its steps, and the order that they show.

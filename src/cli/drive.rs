@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 /// Why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RunEnd {
+pub(super) enum RunEnd {
     /// All the time that was asked for has been simulated.
     Time,
     /// Everything came to rest.
@@ -17,7 +17,7 @@ pub enum RunEnd {
 
 /// A run that has ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drive {
+pub(super) struct Drive {
     /// Time spent stepping, and nothing else [s].
     pub wall_seconds: f64,
     /// Why it ended.
@@ -28,7 +28,7 @@ pub struct Drive {
 ///
 /// # Errors
 /// What `each` gives, at once.
-pub fn drive(
+pub(super) fn drive(
     runner: &mut Runner,
     frames: u64,
     until_rest: bool,

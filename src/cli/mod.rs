@@ -12,7 +12,7 @@ mod console;
 mod drive;
 mod error;
 mod make_models;
-mod make_pictures;
+pub(crate) mod make_pictures;
 #[cfg(not(feature = "render"))]
 mod no_scene_renderer;
 mod order_plot;
@@ -40,7 +40,6 @@ use scene_renderer::SceneRenderer;
 
 pub use console::Console;
 pub use error::CliError;
-pub use make_pictures::{Demo, demo};
 pub use outcome::Outcome;
 pub use trace::traced;
 

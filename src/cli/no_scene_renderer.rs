@@ -6,19 +6,19 @@ use crate::scene::Scene;
 use crate::solver::snapshot::Snapshot;
 
 /// Makes no pictures: the program was built without them.
-pub enum SceneRenderer {}
+pub(super) enum SceneRenderer {}
 
 impl SceneRenderer {
     /// Says so.
     ///
     /// # Errors
     /// [`CliError::NoPictures`].
-    pub fn open(_look: &Look, _scene: &Scene, _start: &Snapshot) -> Result<Self, CliError> {
+    pub(super) fn open(_look: &Look, _scene: &Scene, _start: &Snapshot) -> Result<Self, CliError> {
         Err(CliError::NoPictures)
     }
 
     /// Never called.
-    pub fn take_in(&mut self, _scene: &Scene, _snapshot: &Snapshot) {
+    pub(super) fn take_in(&mut self, _scene: &Scene, _snapshot: &Snapshot) {
         match *self {}
     }
 
@@ -26,7 +26,7 @@ impl SceneRenderer {
     ///
     /// # Errors
     /// None.
-    pub fn picture(&mut self, _scene: &Scene, _snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
+    pub(super) fn picture(&mut self, _scene: &Scene, _snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
         match *self {}
     }
 }

@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 
 /// Errors of one integrator.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PlotLine {
+pub(super) struct PlotLine {
     /// Name of the integrator.
     pub name: String,
     /// Order of convergence.
@@ -28,7 +28,7 @@ const BOTTOM: f64 = 420.0;
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
 
 /// The plot of these lines.
-pub fn order_plot(title: &str, lines: &[PlotLine]) -> String {
+pub(super) fn order_plot(title: &str, lines: &[PlotLine]) -> String {
     let points = || lines.iter().flat_map(|line| &line.points);
     let x = PlotAxis::over(points().map(|point| point.0), LEFT, RIGHT);
     let y = PlotAxis::over(points().map(|point| point.1), BOTTOM, TOP);

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 ///
 /// # Errors
 /// The first that cannot be written or is named twice.
-pub fn check(scene: Option<&PathBuf>, targets: &[(&'static str, Option<&PathBuf>)]) -> Result<(), CliError> {
+pub(super) fn check(scene: Option<&PathBuf>, targets: &[(&'static str, Option<&PathBuf>)]) -> Result<(), CliError> {
     let scene = scene.and_then(|path| resolved(path));
     let mut taken: Vec<(&'static str, PathBuf)> = scene.into_iter().map(|path| ("the scene", path)).collect();
     for (option, path) in targets {
@@ -29,7 +29,7 @@ pub fn check(scene: Option<&PathBuf>, targets: &[(&'static str, Option<&PathBuf>
 ///
 /// # Errors
 /// As [`write_atomically`].
-pub fn write_report(path: &Path, report: &impl Serialize) -> Result<String, CliError> {
+pub(super) fn write_report(path: &Path, report: &impl Serialize) -> Result<String, CliError> {
     let write = |out: &mut dyn Write| {
         serde_json::to_writer_pretty(&mut *out, report)?;
         out.write_all(b"\n")
@@ -42,11 +42,11 @@ pub fn write_report(path: &Path, report: &impl Serialize) -> Result<String, CliE
 ///
 /// # Errors
 /// As [`write_atomically`].
-pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
+pub(super) fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
     Ok(write_atomically(path, |out| out.write_all(bytes))?)
 }
 
 /// That a file was written.
-pub fn wrote(what: &str, path: &Path) -> String {
+pub(super) fn wrote(what: &str, path: &Path) -> String {
     format!("{what} written to {}\n", printable(path))
 }

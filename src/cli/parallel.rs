@@ -19,7 +19,7 @@ const PULSE: Duration = Duration::from_millis(250);
 ///
 /// # Errors
 /// That of the first job, by its number, that failed; later jobs are not begun then.
-pub fn in_parallel<T: Send>(
+pub(super) fn in_parallel<T: Send>(
     count: usize,
     threads: usize,
     job: impl Fn(usize) -> Result<T, CliError> + Sync,

@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// What pictures show, and how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Args)]
 #[command(next_help_heading = "Pictures")]
-pub struct Look {
+pub(super) struct Look {
     /// From where
     #[arg(long, value_name = "VIEW", default_value_t, value_enum)]
     pub(super) view: Viewpoint,

@@ -22,7 +22,7 @@ const NAMED_FIELDS: usize = 10;
 
 /// Values to replace in the scene.
 #[derive(Clone, Debug, Default, Args)]
-pub struct Sets {
+pub(super) struct Sets {
     /// Replace a value of the scene: an RFC 6901 pointer and JSON, as in /bodies/0/material/young_modulus=2e5
     #[arg(long = "set", value_name = "POINTER=JSON")]
     pub sets: Vec<Assignment>,
@@ -30,7 +30,7 @@ pub struct Sets {
 
 /// How long to run, and in which frames.
 #[derive(Clone, Copy, Debug, Default, Args)]
-pub struct Span {
+pub(super) struct Span {
     /// Simulated time to run [s]; the scene's duration unless given
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub seconds: Option<f64>,
@@ -44,7 +44,7 @@ pub struct Span {
 
 impl Span {
     /// Simulated time after which a run ends at the latest [s].
-    pub fn limit(&self, scene: &Scene) -> f64 {
+    pub(super) fn limit(&self, scene: &Scene) -> f64 {
         let factor = if self.until_rest { 10.0 } else { 1.0 };
         self.seconds.unwrap_or(factor * scene.time.duration)
     }
@@ -52,7 +52,7 @@ impl Span {
 
 /// How many threads to run on.
 #[derive(Clone, Copy, Debug, Default, Args)]
-pub struct Threads {
+pub(super) struct Threads {
     /// Threads to run on; the result is the same on any number
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -60,7 +60,7 @@ pub struct Threads {
 
 impl Threads {
     /// As many as were asked for, or as the machine has.
-    pub fn count(self) -> usize {
+    pub(super) fn count(self) -> usize {
         self.threads.map_or_else(rayon::current_num_threads, usize::from)
     }
 
@@ -68,7 +68,7 @@ impl Threads {
     ///
     /// # Errors
     /// The threads cannot be started.
-    pub fn run<T: Send>(self, work: impl FnOnce() -> Result<T, CliError> + Send) -> Result<T, CliError> {
+    pub(super) fn run<T: Send>(self, work: impl FnOnce() -> Result<T, CliError> + Send) -> Result<T, CliError> {
         match self.threads {
             Some(threads) => rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build()?.install(work),
             None => work(),
@@ -78,7 +78,7 @@ impl Threads {
 
 /// A pointer and the text of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Assignment {
+pub(super) struct Assignment {
     /// RFC 6901 pointer.
     pub pointer: String,
     /// Text behind the equals sign.
@@ -100,7 +100,7 @@ impl FromStr for Assignment {
 ///
 /// # Errors
 /// What to give instead.
-pub fn seconds(text: &str) -> Result<f64, String> {
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(seconds) if (0.0..=LONGEST).contains(&seconds) => Ok(seconds),
         _ => Err(format!("give a number of seconds from 0 to {LONGEST}")),
@@ -108,7 +108,7 @@ pub fn seconds(text: &str) -> Result<f64, String> {
 }
 
 /// Where a scene is from, as a person reads it.
-pub fn source_name(source: Option<&Path>) -> String {
+pub(super) fn source_name(source: Option<&Path>) -> String {
     source.map_or_else(|| "the built-in scene".to_owned(), printable)
 }
 
@@ -116,7 +116,7 @@ pub fn source_name(source: Option<&Path>) -> String {
 ///
 /// # Errors
 /// A file or a value that cannot be used, or a frame rate where the scene's own time step gives one.
-pub fn load(source: Option<&PathBuf>, sets: &Sets, fps: Option<f64>) -> Result<Scene, CliError> {
+pub(super) fn load(source: Option<&PathBuf>, sets: &Sets, fps: Option<f64>) -> Result<Scene, CliError> {
     let scene = source.map_or_else(|| scene_from_json(BUILT_IN), |path| load_scene(path))?;
     let scene = with_sets(&scene, &sets.sets)?;
     with_frame_rate(scene, fps)
@@ -126,7 +126,7 @@ pub fn load(source: Option<&PathBuf>, sets: &Sets, fps: Option<f64>) -> Result<S
 ///
 /// # Errors
 /// As [`apply_sets`].
-pub fn with_sets(scene: &Scene, sets: &[Assignment]) -> Result<Scene, CliError> {
+pub(super) fn with_sets(scene: &Scene, sets: &[Assignment]) -> Result<Scene, CliError> {
     let sets = sets.iter().map(|set| (set.pointer.as_str(), set.text.as_str()));
     Ok(apply_sets(scene, sets)?)
 }
@@ -135,7 +135,7 @@ pub fn with_sets(scene: &Scene, sets: &[Assignment]) -> Result<Scene, CliError> 
 ///
 /// # Errors
 /// [`CliError::ManualFrames`] where the frames follow from the time step, [`CliError::Scene`] for a rate out of range.
-pub fn with_frame_rate(mut scene: Scene, fps: Option<f64>) -> Result<Scene, CliError> {
+pub(super) fn with_frame_rate(mut scene: Scene, fps: Option<f64>) -> Result<Scene, CliError> {
     let Some(fps) = fps else { return Ok(scene) };
     if matches!(scene.time.step, TimeStep::Manual(_)) {
         return Err(CliError::ManualFrames { frame: scene.time.frame_seconds() });
@@ -146,7 +146,7 @@ pub fn with_frame_rate(mut scene: Scene, fps: Option<f64>) -> Result<Scene, CliE
 }
 
 /// The folder that paths in a scene are relative to: that of its file, or the present one.
-pub fn folder_of(source: Option<&Path>) -> &Path {
+pub(super) fn folder_of(source: Option<&Path>) -> &Path {
     source.and_then(Path::parent).unwrap_or(Path::new(""))
 }
 
@@ -154,7 +154,7 @@ pub fn folder_of(source: Option<&Path>) -> &Path {
 ///
 /// # Errors
 /// A model that cannot be used, or [`CliError::Bake`] with where the scene is from.
-pub fn put_together(scene: &Scene, source: Option<&Path>, console: &mut Console) -> Result<Baked, CliError> {
+pub(super) fn put_together(scene: &Scene, source: Option<&Path>, console: &mut Console) -> Result<Baked, CliError> {
     console.begin();
     let assets = load_assets(scene, folder_of(source), &mut |stage| console.stage(&stage));
     let baked = assets.map_err(CliError::from).and_then(|assets| {
@@ -166,7 +166,7 @@ pub fn put_together(scene: &Scene, source: Option<&Path>, console: &mut Console)
 }
 
 /// What is worth saying about a scene: fields that nothing reads, and what was noticed while putting it together.
-pub fn notes(scene: &Scene, baked: &Baked) -> Vec<Note> {
+pub(super) fn notes(scene: &Scene, baked: &Baked) -> Vec<Note> {
     let unknown = unknown_fields(scene);
     let behind = unknown.len().saturating_sub(NAMED_FIELDS);
     let mut notes: Vec<Note> = unknown
@@ -187,19 +187,19 @@ pub fn notes(scene: &Scene, baked: &Baked) -> Vec<Note> {
 }
 
 /// Whether a person should act on a note, as the word before it.
-pub fn word(note: &Note) -> &'static str {
+pub(super) fn word(note: &Note) -> &'static str {
     if note.warning { "warning" } else { "note" }
 }
 
 /// Says every note.
-pub fn tell(notes: &[Note], console: &mut Console) {
+pub(super) fn tell(notes: &[Note], console: &mut Console) {
     for note in notes {
         console.say(word(note), note);
     }
 }
 
 /// Number of frames that reach a time [s], which is said where it lies within the last of them.
-pub fn frames_to(seconds: f64, runner: &Runner, console: &mut Console) -> u64 {
+pub(super) fn frames_to(seconds: f64, runner: &Runner, console: &mut Console) -> u64 {
     let frames = runner.frames_for(seconds);
     let end = frames as f64 * runner.world().plan().frame_seconds;
     if end > seconds * (1.0 + 1e-6) {

@@ -31,7 +31,7 @@ pub struct Render {
 ///
 /// # Errors
 /// A scene or an option that cannot be used, or no driver, before any file is made; a file that cannot be written.
-pub fn run(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
+pub(super) fn run(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
     args.threads.run(|| render(args, console))
 }
 

@@ -8,7 +8,7 @@ use crate::scene::Scene;
 use crate::solver::snapshot::Snapshot;
 
 /// Makes pictures of a scene, all from the same point of view.
-pub struct SceneRenderer {
+pub(super) struct SceneRenderer {
     offscreen: Offscreen,
     camera: Camera,
     display: Display,
@@ -22,7 +22,7 @@ impl SceneRenderer {
     ///
     /// # Errors
     /// [`CliError::Render`] where there is no driver, or none for pictures of this size.
-    pub fn open(look: &Look, scene: &Scene, start: &Snapshot) -> Result<Self, CliError> {
+    pub(super) fn open(look: &Look, scene: &Scene, start: &Snapshot) -> Result<Self, CliError> {
         let camera = match look.view {
             Viewpoint::Front => Camera::facing(Facing::Front),
             Viewpoint::Side => Camera::facing(Facing::Side),
@@ -47,7 +47,7 @@ impl SceneRenderer {
     }
 
     /// Steps back far enough to see this state too, beside all that was to be seen before.
-    pub fn take_in(&mut self, scene: &Scene, snapshot: &Snapshot) {
+    pub(super) fn take_in(&mut self, scene: &Scene, snapshot: &Snapshot) {
         let list = draw(&Subject { scene, snapshot, ghost: None }, &self.display, &self.theme);
         self.bounds = match (self.bounds, list.bounds) {
             (Some(a), Some(b)) => Some(a.union(b)),
@@ -62,7 +62,7 @@ impl SceneRenderer {
     ///
     /// # Errors
     /// [`CliError::Render`].
-    pub fn picture(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
+    pub(super) fn picture(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
         let list = draw(&Subject { scene, snapshot, ghost: None }, &self.display, &self.theme);
         Ok(self.offscreen.draw(list, &self.camera)?.to_png()?)
     }

@@ -7,7 +7,7 @@ use crate::io::scene_schema;
 ///
 /// # Errors
 /// [`CliError::Output`].
-pub fn run(console: &mut Console) -> Result<Outcome, CliError> {
+pub(super) fn run(console: &mut Console) -> Result<Outcome, CliError> {
     console.print(&format!("{:#}\n", scene_schema()))?;
     Ok(Outcome::Done)
 }

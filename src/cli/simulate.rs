@@ -51,7 +51,7 @@ impl Simulate {
 ///
 /// # Errors
 /// A scene or an option that cannot be used, before any file is made; a file that cannot be written.
-pub fn run(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
+pub(super) fn run(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
     args.threads.run(|| simulate(args, console))
 }
 

@@ -9,7 +9,7 @@ use crate::solver::world::World;
 use crate::text::number::four_figures;
 
 /// The summary of a run that has ended.
-pub fn summary(report: &Report, world: &World, source: &str) -> String {
+pub(super) fn summary(report: &Report, world: &World, source: &str) -> String {
     let name = if report.scene.is_empty() { source.to_owned() } else { one_line(&report.scene) };
     let mut text = format!(
         "{name}: {} s in {} of {} s{}\n",

@@ -66,7 +66,7 @@ struct Row {
 ///
 /// # Errors
 /// A scene, a combination or an option that cannot be used, before anything runs; a report that cannot be written.
-pub fn run(args: &Sweep, console: &mut Console) -> Result<Outcome, CliError> {
+pub(super) fn run(args: &Sweep, console: &mut Console) -> Result<Outcome, CliError> {
     let base = load(Some(&args.scene), &args.sets, None)?;
     let product = Product::of(&args.vary)?;
     // A model that cannot be used is the rows' error: they may all have another.

@@ -4,7 +4,7 @@ use crate::text::number::four_figures;
 
 /// Where the text of a column stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Align {
+pub(super) enum Align {
     /// Words.
     Left,
     /// Numbers.
@@ -13,7 +13,7 @@ pub enum Align {
 
 /// A table of aligned columns. Numbers stand to the right, words to the left.
 #[derive(Clone, Debug, Default)]
-pub struct Table {
+pub(super) struct Table {
     rows: Vec<Vec<String>>,
     aligns: Vec<Align>,
 }
@@ -22,23 +22,23 @@ const GAP: &str = "  ";
 
 impl Table {
     /// A table with these columns.
-    pub fn new(columns: impl IntoIterator<Item = (impl Into<String>, Align)>) -> Self {
+    pub(super) fn new(columns: impl IntoIterator<Item = (impl Into<String>, Align)>) -> Self {
         let (head, aligns) = columns.into_iter().map(|(name, align)| (name.into(), align)).unzip();
         Self { rows: vec![head], aligns }
     }
 
     /// Adds a row.
-    pub fn push(&mut self, row: impl IntoIterator<Item = String>) {
+    pub(super) fn push(&mut self, row: impl IntoIterator<Item = String>) {
         self.rows.push(row.into_iter().collect());
     }
 
     /// Whether it has no row but its head.
-    pub fn is_empty(&self) -> bool {
+    pub(super) fn is_empty(&self) -> bool {
         self.rows.len() < 2
     }
 
     /// The table as text, a line a row.
-    pub fn render(&self) -> String {
+    pub(super) fn render(&self) -> String {
         let widths: Vec<usize> = (0..self.aligns.len()).map(|column| self.width(column)).collect();
         let mut text = String::new();
         for row in &self.rows {
@@ -60,7 +60,7 @@ impl Table {
 }
 
 /// A JSON value of a report for people: numbers to four figures, vectors in parentheses.
-pub fn readable(value: &serde_json::Value) -> String {
+pub(super) fn readable(value: &serde_json::Value) -> String {
     match value {
         serde_json::Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), four_figures),
         serde_json::Value::Array(items) => {

@@ -82,7 +82,7 @@ const EVALUATIONS: u32 = 8;
 ///
 /// # Errors
 /// A scene that is missing or cannot be used, a report that cannot be written.
-pub fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliError> {
+pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliError> {
     let missing = missing_files(PAPER.iter().map(|row| args.scenes.join(row.file)));
     if !missing.is_empty() {
         return Err(CliError::NoScenes { folder: args.scenes.clone(), missing });

@@ -11,7 +11,7 @@ const MOST_ROWS: u128 = 100_000;
 
 /// One value of the scene and what it is to be, one after the other.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Vary {
+pub(super) struct Vary {
     /// RFC 6901 pointer.
     pub pointer: String,
     /// The values.
@@ -31,7 +31,7 @@ impl FromStr for Vary {
 
 /// Every combination of the values of several lists; the last list varies fastest.
 #[derive(Clone, Copy, Debug)]
-pub struct Product<'a> {
+pub(super) struct Product<'a> {
     lists: &'a [Vary],
     rows: usize,
 }
@@ -41,7 +41,7 @@ impl<'a> Product<'a> {
     ///
     /// # Errors
     /// A pointer that occurs twice, or more combinations than can be run.
-    pub fn of(lists: &'a [Vary]) -> Result<Self, CliError> {
+    pub(super) fn of(lists: &'a [Vary]) -> Result<Self, CliError> {
         for (index, list) in lists.iter().enumerate() {
             if lists[..index].iter().any(|other| other.pointer == list.pointer) {
                 return Err(CliError::VariedTwice { pointer: list.pointer.clone() });
@@ -55,12 +55,12 @@ impl<'a> Product<'a> {
     }
 
     /// Number of combinations.
-    pub fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         self.rows
     }
 
     /// Pointers and values of a combination.
-    pub fn row(&self, row: usize) -> Vec<(&'a str, &'a Value)> {
+    pub(super) fn row(&self, row: usize) -> Vec<(&'a str, &'a Value)> {
         let mut rest = row;
         let mut found: Vec<_> = self
             .lists
@@ -77,18 +77,18 @@ impl<'a> Product<'a> {
     }
 
     /// A combination as assignments.
-    pub fn assignments(&self, row: usize) -> Vec<Assignment> {
+    pub(super) fn assignments(&self, row: usize) -> Vec<Assignment> {
         let pairs = self.row(row).into_iter();
         pairs.map(|(pointer, value)| Assignment { pointer: pointer.to_owned(), text: value.to_string() }).collect()
     }
 
     /// A combination as a JSON object.
-    pub fn object(&self, row: usize) -> Map<String, Value> {
+    pub(super) fn object(&self, row: usize) -> Map<String, Value> {
         self.row(row).into_iter().map(|(pointer, value)| (pointer.to_owned(), value.clone())).collect()
     }
 
     /// A combination on one line.
-    pub fn line(&self, row: usize) -> String {
+    pub(super) fn line(&self, row: usize) -> String {
         let pairs = self.row(row).into_iter().map(|(pointer, value)| format!("{pointer}={value}"));
         pairs.collect::<Vec<_>>().join(", ")
     }

@@ -46,7 +46,7 @@ impl Colour {
 
     /// An opaque colour from OKLCH (Ottosson 2020): lightness 0 to 1, chroma, hue [turns]. What lies outside sRGB loses
     /// chroma, never lightness or hue.
-    pub fn oklch(lightness: f32, chroma: f32, hue_turns: f32) -> Self {
+    pub(crate) fn oklch(lightness: f32, chroma: f32, hue_turns: f32) -> Self {
         let (sin, cos) = (TAU * hue_turns).sin_cos();
         let mut chroma = chroma;
         loop {

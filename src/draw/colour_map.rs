@@ -65,13 +65,13 @@ fn entry(place: f32) -> usize {
 }
 
 /// The colour of a value's place in its range, 0 to 1; what lies outside, or is no number, has the colour of an end.
-pub fn colour(place: f32) -> Colour {
+pub(crate) fn colour(place: f32) -> Colour {
     colours()[entry(place)]
 }
 
 /// The colour of a signed value's place in its range, -1 to 1: cool below zero, pale at it, warm above. What lies outside
 /// has the colour of an end, what is no number that of zero.
-pub fn signed_colour(place: f32) -> Colour {
+pub(crate) fn signed_colour(place: f32) -> Colour {
     let place = if place.is_nan() { 0.0 } else { place };
     signed_colours()[entry(0.5 + 0.5 * place)]
 }

@@ -44,7 +44,7 @@ pub struct Vertex {
 #[derive(Clone, Debug)]
 pub struct SkinnedFaces {
     /// How it is skinned to them.
-    pub rig: Arc<Rig>,
+    pub(crate) rig: Arc<Rig>,
     /// Where they are [m], about the list's origin.
     pub particles: Vec<Vec3>,
 }
@@ -241,7 +241,7 @@ impl DrawList {
     }
 
     /// A world position [m] as items give theirs.
-    pub fn local(&self, point: DVec3) -> Vec3 {
+    pub(crate) fn local(&self, point: DVec3) -> Vec3 {
         (point - self.origin).as_vec3()
     }
 

@@ -8,7 +8,7 @@ mod body_drawer;
 mod bounds;
 mod build;
 mod colour;
-pub mod colour_map;
+pub(crate) mod colour_map;
 mod fibre;
 mod list;
 mod options;

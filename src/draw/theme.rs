@@ -130,7 +130,7 @@ impl Theme {
     }
 
     /// A colour of the fibres' lightness and chroma with this hue [turns].
-    pub fn hue(&self, turns: f32) -> Colour {
+    pub(crate) fn hue(&self, turns: f32) -> Colour {
         Colour::oklch(self.fibre_tone[0], self.fibre_tone[1], turns)
     }
 

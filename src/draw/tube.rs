@@ -13,7 +13,7 @@ const PIECES: u32 = 4;
 
 /// A tube.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Tube {
+pub(super) struct Tube {
     /// Its vertices.
     pub vertices: Vec<Vertex>,
     /// Three a triangle.
@@ -27,7 +27,7 @@ type CurvePoint = (Vec3, f32);
 
 /// A tube of `radius` [m] with rounded ends along a smooth curve through the points. Nothing for fewer than two points
 /// that differ.
-pub fn tube(points: &[Vec3], radius: f32) -> Tube {
+pub(super) fn tube(points: &[Vec3], radius: f32) -> Tube {
     let (centres, places): (Vec<Vec3>, Vec<f32>) = without_ends(smooth(points), radius).into_iter().unzip();
     if centres.len() < 2 {
         return Tube::default();

@@ -5,14 +5,14 @@ use std::ops::Range;
 
 /// Triangles by their corners, sorted into a binary tree of boxes.
 #[derive(Clone, Debug, Default)]
-pub struct Bvh {
+pub(crate) struct Bvh {
     nodes: Vec<Node>,
     order: Vec<u32>,
 }
 
 /// A box with what is in it.
 #[derive(Clone, Copy, Debug)]
-pub struct Node {
+pub(crate) struct Node {
     /// Least corner [m].
     pub min: DVec3,
     /// Greatest corner [m].
@@ -30,7 +30,7 @@ const LEAF: usize = 4;
 
 impl Node {
     /// Whether it has no children.
-    pub fn is_leaf(&self) -> bool {
+    pub(crate) fn is_leaf(&self) -> bool {
         self.second == 0
     }
 
@@ -41,7 +41,7 @@ impl Node {
 
 impl Bvh {
     /// Sorts triangles. The tree depends on their order and positions only.
-    pub fn new(points: &[DVec3], faces: &[[u32; 3]]) -> Self {
+    pub(crate) fn new(points: &[DVec3], faces: &[[u32; 3]]) -> Self {
         let corners = |&face: &u32| faces[face as usize].map(|i| points[i as usize]);
         let centers: Vec<DVec3> =
             faces.iter().map(|t| t.iter().map(|&i| points[i as usize]).sum::<DVec3>() / 3.0).collect();
@@ -80,23 +80,23 @@ impl Bvh {
     }
 
     /// All boxes, parents before their children.
-    pub fn nodes(&self) -> &[Node] {
+    pub(crate) fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
     /// The two children of a node that is no leaf.
-    pub fn children(&self, index: usize) -> [usize; 2] {
+    pub(crate) fn children(&self, index: usize) -> [usize; 2] {
         [index + 1, self.nodes[index].second as usize]
     }
 
     /// Triangles in a node.
-    pub fn triangles(&self, index: usize) -> &[u32] {
+    pub(crate) fn triangles(&self, index: usize) -> &[u32] {
         let node = &self.nodes[index];
         &self.order[node.first as usize..(node.first + node.count) as usize]
     }
 
     /// Calls `found` for every triangle in a leaf whose box, and all boxes above it, `enter` accepts.
-    pub fn visit(&self, enter: impl Fn(&Node) -> bool, mut found: impl FnMut(u32)) {
+    pub(crate) fn visit(&self, enter: impl Fn(&Node) -> bool, mut found: impl FnMut(u32)) {
         let mut open = Vec::with_capacity(64);
         if !self.nodes.is_empty() {
             open.push(0);
@@ -115,7 +115,7 @@ impl Bvh {
     }
 
     /// Pairs of leaves whose boxes overlap, each once, a leaf with itself included.
-    pub fn overlapping_leaves(&self) -> Vec<[u32; 2]> {
+    pub(crate) fn overlapping_leaves(&self) -> Vec<[u32; 2]> {
         let mut pairs = Vec::new();
         let mut open = vec![[0, 0]];
         if self.nodes.is_empty() {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 /// Weights of both ends in the point of a segment that is nearest to `x`.
-pub fn closest_on_segment(x: DVec3, [a, b]: [DVec3; 2]) -> [f64; 2] {
+pub(crate) fn closest_on_segment(x: DVec3, [a, b]: [DVec3; 2]) -> [f64; 2] {
     let ab = b - a;
     let square = ab.length_squared();
     let t = if square > 0.0 { ((x - a).dot(ab) / square).clamp(0.0, 1.0) } else { 0.0 };
@@ -11,7 +11,7 @@ pub fn closest_on_segment(x: DVec3, [a, b]: [DVec3; 2]) -> [f64; 2] {
 }
 
 /// Weights of the corners in the point of a triangle that is nearest to `x`.
-pub fn closest_on_triangle(x: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
+pub(crate) fn closest_on_triangle(x: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
     let (ab, ac) = (b - a, c - a);
     let normal = ab.cross(ac);
     let square = normal.length_squared();

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 /// Neighbours that only touch do not count, nor do faces that lie in one plane: what matters is whether the surface
 /// has an inside, and touching leaves it one.
 #[allow(clippy::disallowed_methods, reason = "a sum of whole numbers is the same in any order")]
-pub fn crossing_pairs(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> usize {
+pub(crate) fn crossing_pairs(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> usize {
     bvh.overlapping_leaves()
         .par_iter()
         .map(|&[m, n]| {

@@ -45,7 +45,7 @@ pub fn arc_length<P: Point>(points: &[P]) -> f64 {
 /// `count` points spaced uniformly by arc length along the polyline, both ends kept to the bit.
 ///
 /// An empty polyline gives no points. One of zero length gives `count` copies of its first point.
-pub fn resample<P: Point>(points: &[P], count: usize) -> Vec<P> {
+pub(crate) fn resample<P: Point>(points: &[P], count: usize) -> Vec<P> {
     let (Some(&first), Some(&last)) = (points.first(), points.last()) else {
         return Vec::new();
     };
@@ -75,7 +75,7 @@ pub fn resample<P: Point>(points: &[P], count: usize) -> Vec<P> {
 /// The same polyline with every segment longer than `spacing` [m] cut into equal parts no longer than that.
 ///
 /// Adds at most length / `spacing` points; a `spacing` that is not positive adds none.
-pub fn refine<P: Point>(points: &[P], spacing: f64) -> Vec<P> {
+pub(crate) fn refine<P: Point>(points: &[P], spacing: f64) -> Vec<P> {
     let mut refined: Vec<P> = points.first().copied().into_iter().collect();
     for (a, b) in segments(points) {
         let parts = if spacing > 0.0 { (a.distance(b) / spacing).ceil() as usize } else { 1 };
@@ -86,7 +86,7 @@ pub fn refine<P: Point>(points: &[P], spacing: f64) -> Vec<P> {
 }
 
 /// Smooths in place with `passes` passes of the filter [1/4 1/2 1/4]; both ends stay.
-pub fn smooth<P: Point>(points: &mut [P], passes: usize) {
+pub(crate) fn smooth<P: Point>(points: &mut [P], passes: usize) {
     for _ in 0..passes {
         let Some(&(mut before)) = points.first() else { return };
         for i in 1..points.len().saturating_sub(1) {
@@ -100,7 +100,7 @@ pub fn smooth<P: Point>(points: &mut [P], passes: usize) {
 /// Indices at which a sequence of coordinates turns back by at least `prominence` [m] on both sides, in order.
 ///
 /// The ends never count. Smaller wiggles are taken for noise.
-pub fn turning_points(values: &[f64], prominence: f64) -> Vec<usize> {
+pub(crate) fn turning_points(values: &[f64], prominence: f64) -> Vec<usize> {
     let Some(&start) = values.first() else { return Vec::new() };
     let (mut turns, mut rising) = (Vec::new(), None);
     // Highest and lowest value since the last turn: whichever the sequence leaves by `prominence` is the next turn.
@@ -132,7 +132,7 @@ pub fn distance_to_polyline<P: Point>(point: P, polyline: &[P]) -> f64 {
 }
 
 /// The point of segment `a`-`b` nearest to `point`.
-pub fn nearest_on_segment<P: Point>(point: P, a: P, b: P) -> P {
+pub(crate) fn nearest_on_segment<P: Point>(point: P, a: P, b: P) -> P {
     let along = b - a;
     let length_squared = along.dot(along);
     if length_squared > 0.0 { a.mix(b, ((point - a).dot(along) / length_squared).clamp(0.0, 1.0)) } else { a }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// One side of a face: an edge with a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct HalfEdge {
+pub(crate) struct HalfEdge {
     /// The two points, the lesser index first.
     pub ends: [u32; 2],
     /// Its face.
@@ -16,14 +16,14 @@ pub struct HalfEdge {
 
 /// All half edges, those of one edge side by side.
 #[derive(Clone, Debug)]
-pub struct Edges {
+pub(crate) struct Edges {
     halves: Vec<HalfEdge>,
     runs: Vec<Range<u32>>,
 }
 
 impl Edges {
     /// Collects the edges of triangles.
-    pub fn new(faces: &[[u32; 3]]) -> Self {
+    pub(crate) fn new(faces: &[[u32; 3]]) -> Self {
         let mut halves: Vec<HalfEdge> = faces
             .par_iter()
             .enumerate()
@@ -48,13 +48,13 @@ impl Edges {
     }
 
     /// The half edges of every edge.
-    pub fn iter(&self) -> impl Iterator<Item = &[HalfEdge]> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &[HalfEdge]> {
         self.runs.iter().map(|run| &self.halves[run.start as usize..run.end as usize])
     }
 
     /// Pairs of faces that share an edge with no third, and whether they run along it in opposite directions, as
     /// neighbours of an oriented surface do.
-    pub fn neighbours(&self) -> impl Iterator<Item = ([u32; 2], bool)> {
+    pub(crate) fn neighbours(&self) -> impl Iterator<Item = ([u32; 2], bool)> {
         self.iter().filter_map(|edge| match edge {
             [a, b] => Some(([a.face, b.face], a.forward != b.forward)),
             _ => None,
@@ -62,7 +62,7 @@ impl Edges {
     }
 
     /// Edges of one face only.
-    pub fn open(&self) -> impl Iterator<Item = [u32; 2]> {
+    pub(crate) fn open(&self) -> impl Iterator<Item = [u32; 2]> {
         self.iter().filter_map(|edge| match edge {
             [alone] => Some(alone.ends),
             _ => None,
@@ -70,20 +70,20 @@ impl Edges {
     }
 
     /// Edges of more than two faces.
-    pub fn crowded(&self) -> usize {
+    pub(crate) fn crowded(&self) -> usize {
         self.iter().filter(|edge| edge.len() > 2).count()
     }
 
     /// Edges that are not run along as often one way as the other, where `flipped` tells which faces are turned round
     /// first. Without any the surface is closed: it turns around every point a whole number of times.
-    pub fn unbalanced(&self, flipped: &[bool]) -> usize {
+    pub(crate) fn unbalanced(&self, flipped: &[bool]) -> usize {
         let sign = |half: &HalfEdge| if half.forward == flipped[half.face as usize] { -1_i64 } else { 1 };
         self.iter().filter(|edge| edge.iter().map(sign).sum::<i64>() != 0).count()
     }
 }
 
 /// Loops and chains that edges form: the number of holes that open edges surround.
-pub fn count_loops(edges: &[[u32; 2]]) -> usize {
+pub(crate) fn count_loops(edges: &[[u32; 2]]) -> usize {
     let mut points: Vec<u32> = edges.iter().flatten().copied().collect();
     points.sort_unstable();
     points.dedup();
@@ -97,11 +97,11 @@ pub fn count_loops(edges: &[[u32; 2]]) -> usize {
 
 /// Disjoint sets.
 #[derive(Clone, Debug)]
-pub struct Groups(Vec<u32>);
+pub(crate) struct Groups(Vec<u32>);
 
 impl Groups {
     /// Every item alone.
-    pub fn new(count: usize) -> Self {
+    pub(crate) fn new(count: usize) -> Self {
         Self((0..count as u32).collect())
     }
 
@@ -115,13 +115,13 @@ impl Groups {
     }
 
     /// Puts the sets of two items together.
-    pub fn join(&mut self, a: usize, b: usize) {
+    pub(crate) fn join(&mut self, a: usize, b: usize) {
         let [a, b] = [self.root(a), self.root(b)];
         self.0[a.max(b)] = a.min(b) as u32;
     }
 
     /// The number of every item's set, sets numbered by their first items, and how many there are.
-    pub fn labels(mut self) -> (Vec<u32>, usize) {
+    pub(crate) fn labels(mut self) -> (Vec<u32>, usize) {
         let mut labels = vec![0; self.0.len()];
         let mut count = 0;
         for item in 0..self.0.len() {

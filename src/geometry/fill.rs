@@ -97,7 +97,7 @@ const BOX_SHARE: f64 = 50.0;
 const MOST_PRUNED: f64 = 0.05;
 
 /// Share of the particles that may lie in single layers without a word: rims and tips.
-pub const FEW: f64 = 0.01;
+pub(crate) const FEW: f64 = 0.01;
 
 /// Steps in which finer spacings are tried, and how many.
 const FINER: f64 = 0.9;
@@ -190,7 +190,7 @@ fn is_flat(filling: &Filling) -> bool {
 
 /// The first of ever finer spacings at which hardly a particle lies in a single layer; none if that would take more than
 /// `limit` particles.
-pub fn two_layer_spacing(solid: &Solid, spacing: f64, reach: f64, limit: f64) -> Option<f64> {
+pub(crate) fn two_layer_spacing(solid: &Solid, spacing: f64, reach: f64, limit: f64) -> Option<f64> {
     let finer = (1..=FINER_TRIES).map(|k| spacing * FINER.powi(k));
     let affordable = finer.take_while(|spacing| {
         let in_box = (solid.size() / *spacing + 1.0).element_product();

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// A signed distance: negative inside, with a slope near one around its zero.
-pub type ScalarField<'a> = dyn Fn(DVec3) -> f64 + Sync + 'a;
+pub(crate) type ScalarField<'a> = dyn Fn(DVec3) -> f64 + Sync + 'a;
 
 /// Cells along the side of a block that is skipped as one where the surface is far.
 const BLOCK: i32 = 8;

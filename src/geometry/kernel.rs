@@ -35,7 +35,7 @@ impl Kernel {
     }
 
     /// `-W'(r) / r` [1/m⁵]; finite and positive for every `r` inside the support, the centre included.
-    pub fn minus_slope_over_r(&self, r: f64) -> f64 {
+    pub(crate) fn minus_slope_over_r(&self, r: f64) -> f64 {
         let h = self.support_radius;
         let q = r / h;
         if q >= 1.0 {

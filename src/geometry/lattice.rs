@@ -51,7 +51,7 @@ pub fn fill_box(shape: &Cuboid, spacing: f64, axes: DMat3) -> LatticeSample {
 
 /// Lattice points that filling a box looks at: as many as it gets along the lattice, those of its bounds askew to it.
 /// A float, since it may be more than any integer holds.
-pub fn points_looked_at(size: DVec3, spacing: f64, axes: DMat3) -> f64 {
+pub(crate) fn points_looked_at(size: DVec3, spacing: f64, axes: DMat3) -> f64 {
     let along = if axes == DMat3::IDENTITY {
         (size / spacing).round().max(DVec3::ONE)
     } else {

@@ -1,28 +1,40 @@
 //! Shapes and distances: curves, kernel, neighbour search, surface meshes, and from a model to the particles inside it
 //! (weld, check, orient, fill). Knows nothing of scenes or physics.
 
-pub mod bvh;
-pub mod closest;
-pub mod crossing;
-pub mod curve;
-pub mod edges;
-pub mod fill;
-pub mod isosurface;
-pub mod kernel;
-pub mod lattice;
-pub mod linear_map;
-pub mod mesh;
-pub mod model;
-pub mod model_report;
-pub mod nearest;
-pub mod neighbours;
-pub mod octahedron;
-pub mod offset;
-pub mod orient;
-pub mod rig;
-pub mod scanline;
-pub mod solid;
-pub mod subdivide;
-pub mod thinness;
-pub mod weld;
-pub mod winding;
+pub(crate) mod bvh;
+pub(crate) mod closest;
+pub(crate) mod crossing;
+pub(crate) mod curve;
+pub(crate) mod edges;
+pub(crate) mod fill;
+pub(crate) mod isosurface;
+pub(crate) mod kernel;
+pub(crate) mod lattice;
+pub(crate) mod linear_map;
+pub(crate) mod mesh;
+pub(crate) mod model;
+pub(crate) mod model_report;
+pub(crate) mod nearest;
+pub(crate) mod neighbours;
+pub(crate) mod octahedron;
+pub(crate) mod offset;
+pub(crate) mod orient;
+#[cfg(feature = "gui")]
+pub(crate) mod ray;
+pub(crate) mod rig;
+pub(crate) mod scanline;
+pub(crate) mod solid;
+pub(crate) mod subdivide;
+pub(crate) mod thinness;
+pub(crate) mod weld;
+pub(crate) mod winding;
+
+pub use fill::{FillError, FillResolution, Filling, fill};
+pub use kernel::Kernel;
+pub use lattice::Cuboid;
+pub use mesh::{TriangleMesh, box_surface};
+pub use model::{MeshData, Model, Part, UpAxis};
+pub use model_report::{Finding, ModelReport, Refusal};
+pub use solid::Solid;
+pub use thinness::Thinness;
+pub use weld::Welded;

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 /// Points sorted into cells of one search radius.
 #[derive(Clone, Debug)]
-pub struct PointGrid<'a> {
+pub(crate) struct PointGrid<'a> {
     points: &'a [DVec3],
     radius: f64,
     cells: HashMap<IVec3, Vec<u32>>,
@@ -13,7 +13,7 @@ pub struct PointGrid<'a> {
 
 impl<'a> PointGrid<'a> {
     /// Sorts `points` for searches within `radius` [m].
-    pub fn new(points: &'a [DVec3], radius: f64) -> Self {
+    pub(crate) fn new(points: &'a [DVec3], radius: f64) -> Self {
         let mut cells: HashMap<IVec3, Vec<u32>> = HashMap::new();
         for (i, &point) in points.iter().enumerate() {
             cells.entry(cell_of(point, radius)).or_default().push(i as u32);
@@ -22,7 +22,7 @@ impl<'a> PointGrid<'a> {
     }
 
     /// Indices of the points nearer to `center` than the search radius, in ascending order.
-    pub fn within(&self, center: DVec3) -> Vec<u32> {
+    pub(crate) fn within(&self, center: DVec3) -> Vec<u32> {
         let home = cell_of(center, self.radius);
         let mut found = Vec::new();
         for k in 0..27 {

@@ -4,11 +4,6 @@ use super::mesh::TriangleMesh;
 use glam::DVec3;
 use std::collections::{BTreeSet, HashMap};
 
-/// Vertices of a sphere after `subdivisions`: `4^(n+1) + 2`.
-pub fn vertex_count(subdivisions: u32) -> usize {
-    4_usize.pow(subdivisions + 1) + 2
-}
-
 /// The unit sphere about the origin: an octahedron whose faces are cut in four `subdivisions` times, every new vertex
 /// moved out onto the sphere. It has `4^(n+1) + 2` vertices, `12 * 4^n` edges and `8 * 4^n` faces.
 pub fn sphere(subdivisions: u32) -> TriangleMesh {
@@ -34,7 +29,7 @@ pub fn sphere(subdivisions: u32) -> TriangleMesh {
 }
 
 /// Every edge of a mesh once, the lower index first, in order.
-pub fn edges(mesh: &TriangleMesh) -> Vec<[u32; 2]> {
+pub(crate) fn edges(mesh: &TriangleMesh) -> Vec<[u32; 2]> {
     let sides = mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     sides.map(|[a, b]| [a.min(b), a.max(b)]).collect::<BTreeSet<_>>().into_iter().collect()
 }
@@ -48,7 +43,7 @@ mod tests {
     fn counts_follow_the_formulae_and_faces_turn_outwards() {
         for n in 0..=5 {
             let mesh = sphere(n);
-            assert_eq!(mesh.positions.len(), vertex_count(n));
+            assert_eq!(mesh.positions.len(), 4_usize.pow(n + 1) + 2);
             assert_eq!(mesh.triangles.len(), 8 * 4_usize.pow(n));
             assert_eq!(edges(&mesh).len(), 12 * 4_usize.pow(n));
             assert!(mesh.positions.iter().all(|x| (x.length() - 1.0).abs() < 1e-15));

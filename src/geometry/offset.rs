@@ -8,7 +8,7 @@ use glam::DVec3;
 /// Outward unit normal of every point: the mean of the faces around it, weighted by their angles there, so that how a
 /// surface is cut into triangles does not matter (Thürmer and Wüthrich 1998; Bærentzen and Aanæs 2005). Zero where the
 /// faces leave no direction.
-pub fn point_normals(points: &[DVec3], faces: &[[u32; 3]]) -> Vec<DVec3> {
+pub(crate) fn point_normals(points: &[DVec3], faces: &[[u32; 3]]) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; points.len()];
     for &face in faces {
         let normal = area_vector(points, face).normalize_or_zero();
@@ -23,7 +23,7 @@ pub fn point_normals(points: &[DVec3], faces: &[[u32; 3]]) -> Vec<DVec3> {
 
 /// A surface that cannot be moved inwards as far as was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InsideOut {
+pub(crate) struct InsideOut {
     /// Faces that would look the other way.
     pub turned: usize,
     /// Pairs of faces that would pass through each other.
@@ -39,7 +39,7 @@ pub struct InsideOut {
 /// # Errors
 /// [`InsideOut`] where a face would be turned over, faces pass through each other that did not before, or a piece of the
 /// surface be turned inside out as a whole.
-pub fn moved_inwards(points: &[DVec3], faces: &[[u32; 3]], distance: f64) -> Result<Vec<DVec3>, InsideOut> {
+pub(crate) fn moved_inwards(points: &[DVec3], faces: &[[u32; 3]], distance: f64) -> Result<Vec<DVec3>, InsideOut> {
     let normals = point_normals(points, faces);
     let at = |distance: f64| -> Vec<DVec3> { points.iter().zip(&normals).map(|(&x, n)| x - distance * n).collect() };
     let crossings = |points: &[DVec3]| crossing_pairs(points, faces, &Bvh::new(points, faces));

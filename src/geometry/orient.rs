@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// Which faces to turn round, and what was found on the way.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Orientation {
+pub(crate) struct Orientation {
     /// Whether each face is to be turned round.
     pub flipped: Vec<bool>,
     /// Faces that disagreed with most of their piece.
@@ -38,7 +38,7 @@ const BUDGET: usize = 200_000_000;
 
 /// Finds out how to turn the faces so that neighbours agree and every piece has its outside outside. A piece within
 /// another keeps its sense relative to that, so that a cavity remains one.
-pub fn orientation(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges) -> Orientation {
+pub(crate) fn orientation(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges) -> Orientation {
     let mut found = agree(points, faces, edges);
     let pieces = pieces(points, faces, edges, &found.flipped);
     found.pieces = pieces.len();
@@ -164,7 +164,7 @@ fn contains(
 }
 
 /// Area of a face [m²].
-pub fn area(points: &[DVec3], face: [u32; 3]) -> f64 {
+pub(crate) fn area(points: &[DVec3], face: [u32; 3]) -> f64 {
     let [a, b, c] = face.map(|i| points[i as usize]);
     0.5 * (b - a).cross(c - a).length()
 }

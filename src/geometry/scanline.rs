@@ -24,7 +24,7 @@ fn crossings(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64, z: f64) ->
 
 /// The stretches of the row through (y, z) along x that lie inside a closed surface, in order: where it turns around
 /// the row at least once.
-pub fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64, z: f64) -> Vec<[f64; 2]> {
+pub(crate) fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64, z: f64) -> Vec<[f64; 2]> {
     let mut stretches: Vec<[f64; 2]> = Vec::new();
     let mut depth = 0;
     for (x, step) in crossings(points, faces, bvh, y, z) {
@@ -46,7 +46,7 @@ pub fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64,
 
 /// A scanline through a surface with holes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct OpenScanline {
+pub(crate) struct OpenScanline {
     /// Stretches where the winding number is above one half, in order [m].
     pub inside: Vec<[f64; 2]>,
     /// Length where it is within a quarter of one half [m]: there the surface does not say clearly.
@@ -73,7 +73,7 @@ const DOUBT: f64 = 0.25;
 ///
 /// Between two faces the winding number changes smoothly. It is looked at thrice there and, where the way is long,
 /// every `step` [m]; where it passes one half the place is found by halving.
-pub fn open_scanline(
+pub(crate) fn open_scanline(
     (points, faces, bvh): (&[DVec3], &[[u32; 3]], &Bvh),
     winding: &Winding<'_>,
     [from, to]: [f64; 2],

@@ -103,7 +103,7 @@ impl Solid {
     }
 
     /// Stretches of the row through (y, z) along x that lie inside [m].
-    pub fn scanline(&self, y: f64, z: f64) -> Vec<[f64; 2]> {
+    pub(crate) fn scanline(&self, y: f64, z: f64) -> Vec<[f64; 2]> {
         if self.report.closed {
             inside_stretches(&self.surface.points, &self.surface.faces, &self.bvh, y, z)
         } else {

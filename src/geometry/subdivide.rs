@@ -9,7 +9,7 @@ const FINE: usize = 2500;
 /// Loop's subdivision (1987), by which every triangle becomes four and the outline loses its corners, until a mesh of
 /// `count` vertices is fine: the new vertices as sums of the old ones, and the new faces. None for a mesh that is fine
 /// already. Edges of holes keep their run.
-pub fn rounded(count: usize, triangles: &[[u32; 3]]) -> Option<(LinearMap, Vec<[u32; 3]>)> {
+pub(crate) fn rounded(count: usize, triangles: &[[u32; 3]]) -> Option<(LinearMap, Vec<[u32; 3]>)> {
     let mut whole: Option<(LinearMap, Vec<[u32; 3]>)> = None;
     loop {
         let (count, faces) = whole.as_ref().map_or((count, triangles), |(map, faces)| (map.len(), faces));

@@ -24,7 +24,7 @@ const STRAY: (f64, usize) = (0.02, 6);
 
 /// Looks around every particle, out to `reach` spacings. Also tells which particles are strays: those whose neighbours
 /// lie on a plane or a line, or are too few.
-pub fn thinness(cells: &[IVec3], reach: f64) -> (Thinness, Vec<bool>) {
+pub(crate) fn thinness(cells: &[IVec3], reach: f64) -> (Thinness, Vec<bool>) {
     let occupied = Occupied::new(cells);
     let steps = steps_within(reach);
     let found: Vec<(f64, usize)> = cells

@@ -46,7 +46,7 @@ impl Welded {
 
     /// Welds `loose` points that lie within `distance` [m] of each other, onto the first of them. Returns how many
     /// points went.
-    pub fn weld_near(&mut self, loose: &[u32], distance: f64) -> usize {
+    pub(crate) fn weld_near(&mut self, loose: &[u32], distance: f64) -> usize {
         let places: Vec<DVec3> = loose.iter().map(|&i| self.points[i as usize]).collect();
         let grid = PointGrid::new(&places, distance);
         let mut target: Vec<u32> = (0..self.points.len() as u32).collect();

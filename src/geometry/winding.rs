@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 /// A surface with its far fields.
 #[derive(Clone, Copy, Debug)]
-pub struct Winding<'a> {
+pub(crate) struct Winding<'a> {
     points: &'a [DVec3],
     faces: &'a [[u32; 3]],
     bvh: &'a Bvh,
@@ -20,7 +20,7 @@ pub struct Winding<'a> {
 
 /// What a group of triangles looks like from afar.
 #[derive(Clone, Copy, Debug)]
-pub struct Far {
+pub(crate) struct Far {
     center: DVec3,
     /// Sum of the triangles' area vectors [m²].
     area: DVec3,
@@ -35,12 +35,12 @@ const FAR: f64 = 3.0;
 
 impl<'a> Winding<'a> {
     /// Queries against triangles, the tree over them and the far fields of that.
-    pub fn new(points: &'a [DVec3], faces: &'a [[u32; 3]], bvh: &'a Bvh, far: &'a [Far]) -> Self {
+    pub(crate) fn new(points: &'a [DVec3], faces: &'a [[u32; 3]], bvh: &'a Bvh, far: &'a [Far]) -> Self {
         Self { points, faces, bvh, far }
     }
 
     /// How often the surface turns around a point; positive when its faces turn outwards.
-    pub fn at(&self, point: DVec3) -> f64 {
+    pub(crate) fn at(&self, point: DVec3) -> f64 {
         let mut sum = 0.0;
         let mut open = Vec::with_capacity(64);
         if !self.far.is_empty() {
@@ -67,7 +67,7 @@ impl<'a> Winding<'a> {
 }
 
 /// The far fields of the nodes of a tree over triangles.
-pub fn far_fields(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> Vec<Far> {
+pub(crate) fn far_fields(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> Vec<Far> {
     (0..bvh.nodes().len()).into_par_iter().map(|node| far_field(points, faces, bvh, node)).collect()
 }
 
@@ -97,7 +97,7 @@ fn far_field(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, node: usize) -> Fa
 }
 
 /// Signed solid angle of a triangle seen from the origin (Van Oosterom and Strackee 1983).
-pub fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
+pub(crate) fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
     let [la, lb, lc] = [a, b, c].map(DVec3::length);
     let volume = a.dot(b.cross(c));
     let below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;

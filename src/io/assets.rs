@@ -22,7 +22,8 @@ pub fn load_assets(scene: &Scene, folder: &Path, progress: &mut dyn FnMut(&str))
 ///
 /// # Errors
 /// As [`load_assets`].
-pub fn load_assets_by(scene: &Scene, read: &dyn Fn(&Path) -> Result<Model, IoError>) -> Result<Assets, IoError> {
+#[cfg(feature = "gui")]
+pub(crate) fn load_assets_by(scene: &Scene, read: &dyn Fn(&Path) -> Result<Model, IoError>) -> Result<Assets, IoError> {
     let mut assets = Assets::default();
     complete(&mut assets, scene, Path::new(""), read, &mut |_| {})?;
     Ok(assets)
@@ -32,7 +33,7 @@ pub fn load_assets_by(scene: &Scene, read: &dyn Fn(&Path) -> Result<Model, IoErr
 ///
 /// # Errors
 /// As [`load_assets`]; those loaded before it stay.
-pub fn complete_assets(
+pub(crate) fn complete_assets(
     assets: &mut Assets,
     scene: &Scene,
     folder: &Path,

@@ -28,7 +28,7 @@ pub fn write_atomically(path: &Path, content: impl FnOnce(&mut dyn Write) -> io:
 ///
 /// # Errors
 /// [`IoError::Write`] within [`IoError::InFile`], as writing would give it.
-pub fn check_writable(path: &Path) -> Result<PathBuf, IoError> {
+pub(crate) fn check_writable(path: &Path) -> Result<PathBuf, IoError> {
     let probe = || {
         let target = WriteTarget::of(path)?;
         target.temporary_file()?.close()?;
@@ -63,7 +63,7 @@ pub(super) fn sweep(path: &Path) {
 ///
 /// # Errors
 /// [`IoError::Folder`] within [`IoError::InFile`]: it cannot be made or written to, or the path is a file.
-pub fn make_folder(path: &Path) -> Result<(), IoError> {
+pub(crate) fn make_folder(path: &Path) -> Result<(), IoError> {
     let make = || {
         fs::create_dir_all(path)?;
         tempfile::Builder::new().prefix(PREFIX).suffix(SUFFIX).tempfile_in(path)?.close()

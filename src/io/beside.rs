@@ -9,7 +9,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`IoError::InFile`] with [`IoError::Write`], or [`IoError::Read`] of a folder that cannot be looked into.
-pub fn put_beside(folder: &Path, name: &str, content: &[u8]) -> Result<String, IoError> {
+pub(crate) fn put_beside(folder: &Path, name: &str, content: &[u8]) -> Result<String, IoError> {
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
     let mut number = 1;
     loop {

@@ -17,7 +17,7 @@ impl FrameFolder {
     /// No frames yet, of files with this extension; makes the folder unless it is there.
     ///
     /// # Errors
-    /// As [`make_folder`].
+    /// As `make_folder`.
     pub fn create(folder: &Path, extension: &'static str) -> Result<Self, IoError> {
         make_folder(folder)?;
         Ok(Self { folder: folder.to_owned(), extension, frames: 0 })
@@ -45,7 +45,7 @@ impl FrameFolder {
     }
 
     /// How many frames of a longer, earlier run lie in the folder behind those of this one.
-    pub fn left_over(&self) -> usize {
+    pub(crate) fn left_over(&self) -> usize {
         let index = |name: &str| {
             name.strip_prefix("frame_")?.strip_suffix(self.extension)?.strip_suffix('.')?.parse::<u64>().ok()
         };

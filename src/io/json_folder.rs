@@ -20,13 +20,13 @@ const NAME_LENGTH: usize = 40;
 
 /// A folder of small things, each a JSON file. It is made when the first one is put into it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct JsonFolder {
+pub(crate) struct JsonFolder {
     folder: PathBuf,
 }
 
 /// One of the things.
 #[derive(Debug)]
-pub struct JsonFile<T> {
+pub(crate) struct JsonFile<T> {
     /// Its file.
     pub path: PathBuf,
     /// What it holds, or why that cannot be used. The file is left as it is.
@@ -35,7 +35,7 @@ pub struct JsonFile<T> {
 
 impl JsonFolder {
     /// The folder at this path.
-    pub fn new(folder: impl Into<PathBuf>) -> Self {
+    pub(crate) fn new(folder: impl Into<PathBuf>) -> Self {
         Self { folder: folder.into() }
     }
 
@@ -43,7 +43,7 @@ impl JsonFolder {
     ///
     /// # Errors
     /// The folder cannot be read. What is wrong with one file stands with it.
-    pub fn list<T: DeserializeOwned>(&self) -> Result<Vec<JsonFile<T>>, IoError> {
+    pub(crate) fn list<T: DeserializeOwned>(&self) -> Result<Vec<JsonFile<T>>, IoError> {
         let entries = match fs::read_dir(&self.folder) {
             Ok(entries) => entries,
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
@@ -59,7 +59,7 @@ impl JsonFolder {
     ///
     /// # Errors
     /// [`IoError::InFile`]: the folder or the file cannot be written.
-    pub fn add(&self, title: &str, thing: &impl Serialize) -> Result<PathBuf, IoError> {
+    pub(crate) fn add(&self, title: &str, thing: &impl Serialize) -> Result<PathBuf, IoError> {
         make_folder(&self.folder)?;
         let name = file_name(title);
         let numbered = |n: usize| if n == 1 { format!("{name}.json") } else { format!("{name}-{n}.json") };
@@ -73,7 +73,7 @@ impl JsonFolder {
     ///
     /// # Errors
     /// [`IoError::InFile`]: it cannot be read or written.
-    pub fn set_text(&self, path: &Path, member: &str, text: &str) -> Result<(), IoError> {
+    pub(crate) fn set_text(path: &Path, member: &str, text: &str) -> Result<(), IoError> {
         let mut value: Value = read(path).map_err(|error| error.within(path))?;
         if let Value::Object(members) = &mut value {
             members.insert(member.to_owned(), Value::String(text.to_owned()));
@@ -85,7 +85,7 @@ impl JsonFolder {
     ///
     /// # Errors
     /// [`IoError::InFile`]: the system does not let it go.
-    pub fn remove(&self, path: &Path) -> Result<(), IoError> {
+    pub(crate) fn remove(path: &Path) -> Result<(), IoError> {
         fs::remove_file(path).map_err(|error| IoError::Write(error).within(path))
     }
 }
@@ -138,7 +138,7 @@ mod tests {
         assert_ne!(first, second, "none takes another's place");
 
         fs::write(&second, r#"{"title": "Two", "note": [1, 2]}"#).expect("written");
-        folder.set_text(&second, "title", "Second").expect("changed");
+        JsonFolder::set_text(&second, "title", "Second").expect("changed");
         let text = fs::read_to_string(&second).expect("there");
         assert!(text.contains("\"Second\"") && text.contains("[1,2]"), "{text}");
 
@@ -152,11 +152,11 @@ mod tests {
             .collect();
         assert_eq!(said.len(), 1);
         assert!(said[0].contains("damaged.json: line 2, column") && said[0].contains("/title"), "{}", said[0]);
-        assert!(folder.set_text(&first.with_file_name("gone.json"), "title", "a").is_err());
+        assert!(JsonFolder::set_text(&first.with_file_name("gone.json"), "title", "a").is_err());
 
-        folder.remove(&first).expect("removed");
+        JsonFolder::remove(&first).expect("removed");
         assert_eq!(folder.list::<Item>().expect("two are left").len(), 2);
-        assert!(folder.remove(&first).is_err());
+        assert!(JsonFolder::remove(&first).is_err());
     }
 
     #[test]

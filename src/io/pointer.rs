@@ -12,7 +12,7 @@ use serde_json::{Map, Value};
 /// Fields that the scene leaves at their defaults can be set too.
 ///
 /// # Errors
-/// As [`set_pointer`] for each set in turn, then [`IoError::Type`], [`IoError::Version`] or [`IoError::Invalid`] for
+/// As `set_pointer` for each set in turn, then [`IoError::Type`], [`IoError::Version`] or [`IoError::Invalid`] for
 /// what they make of the scene.
 pub fn apply_sets<'a>(scene: &Scene, sets: impl IntoIterator<Item = (&'a str, &'a str)>) -> Result<Scene, IoError> {
     // Serialising these types cannot fail: their map keys are strings.
@@ -31,7 +31,7 @@ pub fn apply_sets<'a>(scene: &Scene, sets: impl IntoIterator<Item = (&'a str, &'
 /// # Errors
 /// [`IoError::Pointer`]: text that is not JSON, a pointer that leads into nothing, or a field, in the pointer or in
 /// the new value, that this program does not know. The tree is of no further use then.
-pub fn set_pointer(value: &mut Value, pointer: &str, json_text: &str) -> Result<(), IoError> {
+pub(super) fn set_pointer(value: &mut Value, pointer: &str, json_text: &str) -> Result<(), IoError> {
     let new = parse(json_text).map_err(|error| {
         let problem = format!("is not JSON ({error})");
         failure(pointer, brief(&json_text), &problem, "give a JSON value; text needs double quotes")

@@ -14,7 +14,7 @@ const COARSE: Duration = Duration::from_secs(2);
 
 /// A file as it was at one moment. Take it before the file is read, and again after it was saved.
 #[derive(Clone, Debug)]
-pub struct FileStamp {
+pub(crate) struct FileStamp {
     path: PathBuf,
     hash: u64,
     /// Length and time of change, if they can be relied on to differ for another content.
@@ -23,7 +23,7 @@ pub struct FileStamp {
 
 /// What became of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FileState {
+pub(crate) enum FileState {
     /// It holds what it held.
     Same,
     /// It holds something else, or can no longer be read.
@@ -37,7 +37,7 @@ impl FileStamp {
     ///
     /// # Errors
     /// [`IoError::InFile`] with what keeps it from being read, as for a scene.
-    pub fn of(path: &Path) -> Result<Self, IoError> {
+    pub(crate) fn of(path: &Path) -> Result<Self, IoError> {
         // Before the content: a change in between is found later then.
         let look = fs::metadata(path).and_then(|metadata| Ok((metadata.len(), metadata.modified()?))).ok();
         let now = SystemTime::now();
@@ -47,13 +47,13 @@ impl FileStamp {
     }
 
     /// Where the file is.
-    pub fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 
     /// What became of the file since. A file that was written again with the same content is the same; its content is
     /// looked at only where its length or time of change leave a doubt.
-    pub fn state(&self) -> FileState {
+    pub(crate) fn state(&self) -> FileState {
         let look = match fs::metadata(&self.path) {
             Ok(metadata) => metadata.modified().ok().map(|changed| (metadata.len(), changed)),
             Err(error) if error.kind() == io::ErrorKind::NotFound => return FileState::Missing,
@@ -67,11 +67,6 @@ impl FileStamp {
             Err(IoError::Missing) => FileState::Missing,
             _ => FileState::Changed,
         }
-    }
-
-    /// Whether the file holds something else now, or is gone.
-    pub fn is_changed(&self) -> bool {
-        self.state() != FileState::Same
     }
 }
 
@@ -100,17 +95,17 @@ mod tests {
         for age in [0, 100] {
             aged(&path, "one", age);
             let stamp = FileStamp::of(&path).expect("a file");
-            assert_eq!((stamp.state(), stamp.is_changed()), (FileState::Same, false));
+            assert_eq!(stamp.state(), FileState::Same);
             // Of the same length; just now, so that the time of change may be the same too.
             fs::write(&path, "two").expect("written");
-            assert_eq!((stamp.state(), stamp.is_changed()), (FileState::Changed, true), "{age} s");
+            assert_eq!(stamp.state(), FileState::Changed, "{age} s");
             fs::write(&path, "one").expect("written");
             assert_eq!(stamp.state(), FileState::Same, "written again as it was");
             fs::write(&path, "three").expect("written");
             assert_eq!(stamp.state(), FileState::Changed);
-            assert!(!FileStamp::of(&path).expect("a file").is_changed());
+            assert_eq!(FileStamp::of(&path).expect("a file").state(), FileState::Same);
             fs::remove_file(&path).expect("removed");
-            assert_eq!((stamp.state(), stamp.is_changed()), (FileState::Missing, true));
+            assert_eq!(stamp.state(), FileState::Missing);
         }
         fs::create_dir(&path).expect("made");
         assert!(FileStamp::of(&path).is_err());

@@ -25,7 +25,7 @@ const HEAD: &str = "[\n{\"name\":\"process_name\",\"ph\":\"M\",\"pid\":1,\"tid\"
 const TAIL: &str = "\n]\n";
 
 /// A trace that is being written. Dropped before it is finished, it leaves nothing.
-pub struct Trace {
+pub(crate) struct Trace {
     path: PathBuf,
     recorder: Arc<Recorder>,
 }
@@ -35,7 +35,7 @@ impl Trace {
     ///
     /// # Errors
     /// [`IoError::Write`] within [`IoError::InFile`]: the file cannot be written, or holds something that is no trace.
-    pub fn start(path: &Path) -> Result<Self, IoError> {
+    pub(crate) fn start(path: &Path) -> Result<Self, IoError> {
         let started = Self::begin(path).and_then(|trace| {
             let recorder = tracing::Dispatch::from(Arc::clone(&trace.recorder) as Arc<dyn Subscriber + Send + Sync>);
             tracing::dispatcher::set_global_default(recorder).map_err(io::Error::other)?;
@@ -62,7 +62,7 @@ impl Trace {
     ///
     /// # Errors
     /// [`IoError::Write`] within [`IoError::InFile`].
-    pub fn finish(self) -> Result<(), IoError> {
+    pub(crate) fn finish(self) -> Result<(), IoError> {
         let Some(sink) = lock(&self.recorder.sink).take() else { return Ok(()) };
         let end = || {
             keep_what_is_no_trace(&self.path)?;

@@ -6,14 +6,14 @@ use super::viewport::Viewport;
 /// Puts pictures where a pass is drawing, without blending and without looking between pixels: half of what a toolkit's
 /// textured square costs where no graphics card draws it.
 #[derive(Clone)]
-pub struct Blit {
+pub(crate) struct Blit {
     pipeline: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
 }
 
 impl Blit {
     /// For passes on one target of this format, without depth and with one sample a pixel.
-    pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat) -> Self {
+    pub(crate) fn new(device: &wgpu::Device, format: wgpu::TextureFormat) -> Self {
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("blit"),
             entries: &[wgpu::BindGroupLayoutEntry {
@@ -60,7 +60,7 @@ impl Blit {
     }
 
     /// What [`Self::draw`] needs of a viewport, until that is resized.
-    pub fn source(&self, device: &wgpu::Device, viewport: &Viewport) -> wgpu::BindGroup {
+    pub(crate) fn source(&self, device: &wgpu::Device, viewport: &Viewport) -> wgpu::BindGroup {
         device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("blit"),
             layout: &self.layout,
@@ -72,7 +72,7 @@ impl Blit {
     }
 
     /// Fills the pass's present viewport with the picture.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, source: &wgpu::BindGroup) {
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, source: &wgpu::BindGroup) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, source, &[]);
         pass.draw(0..3, 0..1);

@@ -112,7 +112,7 @@ impl Camera {
     }
 
     /// Columns are the view's right, up and backward directions in the world.
-    pub fn world_from_view(&self) -> DMat3 {
+    pub(crate) fn world_from_view(&self) -> DMat3 {
         DMat3::from_rotation_y(self.yaw) * DMat3::from_rotation_x(-self.pitch)
     }
 
@@ -130,13 +130,13 @@ impl Camera {
     }
 
     /// Into view space, from coordinates about `origin` [m].
-    pub fn view_from_local(&self, origin: DVec3) -> DMat4 {
+    pub(crate) fn view_from_local(&self, origin: DVec3) -> DMat4 {
         let view_from_world = self.world_from_view().transpose();
         DMat4::from_mat3_translation(view_from_world, view_from_world * (origin - self.eye()))
     }
 
     /// From view space to clip space for a picture `aspect` times as wide as high.
-    pub fn clip_from_view(&self, aspect: f64) -> DMat4 {
+    pub(crate) fn clip_from_view(&self, aspect: f64) -> DMat4 {
         let columns = |x: f64, y: f64, z: DVec4, w: DVec4| {
             DMat4::from_cols(DVec4::new(x, 0.0, 0.0, 0.0), DVec4::new(0.0, y, 0.0, 0.0), z, w)
         };
@@ -155,7 +155,7 @@ impl Camera {
     }
 
     /// Length that a pixel covers at the target [m], in a picture this many pixels high.
-    pub fn metres_per_pixel(&self, picture_height: f64) -> f64 {
+    pub(crate) fn metres_per_pixel(&self, picture_height: f64) -> f64 {
         self.height / picture_height
     }
 

@@ -2,8 +2,8 @@
 //!
 //! # How it works
 //!
-//! A [`Renderer`] holds what does not change: shaders and pipelines, for one device. A [`Content`] is a list on that
-//! device with the shadow it casts, whatever the point of view; a [`Viewport`] holds the targets of one view. So a
+//! A `Renderer` holds what does not change: shaders and pipelines, for one device. A [`Content`] is a list on that
+//! device with the shadow it casts, whatever the point of view; a `Viewport` holds the targets of one view. So a
 //! list is sent once and drawn in as many views as there are. The renderer draws into its own colour, depth and
 //! multi-sample targets and hands out the colour as a texture, for a window to show or a file to keep.
 //!
@@ -17,13 +17,13 @@
 mod blit;
 mod camera;
 mod content;
-mod device;
+pub(crate) mod device;
 mod draw_calls;
 mod encoding;
 mod glyphs;
 mod marks;
 mod offscreen;
-mod pick;
+pub(crate) mod pick;
 mod picture_pass;
 mod pipelines;
 mod renderer;
@@ -38,12 +38,11 @@ mod targets;
 mod uniforms;
 mod viewport;
 
-pub use blit::Blit;
+pub(crate) use blit::Blit;
 pub use camera::{Camera, Facing, Projected, Projection, Ray};
 pub use content::Content;
-pub use device::{NoDriver, open_device};
+pub use device::NoDriver;
 pub use offscreen::{Offscreen, Picture, RenderError};
-pub use pick::{Pick, Picking};
-pub use renderer::{Options, Renderer};
-pub use targets::COLOUR_FORMAT;
-pub use viewport::Viewport;
+pub use renderer::Options;
+pub(crate) use renderer::Renderer;
+pub(crate) use viewport::Viewport;

@@ -1,7 +1,7 @@
 //! Textures to draw into, and their formats.
 
 /// Format of every picture: encoded as sRGB by the shaders, plain to whoever shows it.
-pub const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+pub(super) const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Format of depths; they are reversed but in shadows.
 pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Format of picks: a number, and a depth by its bits.

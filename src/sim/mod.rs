@@ -2,22 +2,26 @@
 //! [`Worker`] thread that paces it for a window.
 
 mod command;
-mod compare;
-mod recording;
+mod convergence;
+pub(crate) mod recording;
 mod report;
 mod runner;
 mod series;
 mod side_by_side;
 mod status;
 mod study;
+mod trial;
 mod worker;
 
 pub use command::SimCommand;
-pub use compare::{Trial, convergence_order, reference};
-pub use recording::DEFAULT_MEMORY;
+pub use convergence::{Convergence, convergence_order};
+#[cfg(feature = "gui")]
+pub(crate) use recording::DEFAULT_MEMORY;
 pub use report::{BodyReport, MeasureReport, Report};
 pub use runner::Runner;
-pub use series::{Column, ColumnKind, TimeSeries, body_labels};
+pub(crate) use series::body_labels;
+pub use series::{Column, ColumnKind, TimeSeries};
 pub use status::{ComparedRun, ComparedSample, Published, RecordingStatus, Status, Stepping};
-pub use study::{Convergence, convergence_study};
+pub use study::Study;
+pub use trial::Trial;
 pub use worker::{RecordedSeries, Worker};

@@ -78,7 +78,7 @@ impl Runner {
     }
 
     /// Whether anything is grabbed.
-    pub fn is_held(&self) -> bool {
+    pub(crate) fn is_held(&self) -> bool {
         self.world.bodies().iter().any(|body| !body.grabs().is_empty())
     }
 

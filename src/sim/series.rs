@@ -79,7 +79,7 @@ impl TimeSeries {
 
     /// Goes on with a world after an edit: with other names if only those have changed, and without the rows so far where
     /// the columns are others.
-    pub fn continue_with(&mut self, world: &World, most: usize) {
+    pub(crate) fn continue_with(&mut self, world: &World, most: usize) {
         let columns = columns(world);
         if columns == self.columns {
             return;
@@ -149,7 +149,7 @@ impl TimeSeries {
 }
 
 /// Names by which bodies are told apart: their names, or their identifiers where two share a name.
-pub fn body_labels(bodies: &[Body]) -> Vec<String> {
+pub(crate) fn body_labels(bodies: &[Body]) -> Vec<String> {
     let names: HashSet<&str> = bodies.iter().map(|body| body.parts().name.as_str()).collect();
     let unique = names.len() == bodies.len();
     bodies.iter().map(|body| one_line(if unique { &body.parts().name } else { &body.parts().id })).collect()

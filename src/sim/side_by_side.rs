@@ -1,7 +1,8 @@
 //! The same scene under several integrators, in step and side by side.
 
-use super::compare::Trial;
 use super::status::{ComparedRun, ComparedSample};
+use super::study::Study;
+use super::trial::Trial;
 use crate::bake::BakeError;
 use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::snapshot::Snapshot;
@@ -38,12 +39,13 @@ impl SideBySide {
         integrators: &[IntegratorKind],
         dt: f64,
     ) -> Result<Self, BakeError> {
+        let study = Study::new(scene, assets)?;
         let run = |&integrator: &IntegratorKind| {
-            let trial = Trial::new(scene, assets, integrator, dt)?;
+            let trial = study.trial(integrator, dt);
             let shown = Snapshot::of_particles(trial.world());
-            Ok(Run { integrator, trial, shown })
+            Run { integrator, trial, shown }
         };
-        let runs = integrators.iter().map(run).collect::<Result<Vec<Run>, BakeError>>()?;
+        let runs: Vec<Run> = integrators.iter().map(run).collect();
         let points = || runs.iter().flat_map(|run| &run.shown.bodies).flat_map(|body| &body.particles);
         let (low, high) = points()
             .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), point| (low.min(*point), high.max(*point)));

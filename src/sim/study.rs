@@ -1,62 +1,83 @@
-//! Orders of convergence: errors over steps, against a run that is far finer.
+//! The same scene under several integrators and steps: what the two-layer paper is for.
 
-use super::compare::{Trial, convergence_order, reference};
-use crate::bake::BakeError;
-use crate::scene::{Assets, IntegratorKind, Scene};
+use super::convergence::Convergence;
+use super::trial::Trial;
+use crate::bake::{BakeError, Baked, bake};
+use crate::scene::{Assets, IntegratorKind, Scene, TimeStep};
 
-/// Errors below this share of the size of the bodies are round-off and say nothing of the order.
-const ROUND_OFF: f64 = 1e-11;
+/// The reference steps this much finer than the finest run, and than its own limit of stability.
+const FINER: f64 = 4.0;
 
-/// How the error of an integrator falls with its step.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Convergence {
-    /// The integrator.
-    pub integrator: IntegratorKind,
-    /// Steps [s] and root mean square position errors [m], steps ascending; runs that blew up are left out.
-    pub points: Vec<(f64, f64)>,
-    /// Slope of log(error) over log(step); none with fewer than two points.
-    pub order: Option<f64>,
+/// A scene put together once, from which trials under any integrator and step start.
+pub struct Study {
+    scene: Scene,
+    baked: Baked,
 }
 
-impl Convergence {
-    /// Of errors over steps, in a scene of this size [m]: what is round-off there is left out.
-    pub fn of(integrator: IntegratorKind, errors: impl IntoIterator<Item = (f64, f64)>, size: f64) -> Self {
-        let mut points: Vec<(f64, f64)> = errors.into_iter().filter(|(_, error)| *error > ROUND_OFF * size).collect();
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Self { integrator, order: convergence_order(&points), points }
+impl Study {
+    /// Puts the scene together.
+    ///
+    /// # Errors
+    /// A scene that cannot be put together.
+    pub fn new(scene: &Scene, assets: &Assets) -> Result<Self, BakeError> {
+        // Trials choose their own step, so that one that no automatic choice would take is no obstacle.
+        let mut scene = scene.clone();
+        scene.time.step = TimeStep::manual(scene.time.frame_seconds(), 1);
+        let baked = bake(&scene, assets)?;
+        Ok(Self::of(scene, baked))
     }
-}
 
-/// Runs the scene for `seconds` [s] under every integrator with `halvings` steps: `seconds` over `coarsest` steps, over
-/// twice as many, and so on, so that every run ends at the same time.
-///
-/// # Errors
-/// A scene that cannot be put together.
-pub fn convergence_study(
-    scene: &Scene,
-    assets: &Assets,
-    integrators: &[IntegratorKind],
-    seconds: f64,
-    coarsest: u32,
-    halvings: u32,
-) -> Result<Vec<Convergence>, BakeError> {
-    let counts: Vec<u32> = (0..halvings.max(1)).rev().map(|k| coarsest.max(1) << k).collect();
-    let exact = reference(scene, assets, seconds, seconds / f64::from(counts[0]))?;
-    let particles = exact.world().bodies().iter().flat_map(|body| &body.state().positions);
-    let size = particles.map(|x| x.length()).fold(0.0, f64::max);
-    let errors = |integrator| {
-        let mut found = Vec::new();
-        for &count in &counts {
-            let dt = seconds / f64::from(count);
-            let mut trial = Trial::new(scene, assets, integrator, dt)?;
-            for _ in 0..count {
-                trial.step();
-            }
-            if trial.blew_up_at().is_none() {
-                found.push((dt, trial.position_error(&exact)));
-            }
+    /// Of what a scene has been put together to.
+    pub fn of(scene: Scene, baked: Baked) -> Self {
+        Self { scene, baked }
+    }
+
+    /// Greatest step [s] that `integrator` is estimated to take.
+    pub fn stable_step(&self, integrator: IntegratorKind) -> f64 {
+        self.baked.stable_step(integrator)
+    }
+
+    /// The scene at the start, every body under `integrator` in steps of `dt` [s].
+    pub fn trial(&self, integrator: IntegratorKind, dt: f64) -> Trial {
+        let world = self.baked.single_stepped(integrator, dt);
+        Trial::new(&self.scene, world, self.stable_step(integrator))
+    }
+
+    /// A run of classical Runge-Kutta to `seconds` [s] in steps finer than `finest` [s], against which others are held.
+    pub fn reference(&self, seconds: f64, finest: f64) -> Trial {
+        let stable = self.stable_step(IntegratorKind::Rk4);
+        let steps = (seconds * FINER / finest.min(stable)).ceil().max(1.0);
+        let mut trial = self.trial(IntegratorKind::Rk4, seconds / steps);
+        for _ in 0..steps as u64 {
+            trial.step();
         }
-        Ok(Convergence::of(integrator, found, size))
-    };
-    integrators.iter().map(|&integrator| errors(integrator)).collect()
+        trial
+    }
+
+    /// Runs the scene for `seconds` [s] under every integrator with `halvings` steps: `seconds` over `coarsest` steps, over
+    /// twice as many, and so on, so that every run ends at the same time.
+    pub fn convergence(
+        &self,
+        integrators: &[IntegratorKind],
+        seconds: f64,
+        coarsest: u32,
+        halvings: u32,
+    ) -> Vec<Convergence> {
+        let counts: Vec<u32> = (0..halvings.max(1)).rev().map(|k| coarsest.max(1) << k).collect();
+        let exact = self.reference(seconds, seconds / f64::from(counts[0]));
+        let particles = exact.world().bodies().iter().flat_map(|body| &body.state().positions);
+        let size = particles.map(|x| x.length()).fold(0.0, f64::max);
+        let of = |&integrator: &IntegratorKind| {
+            let error = |&count: &u32| {
+                let dt = seconds / f64::from(count);
+                let mut trial = self.trial(integrator, dt);
+                for _ in 0..count {
+                    trial.step();
+                }
+                trial.blew_up_at().is_none().then(|| (dt, trial.position_error(&exact)))
+            };
+            Convergence::of(integrator, counts.iter().filter_map(error), size)
+        };
+        integrators.iter().map(of).collect()
+    }
 }

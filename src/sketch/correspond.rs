@@ -4,7 +4,7 @@ use glam::DVec2;
 
 /// Weight w of the difference in normalised arc length against that in the shared coordinate. It decides where the
 /// shared coordinate stands still and cannot.
-pub const ARC_LENGTH_WEIGHT: f64 = 0.01;
+pub(super) const ARC_LENGTH_WEIGHT: f64 = 0.01;
 
 /// Cost of a step that advances both strokes, in terms of one that advances a single one: it stands for two of them.
 const DIAGONAL: f64 = 2.0;

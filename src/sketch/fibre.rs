@@ -6,10 +6,10 @@ use glam::DVec3;
 use std::ops::RangeInclusive;
 
 /// Fewest and most structure particles on a fibre.
-pub const PARTICLE_COUNT: RangeInclusive<usize> = 4..=64;
+pub(super) const PARTICLE_COUNT: RangeInclusive<usize> = 4..=64;
 
 /// Samples a curve [m] with structure particles about `spacing` [m] apart: round(length / spacing) + 1 of them, held
-/// within [`PARTICLE_COUNT`], uniform in arc length from end to end.
+/// within `PARTICLE_COUNT`, uniform in arc length from end to end.
 ///
 /// # Errors
 /// A spacing that is not a positive length, or a curve without a measurable length.

@@ -12,9 +12,9 @@ use glam::{DVec2, DVec3};
 /// Samples M on each stroke and on the curve.
 pub const SAMPLES: usize = 192;
 /// The second stroke is reversed where that costs less than this share of keeping its direction.
-pub const REVERSE_RATIO: f64 = 0.25;
+pub(crate) const REVERSE_RATIO: f64 = 0.25;
 /// Root-mean cost, as a fraction of the model's diagonal, above which a pair is doubtful.
-pub const POOR_COST: f64 = 0.03;
+pub(crate) const POOR_COST: f64 = 0.03;
 /// Deviation, as a fraction of the model's diagonal, that the curve is to keep from its strokes; beyond it a note says
 /// so. Averaging halves a difference between the strokes, but where one turn or end is higher in one view than in the
 /// other no curve fits both.

@@ -14,9 +14,9 @@
 mod clean;
 mod correspond;
 mod fibre;
-mod follow;
-mod guides;
-mod lift;
+pub(crate) mod follow;
+pub(crate) mod guides;
+pub(crate) mod lift;
 mod message;
 pub mod pattern;
 mod range;
@@ -24,13 +24,13 @@ mod stroke;
 mod trim;
 mod view;
 
-pub use correspond::ARC_LENGTH_WEIGHT;
-pub use fibre::{PARTICLE_COUNT, structure_particles};
-pub use follow::{Follow, follow};
-pub use guides::{Guides, guides};
-pub use lift::{LiftOptions, Lifted, POOR_COST, REVERSE_RATIO, SAMPLES, STRAY_LIMIT, lift};
+pub use fibre::structure_particles;
+#[cfg(feature = "gui")]
+pub(crate) use follow::{Follow, follow};
+#[cfg(feature = "gui")]
+pub(crate) use guides::{Guides, guides};
+pub use lift::{LiftOptions, Lifted, lift};
 pub use message::{SketchError, SketchNote, Which};
-pub use range::{CLIP_LIMIT, STRETCH_LIMIT};
 pub use stroke::Stroke;
-pub use trim::{Placed, SHORTEST_RUN, Trimmed, trim};
+pub use trim::{Placed, Trimmed, trim};
 pub use view::View;

@@ -6,9 +6,9 @@ use crate::geometry::curve::{Point, arc_length};
 use glam::DVec2;
 
 /// Mismatch of the shared ranges, as a fraction of the larger one, up to which the second stroke is stretched silently.
-pub const STRETCH_LIMIT: f64 = 0.05;
+pub(super) const STRETCH_LIMIT: f64 = 0.05;
 /// Mismatch of the shared ranges up to which both strokes are clipped to what they share; beyond it they are refused.
-pub const CLIP_LIMIT: f64 = 0.25;
+pub(super) const CLIP_LIMIT: f64 = 0.25;
 /// Shared extent over the length of the longer stroke under which a pair cannot give depth.
 const DEGENERATE: f64 = 0.1;
 /// Shared extent over that of the other stroke under which a stroke counts as flat: stretching it would draw noise.

@@ -5,7 +5,7 @@ use crate::geometry::curve::Point;
 use glam::DVec3;
 
 /// Fewest structure particles of a run that is kept: bending needs an angle.
-pub const SHORTEST_RUN: usize = 3;
+pub(super) const SHORTEST_RUN: usize = 3;
 
 /// A structure particle and what the solid makes of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub struct Placed {
 /// What is left of a fibre.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trimmed {
-    /// Runs of embedded structure particles [m], each at least [`SHORTEST_RUN`] long: one fibre each.
+    /// Runs of embedded structure particles [m], each at least `SHORTEST_RUN` long: one fibre each.
     pub runs: Vec<Vec<DVec3>>,
     /// What was left out.
     pub notes: Vec<SketchNote>,
@@ -30,7 +30,7 @@ pub struct Trimmed {
 /// Keeps the embedded structure particles of a fibre.
 ///
 /// Unembedded ends are trimmed. Unembedded particles on the way are left out; where the neighbours that remain are more
-/// than the support radius `h` [m] apart along the fibre, it is split. Runs under [`SHORTEST_RUN`] particles are dropped.
+/// than the support radius `h` [m] apart along the fibre, it is split. Runs under `SHORTEST_RUN` particles are dropped.
 /// Embedded neighbours never part, however long the spacing.
 ///
 /// # Errors

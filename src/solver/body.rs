@@ -49,7 +49,7 @@ pub struct Body {
 
 impl Body {
     /// A body at the start.
-    pub fn new(parts: BodyParts) -> Self {
+    pub(crate) fn new(parts: BodyParts) -> Self {
         let n = parts.state.len();
         let mut body = Self {
             grabs: Vec::new(),
@@ -83,6 +83,11 @@ impl Body {
         self.parts.integrator = integrator;
     }
 
+    /// Steps it by `dt` [s] from now on, where `stable_dt` [s] is the greatest step that its integrator takes.
+    pub(crate) fn set_step(&mut self, dt: f64, stable_dt: f64) {
+        (self.parts.dt, self.parts.stable_dt, self.parts.limited_by) = (dt, stable_dt, None);
+    }
+
     /// Adds a force. What it asks of the time step is not looked at: the step was chosen when the scene was baked.
     pub fn add_force(&mut self, force: Box<dyn Force>) {
         self.parts.forces.push(force);
@@ -91,7 +96,7 @@ impl Body {
 
     /// Whether a body is stopped as soon as a particle moves by more than its reach in a step, as it is unless told
     /// otherwise. Without that it is stopped only where the motion is no number or a force has no meaning.
-    pub fn set_guarded(&mut self, guarded: bool) {
+    pub(crate) fn set_guarded(&mut self, guarded: bool) {
         self.guarded = guarded;
     }
 
@@ -118,7 +123,7 @@ impl Body {
     }
 
     /// Grabs of the body, to be added, moved and taken away.
-    pub fn grabs_mut(&mut self) -> &mut Vec<Grab> {
+    pub(crate) fn grabs_mut(&mut self) -> &mut Vec<Grab> {
         self.current = false;
         &mut self.grabs
     }

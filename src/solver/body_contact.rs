@@ -34,7 +34,7 @@ pub(super) fn add_body_contact(a: &mut Body, b: &mut Body) {
 }
 
 /// Stiffness [N/m] with which particles of two bodies push on each other.
-pub fn stiffness_between(a: &ContactLaw, b: &ContactLaw) -> f64 {
+pub(crate) fn stiffness_between(a: &ContactLaw, b: &ContactLaw) -> f64 {
     together(a, b).stiffness
 }
 

@@ -5,7 +5,7 @@ use glam::{BVec3, DQuat, DVec3};
 
 /// Particles held or moved along some world axes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Constraint {
+pub(crate) struct Constraint {
     /// The particles.
     pub particles: Vec<u32>,
     /// Where each of them starts [m].
@@ -18,7 +18,7 @@ pub struct Constraint {
 
 /// Motion relative to the start.
 #[derive(Clone, Debug, PartialEq)]
-pub enum PrescribedMotion {
+pub(crate) enum PrescribedMotion {
     /// None.
     Fixed,
     /// By `displacement` [m] over the course.
@@ -45,7 +45,7 @@ pub enum PrescribedMotion {
 
 /// From 0 to 1 over a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Course {
+pub(crate) struct Course {
     /// When it starts [s].
     pub start: f64,
     /// How long it takes [s].
@@ -56,7 +56,7 @@ pub struct Course {
 
 impl Course {
     /// Progress (0 to 1) and its rate [1/s] at `time` [s].
-    pub fn at(&self, time: f64) -> (f64, f64) {
+    pub(crate) fn at(&self, time: f64) -> (f64, f64) {
         let since = time - self.start;
         if since >= self.duration {
             return (1.0, 0.0);
@@ -75,7 +75,7 @@ impl Course {
 
 impl PrescribedMotion {
     /// Position [m] and velocity [m/s] at `time` of what starts at `start`.
-    pub fn at(&self, time: f64, start: DVec3) -> (DVec3, DVec3) {
+    pub(crate) fn at(&self, time: f64, start: DVec3) -> (DVec3, DVec3) {
         match self {
             Self::Fixed => (start, DVec3::ZERO),
             Self::Ramp { displacement, course } => {
@@ -95,7 +95,7 @@ impl PrescribedMotion {
     }
 
     /// When the motion has ended [s].
-    pub fn end(&self) -> f64 {
+    pub(crate) fn end(&self) -> f64 {
         match self {
             Self::Fixed => 0.0,
             Self::Ramp { course, .. } | Self::Turn { course, .. } => course.start + course.duration,
@@ -119,7 +119,7 @@ fn interpolate(keys: &[(f64, DVec3)], time: f64) -> (DVec3, DVec3) {
 
 impl Constraint {
     /// Puts the held particles where they belong at `time` [s], with their velocities.
-    pub fn apply(&self, time: f64, state: &mut ParticleState) {
+    pub(crate) fn apply(&self, time: f64, state: &mut ParticleState) {
         for (&i, &start) in self.particles.iter().zip(&self.start) {
             let (position, velocity) = self.motion.at(time, start);
             let i = i as usize;
@@ -129,7 +129,7 @@ impl Constraint {
     }
 
     /// Sets the held components of a vector field to zero.
-    pub fn mask(&self, field: &mut [DVec3]) {
+    pub(crate) fn mask(&self, field: &mut [DVec3]) {
         for &i in &self.particles {
             let i = i as usize;
             field[i] = DVec3::select(self.locked, DVec3::ZERO, field[i]);

@@ -52,7 +52,7 @@ pub struct TurnWeights {
 }
 
 /// Computes weights over the material particles of one body at rest.
-pub struct Embedder<'a> {
+pub(crate) struct Embedder<'a> {
     points: &'a [DVec3],
     grid: PointGrid<'a>,
     kernel: Kernel,
@@ -68,7 +68,7 @@ const NEGLIGIBLE: f64 = 0.06;
 
 impl<'a> Embedder<'a> {
     /// Weights over particles at `points` (rest, model frame).
-    pub fn new(points: &'a [DVec3], kernel: Kernel) -> Self {
+    pub(crate) fn new(points: &'a [DVec3], kernel: Kernel) -> Self {
         let grid = PointGrid::new(points, kernel.support_radius);
         let mut this = Self { points, grid, kernel, median_sum: 0.0 };
         let mut sums: Vec<f64> = points.iter().map(|&point| this.kernel_sum(point).0).collect();
@@ -83,25 +83,25 @@ impl<'a> Embedder<'a> {
     }
 
     /// Whether enough material lies around the point: four particles and 5 % of the median kernel sum.
-    pub fn is_embedded(&self, at: DVec3) -> bool {
+    pub(crate) fn is_embedded(&self, at: DVec3) -> bool {
         let (sum, count) = self.kernel_sum(at);
         count >= LEAST_PARTICLES && sum > LEAST_SUM * self.median_sum
     }
 
     /// Distance to the nearest particle [m].
-    pub fn distance(&self, at: DVec3) -> f64 {
+    pub(crate) fn distance(&self, at: DVec3) -> f64 {
         self.points.iter().map(|point| point.distance_squared(at)).fold(f64::INFINITY, f64::min).sqrt()
     }
 
     /// Linear-reproducing weights at a point; none where the particles in reach lie on a plane or a line, or are too few.
-    pub fn weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
+    pub(crate) fn weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
         self.weighted(at, &self.in_reach(at))
     }
 
     /// The same over the particles that count there alone: those of more than a negligible share of the heaviest weight.
     /// They are half of all in reach, which is what a fibre vertex costs at every step; linear fields are reproduced all
     /// the same. It changes abruptly from one point to the next, as a skin must not.
-    pub fn compact_weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
+    pub(crate) fn compact_weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
         self.weighted(at, &self.that_count(at))
     }
 
@@ -146,7 +146,7 @@ impl<'a> Embedder<'a> {
     }
 
     /// Where the particles around a point have their kernel-weighted centre [m].
-    pub fn centroid(&self, at: DVec3) -> DVec3 {
+    pub(crate) fn centroid(&self, at: DVec3) -> DVec3 {
         let (mut sum, mut weight) = (DVec3::ZERO, 0.0);
         for k in self.grid.within(at) {
             let point = self.points[k as usize];
@@ -159,7 +159,7 @@ impl<'a> Embedder<'a> {
 
     /// Weights by which the material's turn around a point is read: `om_k` positive and normalised, offsets centred by
     /// their mean, `Z_k = C^-1 Y_k`, so that a pure strain turns nothing. None where C is singular.
-    pub fn turn_weights(&self, at: DVec3) -> Option<TurnWeights> {
+    pub(crate) fn turn_weights(&self, at: DVec3) -> Option<TurnWeights> {
         let near = self.that_count(at);
         let total: f64 = near.iter().map(|(_, w)| w).sum();
         let mean: DVec3 = near.iter().map(|&(k, w)| self.points[k as usize] * w).sum::<DVec3>() / total;

@@ -24,11 +24,11 @@ impl MeasureValue {
 }
 
 /// Particles of one body.
-pub type Group = Vec<u32>;
+pub(crate) type Group = Vec<u32>;
 
 /// What is read.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Quantity {
+pub(crate) enum Quantity {
     /// Mean displacement from the rest shape in the world [mm].
     MeanDisplacement(Group),
     /// Largest displacement [mm].
@@ -58,7 +58,7 @@ const MILLI: f64 = 1e3;
 
 impl Quantity {
     /// Name of the kind in reports.
-    pub fn kind(&self) -> &'static str {
+    pub(crate) fn kind(&self) -> &'static str {
         match self {
             Self::MeanDisplacement(..) => "mean_displacement",
             Self::TipDisplacement(..) => "tip_displacement",
@@ -75,7 +75,7 @@ impl Quantity {
     }
 
     /// Unit of the value.
-    pub fn unit(&self) -> &'static str {
+    pub(crate) fn unit(&self) -> &'static str {
         match self {
             Self::MeanDisplacement(..) | Self::TipDisplacement(..) | Self::Shear(..) => "mm",
             Self::HeightLoss(..) | Self::InertiaRatio => "fraction",
@@ -88,7 +88,7 @@ impl Quantity {
     }
 
     /// Distance at rest [m] along the axis of a height loss; infinite for everything else.
-    pub fn rest_distance(&self, rest: &[DVec3]) -> f64 {
+    pub(crate) fn rest_distance(&self, rest: &[DVec3]) -> f64 {
         match self {
             Self::HeightLoss(a, b, axis) => (mean(a, rest) - mean(b, rest))[*axis].abs(),
             _ => f64::INFINITY,
@@ -96,17 +96,17 @@ impl Quantity {
     }
 
     /// Whether the value needs the forces of the present state, which not every integrator leaves after a step.
-    pub fn needs_forces(&self) -> bool {
+    pub(crate) fn needs_forces(&self) -> bool {
         matches!(self, Self::ReactionForce(..) | Self::ReactionTorque(..))
     }
 
     /// Whether the value is a vector.
-    pub fn is_vector(&self) -> bool {
+    pub(crate) fn is_vector(&self) -> bool {
         matches!(self, Self::MeanDisplacement(..) | Self::Shear(..))
     }
 
     /// Present value.
-    pub fn read(&self, body: &Body) -> MeasureValue {
+    pub(crate) fn read(&self, body: &Body) -> MeasureValue {
         let now = &body.state().positions;
         let rest = &body.parts().rest;
         match self {

@@ -1,42 +1,48 @@
 //! The solver: a world of bodies and its step. Knows no scene file, clock, thread start, egui or wgpu.
 //!
-//! A body is a [`ParticleState`] with a list of [`forces`], grabs among them, and any of the [`integrators`] steps any
-//! body. Contact between bodies and with panels belongs to pairs and is no force of that list: the [`world`] evaluates
+//! A body is a [`ParticleState`] with a list of `forces`, grabs among them, and any of the `integrators` steps any
+//! body. Contact between bodies and with panels belongs to pairs and is no force of that list: the `world` evaluates
 //! it. Positions are world coordinates in metres; rest data are in the body's model frame, and rotations carry one into
 //! the other. State and forces are f64.
 
-pub mod body;
-pub mod body_contact;
-pub mod constraint;
-pub mod dynamics;
-pub mod embedding;
-pub mod energy;
-pub mod field;
-pub mod forces;
-pub mod integrators;
-pub mod layers;
-pub mod linear_algebra;
-pub mod measure;
-pub mod modes;
-pub mod neighbourhood;
-pub mod panel;
-pub mod rotation;
-pub mod scratch;
-pub mod skin;
-pub mod snapshot;
-pub mod stable_step;
-pub mod state;
-pub mod volume_fraction;
+pub(crate) mod body;
+pub(crate) mod body_contact;
+pub(crate) mod constraint;
+pub(crate) mod dynamics;
+pub(crate) mod embedding;
+pub(crate) mod energy;
+pub(crate) mod field;
+pub(crate) mod forces;
+pub(crate) mod integrators;
+pub(crate) mod layers;
+pub(crate) mod linear_algebra;
+pub(crate) mod measure;
+pub(crate) mod modes;
+pub(crate) mod neighbourhood;
+pub(crate) mod panel;
+pub(crate) mod rotation;
+pub(crate) mod scratch;
+pub(crate) mod skin;
+pub(crate) mod snapshot;
+pub(crate) mod stable_step;
+pub(crate) mod state;
+pub(crate) mod volume_fraction;
 mod wide;
-pub mod world;
+pub(crate) mod world;
 
-pub use body::{Body, BodyParts, Divergence};
+pub use body::{Body, BodyParts, Divergence, FibreLine, RestScale};
 pub use dynamics::Dynamics;
 pub use embedding::EmbeddingWeights;
 pub use energy::Energies;
-pub use forces::{Force, Grab};
+pub use field::FieldKind;
+pub use forces::springs::SpringKind;
+pub use forces::{Force, Grab, StepLimit};
 pub use integrators::Integrator;
 pub use measure::MeasureValue;
-pub use snapshot::Snapshot;
+pub use panel::Panel;
+pub use snapshot::{
+    BodySnapshot, BreakPlace, FibreBreak, FibreSnapshot, FieldSnapshot, LayersSnapshot, SkinEmbedding, Snapshot,
+    TensionSnapshot,
+};
 pub use state::ParticleState;
-pub use world::{Checkpoint, World};
+pub use world::{Checkpoint, Probe, World};

@@ -15,7 +15,7 @@ use glam::DVec3;
 
 /// One mode: `x'' = -w² x - c x'`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mode {
+pub(crate) struct Mode {
     /// Angular frequency w of the undamped mode [rad/s].
     pub frequency: f64,
     /// Damping rate c [1/s].
@@ -39,7 +39,7 @@ const REAL_MODES: usize = 3;
 
 /// The fastest modes of `state` under `forces`, around the velocity zero; `scale` [m] is the length against which a
 /// displacement counts as small. None where nothing resists.
-pub fn fastest_modes(forces: &mut [Box<dyn Force>], state: &ParticleState, scale: f64) -> Modes {
+pub(crate) fn fastest_modes(forces: &mut [Box<dyn Force>], state: &ParticleState, scale: f64) -> Modes {
     let stiffest = highest_frequency_squared(forces, state, scale).sqrt();
     let rate = forces.iter().map(|force| force.step_limit(state).damping_rate).fold(stiffest, f64::max);
     if rate <= 0.0 {
@@ -50,7 +50,7 @@ pub fn fastest_modes(forces: &mut [Box<dyn Force>], state: &ParticleState, scale
 
 /// Modes and what moves in them.
 #[derive(Clone, Debug, Default)]
-pub struct Modes {
+pub(crate) struct Modes {
     found: Vec<(Mode, Vec<Complex>)>,
     /// Of displacements times the root of the mass; the modes are sums of these.
     basis: Vec<Vec<DVec3>>,
@@ -60,16 +60,16 @@ pub struct Modes {
 
 /// What moves in a mode, times the root of the mass: the parts in phase and a quarter of a swing behind.
 #[derive(Clone, Debug)]
-pub struct ModeShape([Vec<DVec3>; 2]);
+pub(crate) struct ModeShape([Vec<DVec3>; 2]);
 
 impl Modes {
     /// Greatest step [s] at which `integrator` keeps every mode from growing.
-    pub fn greatest_stable_step(&self, integrator: &dyn Integrator) -> f64 {
+    pub(crate) fn greatest_stable_step(&self, integrator: &dyn Integrator) -> f64 {
         greatest_stable_step(integrator, self.found.iter().map(|(mode, _)| *mode))
     }
 
     /// The shapes of the modes that would grow first, `most` at most.
-    pub fn limiting(&self, integrator: &dyn Integrator, most: usize) -> Vec<ModeShape> {
+    pub(crate) fn limiting(&self, integrator: &dyn Integrator, most: usize) -> Vec<ModeShape> {
         let mut order: Vec<(f64, &[Complex])> = self
             .found
             .iter()
@@ -81,7 +81,7 @@ impl Modes {
 
     /// What becomes of modes of these shapes under other forces: their Rayleigh quotients, exact to second order in
     /// what the shapes would change by.
-    pub fn under(
+    pub(crate) fn under(
         &self,
         forces: &mut [Box<dyn Force>],
         state: &ParticleState,
@@ -94,7 +94,7 @@ impl Modes {
 }
 
 /// Greatest step [s] at which `integrator` keeps every mode from growing.
-pub fn greatest_stable_step(integrator: &dyn Integrator, modes: impl IntoIterator<Item = Mode>) -> f64 {
+pub(crate) fn greatest_stable_step(integrator: &dyn Integrator, modes: impl IntoIterator<Item = Mode>) -> f64 {
     modes.into_iter().map(|mode| integrator.stable_step(mode.frequency, mode.damping)).fold(f64::INFINITY, f64::min)
 }
 

@@ -220,6 +220,6 @@ impl Neighbourhood {
 }
 
 /// `a (x) b`, the matrix with entries `a_r b_c`.
-pub fn outer(a: DVec3, b: DVec3) -> DMat3 {
+pub(crate) fn outer(a: DVec3, b: DVec3) -> DMat3 {
     DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }

@@ -16,7 +16,7 @@ const MAX_ITERATIONS: usize = 100;
 /// The rotation R that maximises `tr(R^T F)`, starting from `start`; R is exact to round-off.
 ///
 /// For a singular or inverted F the result is still a proper rotation.
-pub fn nearest_rotation(f: DMat3, start: DQuat) -> DQuat {
+pub(crate) fn nearest_rotation(f: DMat3, start: DQuat) -> DQuat {
     let mut q = start;
     for _ in 0..MAX_ITERATIONS {
         let r = DMat3::from_quat(q);
@@ -38,7 +38,7 @@ pub fn nearest_rotation(f: DMat3, start: DQuat) -> DQuat {
 }
 
 /// `tr(S) I - S` of the symmetric part of `s`: how the energy of a turn grows around R.
-pub fn turn_stiffness(s: DMat3) -> DMat3 {
+pub(crate) fn turn_stiffness(s: DMat3) -> DMat3 {
     let sym = 0.5 * (s + s.transpose());
     let trace = sym.x_axis.x + sym.y_axis.y + sym.z_axis.z;
     DMat3::from_diagonal(DVec3::splat(trace)) - sym

@@ -5,7 +5,7 @@ use std::ops::{Deref, DerefMut};
 /// A buffer that a copy of its owner does not take along: a copy's is empty, and whoever uses it first makes it fit. So a
 /// copy of a force is as large as what its next evaluation depends on.
 #[derive(Debug, Default)]
-pub struct Scratch<T>(T);
+pub(crate) struct Scratch<T>(T);
 
 impl<T: Default> Clone for Scratch<T> {
     fn clone(&self) -> Self {

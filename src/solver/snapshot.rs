@@ -1,11 +1,11 @@
 //! What the solver shows of itself: plain positions at one time.
 
 use super::body::Body;
-pub use super::field::FieldKind;
+pub(crate) use super::field::FieldKind;
 pub use super::forces::fibre::breaking::{BreakPlace, FibreBreak};
-pub use super::forces::springs::SpringKind;
+pub(crate) use super::forces::springs::SpringKind;
 use super::layers::Layers;
-use super::skin::{Skin, SkinShape};
+use super::skin::Skin;
 use super::world::World;
 use crate::geometry::rig::Rig;
 use glam::{DVec3, Vec3};
@@ -100,11 +100,13 @@ pub struct BodySnapshot {
 #[derive(Clone, Debug, Default)]
 pub struct SkinEmbedding(Option<Arc<Skin>>);
 
+#[cfg(test)]
 impl SkinEmbedding {
     /// A skin whose vertices are the first `count` particles.
-    pub fn of_particles(count: u32, triangles: &[[u32; 3]]) -> Self {
+    pub(crate) fn of_particles(count: u32, triangles: &[[u32; 3]]) -> Self {
         let (points, point_of) = (vec![DVec3::ZERO; count as usize], (0..count).collect::<Vec<_>>());
-        let shape = SkinShape { points: &points, point_of: &point_of, normals: &[], colours: &[], triangles };
+        let shape =
+            super::skin::SkinShape { points: &points, point_of: &point_of, normals: &[], colours: &[], triangles };
         Self(Some(Arc::new(Skin::of_particles(&shape))))
     }
 }
@@ -143,7 +145,7 @@ impl BodySnapshot {
     }
 
     /// The surface that pictures show, over the particles; none for a body without a skin.
-    pub fn rig(&self) -> Option<&Arc<Rig>> {
+    pub(crate) fn rig(&self) -> Option<&Arc<Rig>> {
         self.embedding.0.as_ref().map(|skin| skin.rig())
     }
 }
@@ -187,7 +189,7 @@ impl Snapshot {
     }
 
     /// Every body at rest in its own model frame, as it is drawn into.
-    pub fn in_model_frames(world: &World) -> Self {
+    pub(crate) fn in_model_frames(world: &World) -> Self {
         Self::with(world, true, |body| &body.parts().model)
     }
 

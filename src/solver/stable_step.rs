@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// Square of the highest angular frequency [1/s²] of `state` under `forces`; `scale` [m] is the length against which a
 /// displacement counts as small. Zero when nothing resists.
-pub fn highest_frequency_squared(forces: &mut [Box<dyn Force>], state: &ParticleState, scale: f64) -> f64 {
+pub(crate) fn highest_frequency_squared(forces: &mut [Box<dyn Force>], state: &ParticleState, scale: f64) -> f64 {
     let n = state.len();
     let mut probe = state.clone();
     probe.velocities.fill(DVec3::ZERO);

@@ -18,7 +18,7 @@ use glam::DVec3;
 
 /// How a frame is divided. Everything here is chosen from the scene when it is baked, never from timing.
 #[derive(Clone, Debug, PartialEq)]
-pub struct StepPlan {
+pub(crate) struct StepPlan {
     /// Simulated time of one frame [s].
     pub frame_seconds: f64,
     /// Outer steps of a frame: contact between bodies and with panels is evaluated once in each.
@@ -35,9 +35,9 @@ pub struct Probe {
     /// Index of the body.
     pub body: usize,
     /// What is read.
-    pub quantity: Quantity,
+    pub(crate) quantity: Quantity,
     /// Whether the greatest value over time is kept, of every step, so that it does not depend on the frame rate.
-    pub peak: bool,
+    pub(crate) peak: bool,
 }
 
 impl Probe {
@@ -70,7 +70,13 @@ pub struct World {
 
 impl World {
     /// A world at time zero.
-    pub fn new(bodies: Vec<Body>, panels: Vec<Panel>, probes: Vec<Probe>, plan: StepPlan, gravity: DVec3) -> Self {
+    pub(crate) fn new(
+        bodies: Vec<Body>,
+        panels: Vec<Panel>,
+        probes: Vec<Probe>,
+        plan: StepPlan,
+        gravity: DVec3,
+    ) -> Self {
         let mut world = Self {
             lifts: vec![0.0; panels.len()],
             bodies,
@@ -93,7 +99,7 @@ impl World {
     }
 
     /// Opposite corners of the box around all bodies where they were put, undeformed [m]; none without a body.
-    pub fn placed(&self) -> Option<[DVec3; 2]> {
+    pub(crate) fn placed(&self) -> Option<[DVec3; 2]> {
         let rest = self.bodies.iter().flat_map(|body| body.parts().rest.iter().copied());
         rest.map(|point| [point; 2]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
     }
@@ -115,8 +121,15 @@ impl World {
     }
 
     /// How a frame is divided.
-    pub fn plan(&self) -> &StepPlan {
+    pub(crate) fn plan(&self) -> &StepPlan {
         &self.plan
+    }
+
+    /// Makes every frame one step of `dt` [s] from now on, which the bodies must take too, and measures nothing more.
+    pub(crate) fn step_singly(&mut self, dt: f64) {
+        self.probes.clear();
+        self.peaks.clear();
+        self.plan = StepPlan { frame_seconds: dt, outer_steps: 1, substeps: vec![1; self.bodies.len()] };
     }
 
     /// Frames advanced so far.
@@ -136,7 +149,7 @@ impl World {
 
     /// Takes over the motion of `before`, the same world before an edit, so that the simulation goes on: time, panels, and
     /// the state of every body that still has the same particles. The others start anew.
-    pub fn adopt(&mut self, before: &Self) {
+    pub(crate) fn adopt(&mut self, before: &Self) {
         self.since = before.time();
         self.frame = 0;
         self.contact_current = false;

@@ -1,3 +1,3 @@
 //! How numbers are written for people, wherever they are shown: in a table, at a plot, beside a field. Imports nothing.
 
-pub mod number;
+pub(crate) mod number;

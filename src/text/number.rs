@@ -3,17 +3,17 @@
 use std::ops::Range;
 
 /// A value to four figures, for a table.
-pub fn four_figures(value: f64) -> String {
+pub(crate) fn four_figures(value: f64) -> String {
     figures(value, 4, 1e-3..1e5)
 }
 
 /// A value to three figures, beside a picture or a curve.
-pub fn three_figures(value: f64) -> String {
+pub(crate) fn three_figures(value: f64) -> String {
     figures(value, 3, 1e-3..1e4)
 }
 
 /// A value in as few characters as it needs, for a field: up to four places behind the point, no zeros at its end.
-pub fn compact(value: f64) -> String {
+pub(crate) fn compact(value: f64) -> String {
     if value == 0.0 || (1e-2..1e5).contains(&value.abs()) {
         let text = format!("{value:.4}");
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -24,7 +24,7 @@ pub fn compact(value: f64) -> String {
 
 /// A value at an axis of marks `step` apart, of which the one farthest from zero has the size `largest`: with as many
 /// places as its neighbours need to differ.
-pub fn tick(value: f64, step: f64, largest: f64) -> String {
+pub(crate) fn tick(value: f64, step: f64, largest: f64) -> String {
     /// Most places behind the point.
     const MOST: usize = 6;
     if value == 0.0 || value.abs() < 1e-6 * step {
@@ -37,34 +37,34 @@ pub fn tick(value: f64, step: f64, largest: f64) -> String {
 }
 
 /// A ratio with two figures at least.
-pub fn ratio(value: f64) -> String {
+pub(crate) fn ratio(value: f64) -> String {
     let fine = if value > 0.0 { places(value) + 1 } else { 0 };
     format!("{value:.*}", fine.max(2))
 }
 
 /// A share as a whole percentage: "40 %".
-pub fn percent(share: f64) -> String {
+pub(crate) fn percent(share: f64) -> String {
     format!("{:.0} %", 100.0 * share)
 }
 
 /// A time [s] at an axis of times `step` [s] apart: from a step of one second on in minutes and seconds.
-pub fn time_tick(time: f64, step: f64) -> String {
+pub(crate) fn time_tick(time: f64, step: f64) -> String {
     if step < 1.0 { format!("{time:.*} s", places(step)) } else { whole_seconds(time) }
 }
 
 /// A point in time [s] as fine as frames of this length [s] need it.
-pub fn moment(time: f64, frame: f64) -> String {
+pub(crate) fn moment(time: f64, frame: f64) -> String {
     format!("{time:.*} s", places(frame).max(2))
 }
 
 /// How long something lasts [s].
-pub fn duration(seconds: f64) -> String {
+pub(crate) fn duration(seconds: f64) -> String {
     let fine = if seconds > 0.0 { places(seconds) } else { 0 };
     if seconds < 9.95 { format!("{seconds:.*} s", fine.max(1)) } else { whole_seconds(seconds) }
 }
 
 /// A length of 1, 2 or 5 times a power of ten [m], in the unit in which it is said.
-pub fn round_length(metres: f64) -> String {
+pub(crate) fn round_length(metres: f64) -> String {
     let units = [(1e3, "km"), (1.0, "m"), (1e-2, "cm"), (1e-3, "mm"), (1e-6, "µm")];
     let (size, unit) = units.into_iter().find(|(size, _)| metres >= 0.999_999 * size).unwrap_or((1e-6, "µm"));
     let figure = metres / size;
@@ -72,7 +72,7 @@ pub fn round_length(metres: f64) -> String {
 }
 
 /// Memory taken of what may be taken [bytes].
-pub fn memory(taken: usize, most: usize) -> String {
+pub(crate) fn memory(taken: usize, most: usize) -> String {
     const MIB: f64 = (1 << 20) as f64;
     let [taken, most] = [taken, most].map(|bytes| bytes as f64 / MIB);
     if most < 1024.0 {

@@ -1,6 +1,6 @@
 //! Everything that can be asked of the program, in one list: menu, shortcut, tooltip, palette and help are made of it.
 
-pub use super::menu::Menu;
+pub(crate) use super::menu::Menu;
 use egui::{Key, KeyboardShortcut, Modifiers};
 
 /// What there is to know of an action.
@@ -169,7 +169,7 @@ impl Action {
 
 /// How an action stands in a frame.
 #[derive(Clone, Debug, Default)]
-pub struct ActionState {
+pub(crate) struct ActionState {
     /// Why it cannot be asked for just now; none where it can.
     pub disabled: Option<&'static str>,
     /// Whether the switch that it is is on; none for what is no switch.
@@ -179,11 +179,11 @@ pub struct ActionState {
 }
 
 /// How every action stands in a frame.
-pub struct ActionStates([ActionState; Action::COUNT]);
+pub(crate) struct ActionStates([ActionState; Action::COUNT]);
 
 impl ActionStates {
     /// As `state` gives them.
-    pub fn new(state: impl FnMut(Action) -> ActionState) -> Self {
+    pub(crate) fn new(state: impl FnMut(Action) -> ActionState) -> Self {
         Self(Action::ALL.map(state))
     }
 }
@@ -204,7 +204,7 @@ impl std::ops::Index<Action> for ActionStates {
 }
 
 /// Gestures of the pointer and single keys that are no actions, for the help.
-pub const GESTURES: [(&str, &str); 16] = [
+pub(crate) const GESTURES: [(&str, &str); 16] = [
     ("Click on a fibre, Shift + click", "selects it, selects it too"),
     ("Drag an arrow, the square, the ring", "moves along an axis, moves freely, turns"),
     ("X, Y, Z, numbers, Shift, Ctrl while moving", "lock an axis, mm or degrees, finely, in steps"),

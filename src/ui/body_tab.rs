@@ -9,7 +9,7 @@ use crate::scene::IntegratorKind;
 use egui::{ComboBox, RichText, Ui};
 
 /// Shows what the active body is made of and how it is stepped.
-pub fn body_tab(ui: &mut Ui, cx: &mut Context) {
+pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
     if let Some(body) = cx.active_body().cloned() {
         let mut material = body.material.clone();
         material_fields(ui, &mut material);

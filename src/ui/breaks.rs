@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// What was said of breaks.
 #[derive(Debug, Default)]
-pub struct BreakWatch {
+pub(super) struct BreakWatch {
     /// The last break that was said: its time [s] and the words.
     broke: Option<(f64, String)>,
 }
@@ -16,7 +16,7 @@ pub struct BreakWatch {
 impl BreakWatch {
     /// Says what has broken in the newest state since the one before it, and takes that back once nothing is broken any
     /// more.
-    pub fn watch(&mut self, before: &Published, cx: &mut Context) {
+    pub(super) fn watch(&mut self, before: &Published, cx: &mut Context) {
         let next = Arc::clone(cx.simulation.published());
         if !next.compared.is_empty() || !before.compared.is_empty() {
             return;

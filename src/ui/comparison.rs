@@ -6,7 +6,7 @@ use super::plots::{LINE, Trace, over_time, still};
 use super::runs::{place, run_colour};
 use super::theme::{self, GRID};
 use crate::scene::{Assets, IntegratorKind, Scene};
-use crate::sim::{ComparedRun, ComparedSample, Convergence, SimCommand, convergence_study};
+use crate::sim::{ComparedRun, ComparedSample, Convergence, SimCommand, Study};
 use egui::{RichText, Ui};
 use egui_plot::{Line, MarkerShape, Plot, PlotPoints, Points};
 use std::collections::VecDeque;
@@ -29,7 +29,7 @@ const DT: NumberField =
 
 /// What a person compares, with what was published of it.
 #[derive(Default)]
-pub struct Comparison {
+pub(super) struct Comparison {
     chosen: Vec<IntegratorKind>,
     dt: Option<f64>,
     /// Samples of each run.
@@ -40,7 +40,7 @@ pub struct Comparison {
 
 impl Comparison {
     /// Keeps what was published.
-    pub fn record(&mut self, compared: &[ComparedRun]) {
+    pub(super) fn record(&mut self, compared: &[ComparedRun]) {
         self.histories.resize(compared.len(), VecDeque::new());
         for (history, run) in self.histories.iter_mut().zip(compared) {
             let fresh = history.back().is_none_or(|last| last.time != run.sample.time);
@@ -60,7 +60,8 @@ impl Comparison {
         let (sender, receiver) = channel();
         let chosen = self.chosen.clone();
         std::thread::spawn(move || {
-            let found = convergence_study(&scene, &assets, &chosen, STUDY_SECONDS, STUDY_STEPS, STUDY_HALVINGS);
+            let found = Study::new(&scene, &assets)
+                .map(|study| study.convergence(&chosen, STUDY_SECONDS, STUDY_STEPS, STUDY_HALVINGS));
             // The window may be gone by now.
             let _ = sender.send(found.map_err(|error| error.to_string()));
             ctx.request_repaint();
@@ -69,7 +70,7 @@ impl Comparison {
     }
 
     /// The tab: what is compared, how the runs stand and the orders of convergence.
-    pub fn tab(&mut self, ui: &mut Ui, cx: &mut Context) {
+    pub(super) fn tab(&mut self, ui: &mut Ui, cx: &mut Context) {
         ui.heading("Compare integrators");
         ui.label(RichText::new("Runs the scene side by side from its start, in step").weak());
         for kind in IntegratorKind::ALL {
@@ -166,7 +167,7 @@ impl Comparison {
     }
 
     /// Plots of what is compared, below the views.
-    pub fn plots(&self, ui: &mut Ui, cx: &Context) {
+    pub(super) fn plots(&self, ui: &mut Ui, cx: &Context) {
         egui::Panel::bottom("plots").exact_size(PLOTS_HEIGHT).frame(theme::panel(ui)).show(ui, |ui| {
             ui.columns(4, |columns| {
                 let [energy, momentum, volume, pressure] = columns else { return };

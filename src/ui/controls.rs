@@ -5,12 +5,12 @@ use super::context::{Context, Request};
 use egui::{Button, Ui};
 
 /// The key of an action as people read it; empty where it has none.
-pub fn key_of(ui: &Ui, action: Action) -> String {
+pub(super) fn key_of(ui: &Ui, action: Action) -> String {
     action.shortcuts().first().map_or_else(String::new, |shortcut| ui.ctx().format_shortcut(shortcut))
 }
 
 /// A plain button for an action, with its name and key in the tooltip.
-pub fn button(ui: &mut Ui, cx: &mut Context, action: Action, text: &str) {
+pub(super) fn button(ui: &mut Ui, cx: &mut Context, action: Action, text: &str) {
     let key = key_of(ui, action);
     let hover = if key.is_empty() { action.tooltip().to_owned() } else { format!("{} ({key})", action.tooltip()) };
     let disabled = cx.actions[action].disabled;

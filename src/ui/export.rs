@@ -12,13 +12,13 @@ fn export_path(cx: &Context) -> PathBuf {
 }
 
 /// Asks for the file that the table goes to.
-pub fn ask_where_to_export(cx: &mut Context) {
+pub(super) fn ask_where_to_export(cx: &mut Context) {
     let dialog = Dialog::path(PathPurpose::Export, Some(&export_path(cx)));
     cx.request(Request::Open(dialog));
 }
 
 /// Writes the table, after asking where that would lose what a file holds.
-pub fn export_to(cx: &mut Context, path: PathBuf) {
+pub(super) fn export_to(cx: &mut Context, path: PathBuf) {
     if path.exists() {
         cx.request(Request::Open(Dialog::Question(Question::Replace { path, loss: Loss::Table, next: None })));
     } else {
@@ -27,7 +27,7 @@ pub fn export_to(cx: &mut Context, path: PathBuf) {
 }
 
 /// Writes every row that is kept as a table.
-pub fn export(cx: &mut Context, path: &Path) {
+pub(super) fn export(cx: &mut Context, path: &Path) {
     let same = |scene: &Path| {
         scene == path || scene.canonicalize().ok().is_some_and(|at| path.canonicalize().ok() == Some(at))
     };

@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 
 /// A number that a person can change.
 #[derive(Clone, Debug)]
-pub struct NumberField {
+pub(super) struct NumberField {
     /// What it is called.
     pub label: &'static str,
     /// Its unit; may be empty.
@@ -21,7 +21,7 @@ pub struct NumberField {
 
 impl NumberField {
     /// A field.
-    pub const fn new(
+    pub(super) const fn new(
         label: &'static str,
         unit: &'static str,
         range: RangeInclusive<f64>,
@@ -32,7 +32,7 @@ impl NumberField {
     }
 
     /// Shows it over the width of a panel; whether it was changed.
-    pub fn show(&self, ui: &mut Ui, value: &mut f64) -> bool {
+    pub(super) fn show(&self, ui: &mut Ui, value: &mut f64) -> bool {
         let tooltip = self.explained();
         ui.horizontal(|ui| {
             let text = ui.label(self.label).on_hover_text(&tooltip);
@@ -85,7 +85,7 @@ impl NumberField {
 }
 
 /// Three numbers in a row, one an axis; whether one was changed.
-pub fn vector(ui: &mut Ui, label: &str, unit: &str, value: &mut [f64; 3], tooltip: &str) -> bool {
+pub(super) fn vector(ui: &mut Ui, label: &str, unit: &str, value: &mut [f64; 3], tooltip: &str) -> bool {
     let mut changed = false;
     ui.label(label).on_hover_text(tooltip);
     ui.horizontal(|ui| {

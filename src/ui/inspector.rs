@@ -43,7 +43,7 @@ const RADIUS: NumberField = NumberField::new(
 const TIMES: std::ops::RangeInclusive<f64> = 0.1..=1000.0;
 
 /// Shows what the selected fibres of a body are like.
-pub fn inspector(ui: &mut Ui, cx: &mut Context, body: &str) {
+pub(super) fn inspector(ui: &mut Ui, cx: &mut Context, body: &str) {
     let Some((of, fibre)) = cx.selected_fibre() else { return };
     let (material, fibre) = (of.material.clone(), fibre.clone());
     let count = cx.selection.fibres().len();

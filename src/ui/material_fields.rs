@@ -41,7 +41,7 @@ const PAIR_DAMPING: NumberField = NumberField::new(
     "Radial, between neighbours; keeps linear and angular momentum",
 );
 /// The drag of bodies of either kind.
-pub const AIR_DRAG: NumberField =
+pub(super) const AIR_DRAG: NumberField =
     NumberField::new("Air drag", "1/s", 0.0..=1e5, Some(0.0), "Acceleration against the velocity, a = -c v");
 const SUPPORT_RADIUS: NumberField = NumberField::new(
     "Support radius",
@@ -59,7 +59,7 @@ const SPACING_RATIO: NumberField = NumberField::new(
 );
 
 /// Shows a material.
-pub fn material_fields(ui: &mut Ui, material: &mut Material) {
+pub(super) fn material_fields(ui: &mut Ui, material: &mut Material) {
     ui.heading("Material");
     YOUNG.show(ui, &mut material.young_modulus);
     POISSON.show(ui, &mut material.poisson_ratio);

@@ -4,8 +4,8 @@
 //! [`crate::edit::Command`] for the document and a [`crate::sim::SimCommand`] for the running world. What is kept in files
 //! (scenes, tables, a person's patterns, changes to be recovered) is written by [`crate::io`].
 
-mod action;
-mod app;
+pub(crate) mod action;
+pub(crate) mod app;
 mod autosave;
 mod body_tab;
 mod breaks;
@@ -17,10 +17,10 @@ mod document;
 mod editing;
 mod export;
 mod field;
-mod gallery;
+pub(crate) mod gallery;
 mod inspector;
 mod material_fields;
-mod menu;
+pub(crate) mod menu;
 mod next;
 mod outliner;
 mod panels_section;
@@ -33,7 +33,7 @@ mod room_section;
 mod runs;
 mod status_bar;
 mod stroke_choices;
-pub mod theme;
+pub(crate) mod theme;
 mod thumbs;
 mod time_section;
 mod time_series;
@@ -44,11 +44,8 @@ mod two_layer_fields;
 mod views;
 mod world_tab;
 
-pub use action::Action;
-pub use app::App;
+pub(crate) use app::App;
 pub use document::Document;
-pub use gallery::{EXAMPLES, Example, Group};
-pub use menu::Menu;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use thiserror::Error;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 /// What a person goes on to when nothing is lost by it.
 #[derive(Clone, Debug)]
-pub enum Next {
+pub(super) enum Next {
     /// The built-in scene.
     New,
     /// A file.

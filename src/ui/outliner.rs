@@ -10,7 +10,7 @@ use crate::solver::snapshot::SpringKind;
 use egui::{Color32, Id, Panel, Pos2, Rect, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo};
 
 /// Shows what the document consists of, the selected fibres' properties, and the brush while it is in use.
-pub fn left_panel(ui: &mut Ui, cx: &mut Context, editing: &mut Editing) {
+pub(super) fn left_panel(ui: &mut Ui, cx: &mut Context, editing: &mut Editing) {
     Panel::left("outliner").default_size(SIDE_WIDTH).frame(theme::panel(ui)).show(ui, |ui| {
         // The same width whatever stands in it: the views must not jump when a fibre is selected.
         ui.set_min_width(ui.available_width());

@@ -15,7 +15,7 @@ const REACH: f64 = 1.5;
 const GAP: f64 = 0.3;
 
 /// Shows every panel of the scene.
-pub fn panels_section(ui: &mut Ui, cx: &mut Context) {
+pub(super) fn panels_section(ui: &mut Ui, cx: &mut Context) {
     let mut panels = cx.scene().panels.clone();
     let mut step = Step::Present;
     let mut gone = None;

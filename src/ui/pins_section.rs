@@ -9,7 +9,7 @@ use egui::{ComboBox, Ui};
 const PINNED_LAYERS: u32 = 1;
 
 /// Shows the pins of the active body.
-pub fn pins_section(ui: &mut Ui, cx: &mut Context) {
+pub(super) fn pins_section(ui: &mut Ui, cx: &mut Context) {
     let active = cx.scene().any_body(cx.active.index);
     let supports = active.map(|body| (body.id().to_owned(), body.regions().to_vec(), body.pins().to_vec()));
     let Some((id, regions, pins)) = supports else {

@@ -6,9 +6,9 @@ use egui_plot::{GridInput, GridMark, HoverPosition, Line, LineStyle, Plot, PlotP
 use std::ops::RangeInclusive;
 
 /// Width of a line, of one that stands out, and of one that stands back [points].
-pub const LINE: f32 = 1.5;
-pub const BOLD: f32 = 2.5;
-pub const THIN: f32 = 1.0;
+pub(super) const LINE: f32 = 1.5;
+pub(super) const BOLD: f32 = 2.5;
+pub(super) const THIN: f32 = 1.0;
 
 /// Least distance between numbers along the time axis, along the other one, and the unit in which the toolkit counts
 /// such distances [points].
@@ -17,7 +17,7 @@ const VALUES_APART: f64 = 32.0;
 const COUNTED: f64 = 8.0;
 
 /// A line in a plot.
-pub struct Trace {
+pub(super) struct Trace {
     /// What it is called when the pointer is near.
     pub name: String,
     /// Its colour.
@@ -31,7 +31,7 @@ pub struct Trace {
 }
 
 /// Traces over time, with their values in `unit` where the pointer is, and a mark at some time [s].
-pub fn over_time(ui: &mut Ui, id: &str, height: f32, unit: &str, traces: Vec<Trace>, mark: Option<f64>) {
+pub(super) fn over_time(ui: &mut Ui, id: &str, height: f32, unit: &str, traces: Vec<Trace>, mark: Option<f64>) {
     let said = format!(" {unit}");
     let hover = move |at: &HoverPosition<'_>| match at {
         HoverPosition::NearDataPoint { plot_name, position, .. } => {
@@ -62,7 +62,7 @@ pub fn over_time(ui: &mut Ui, id: &str, height: f32, unit: &str, traces: Vec<Tra
 }
 
 /// A plot that follows its data and leaves wheel and drag to the panel.
-pub fn still(plot: Plot<'_>) -> Plot<'_> {
+pub(super) fn still(plot: Plot<'_>) -> Plot<'_> {
     plot.allow_zoom(false).allow_scroll(false).allow_drag(false).allow_boxed_zoom(false).allow_axis_zoom_drag(false)
 }
 
@@ -87,7 +87,7 @@ fn at_axis(mark: GridMark, range: &RangeInclusive<f64>) -> String {
 /// The points of a curve that a plot can show: of every `bucket` that follow each other the lowest and the highest, in
 /// their order, and the last. Buckets begin at whole multiples of their size, counted by the points' own numbers, so that
 /// a growing curve does not flicker.
-pub fn thinned(points: impl Iterator<Item = (u64, [f64; 2])>, bucket: u64) -> Vec<[f64; 2]> {
+pub(super) fn thinned(points: impl Iterator<Item = (u64, [f64; 2])>, bucket: u64) -> Vec<[f64; 2]> {
     let mut kept = Vec::new();
     let mut open: Option<(u64, [f64; 2], [f64; 2])> = None;
     let mut last = None;

@@ -6,7 +6,7 @@ use egui::{Button, RichText, Ui};
 use std::path::{Path, PathBuf};
 
 /// The menu of files that were used.
-pub fn recent_menu(ui: &mut Ui, recent: &[PathBuf], cx: &mut Context) {
+pub(super) fn recent_menu(ui: &mut Ui, recent: &[PathBuf], cx: &mut Context) {
     ui.menu_button("Open recent", |ui| {
         if let Some(path) = choose_recent(ui, recent) {
             cx.request(Request::OpenRecent(path));
@@ -23,7 +23,7 @@ pub fn recent_menu(ui: &mut Ui, recent: &[PathBuf], cx: &mut Context) {
 }
 
 /// Lists files by their names; gives the one that was chosen.
-pub fn choose_recent(ui: &mut Ui, paths: &[PathBuf]) -> Option<PathBuf> {
+pub(super) fn choose_recent(ui: &mut Ui, paths: &[PathBuf]) -> Option<PathBuf> {
     let mut chosen = None;
     for path in paths {
         let mut button = Button::new(file_name(path)).frame_when_inactive(false);
@@ -51,6 +51,6 @@ fn folder_name(path: &Path) -> String {
 }
 
 /// The name of a file, for sentences.
-pub fn file_name(path: &Path) -> String {
+pub(super) fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }

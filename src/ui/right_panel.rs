@@ -10,7 +10,7 @@ use egui::{Panel, ScrollArea, Ui};
 
 /// Tabs of the right panel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum PropertyTab {
+pub(super) enum PropertyTab {
     /// What the active body is made of.
     #[default]
     Body,
@@ -24,24 +24,24 @@ pub enum PropertyTab {
 
 /// The right panel.
 #[derive(Default)]
-pub struct RightPanel {
+pub(super) struct RightPanel {
     tab: PropertyTab,
     world: WorldTab,
 }
 
 impl RightPanel {
     /// The tab that is shown.
-    pub fn tab(&self) -> PropertyTab {
+    pub(super) fn tab(&self) -> PropertyTab {
         self.tab
     }
 
     /// Shows another tab.
-    pub fn show_tab(&mut self, tab: PropertyTab) {
+    pub(super) fn show_tab(&mut self, tab: PropertyTab) {
         self.tab = tab;
     }
 
     /// Shows the panel; `strips_play` tells whether pictures of patterns move by themselves.
-    pub fn show(
+    pub(super) fn show(
         &mut self,
         ui: &mut Ui,
         cx: &mut Context,

@@ -5,7 +5,7 @@ use crate::scene::Room;
 use egui::Ui;
 
 /// The friction of the room and of its panels.
-pub const FRICTION: NumberField = NumberField::new(
+pub(super) const FRICTION: NumberField = NumberField::new(
     "Friction",
     "",
     0.0..=10.0,
@@ -21,19 +21,19 @@ const CONTACT_DAMPING: NumberField = NumberField::new(
 );
 
 /// A length of the room or of a panel.
-pub const fn length(label: &'static str, tooltip: &'static str) -> NumberField {
+pub(super) const fn length(label: &'static str, tooltip: &'static str) -> NumberField {
     NumberField::new(label, "m", -1000.0..=1000.0, None, tooltip)
 }
 
 /// Shows the floor, and how everything in the room is touched.
-pub fn floor_section(ui: &mut Ui, room: &mut Room) {
+pub(super) fn floor_section(ui: &mut Ui, room: &mut Room) {
     plane(ui, "Floor", &length("Floor height", "World Y"), &mut room.floor, 0.0);
     FRICTION.show(ui, &mut room.friction);
     CONTACT_DAMPING.show(ui, &mut room.contact_damping);
 }
 
 /// Shows the ceiling and the walls.
-pub fn walls_section(ui: &mut Ui, room: &mut Room) {
+pub(super) fn walls_section(ui: &mut Ui, room: &mut Room) {
     plane(ui, "Ceiling", &length("Ceiling height", "World Y"), &mut room.ceiling, 0.5);
     plane(ui, "Left wall", &length("Left wall at X", "World X"), &mut room.x_min, -0.25);
     plane(ui, "Right wall", &length("Right wall at X", "World X"), &mut room.x_max, 0.25);

@@ -9,7 +9,7 @@ use crate::sim::SimCommand;
 use egui::{Label, Panel, RichText, Ui};
 
 /// Shows what stopped the simulation, or what was said last and what can be done now.
-pub fn status_bar(ui: &mut Ui, cx: &mut Context) {
+pub(super) fn status_bar(ui: &mut Ui, cx: &mut Context) {
     Panel::bottom("status").frame(theme::panel(ui)).show(ui, |ui| {
         ui.add_space(0.5 * GRID);
         ui.horizontal(|ui| line(ui, cx));

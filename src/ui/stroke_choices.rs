@@ -6,7 +6,7 @@ use crate::scene::{Fibre, FibreSource, Mismatch};
 use egui::Ui;
 
 /// Buttons that take the selected fibre's strokes another way.
-pub fn stroke_choices(ui: &mut Ui, cx: &mut Context) {
+pub(super) fn stroke_choices(ui: &mut Ui, cx: &mut Context) {
     let Some((_, fibre)) = cx.selected_fibre() else { return };
     let FibreSource::Strokes(pair) = fibre.source.clone() else { return };
     let Some(lift) = cx.selected_lift() else { return };

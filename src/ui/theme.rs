@@ -4,18 +4,18 @@ use crate::draw::{Colour, Theme};
 use egui::{Color32, CornerRadius, FontId, Margin, Stroke, TextStyle, Visuals};
 
 /// Width of the side panels [points].
-pub const SIDE_WIDTH: f32 = 240.0;
+pub(crate) const SIDE_WIDTH: f32 = 240.0;
 /// The grid on which everything stands [points].
-pub const GRID: f32 = 4.0;
+pub(crate) const GRID: f32 = 4.0;
 
 /// Strokes as they are drawn [points].
-pub const STROKE_WIDTH: f32 = 2.5;
+pub(crate) const STROKE_WIDTH: f32 = 2.5;
 /// Guides [points].
-pub const GUIDE_WIDTH: f32 = 1.0;
+pub(crate) const GUIDE_WIDTH: f32 = 1.0;
 
 /// Light or dark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tone {
+pub(crate) enum Tone {
     /// For bright surroundings.
     Light,
     /// For dark surroundings.
@@ -25,7 +25,7 @@ pub enum Tone {
 impl Tone {
     /// The other one.
     #[must_use]
-    pub fn other(self) -> Self {
+    pub(crate) fn other(self) -> Self {
         match self {
             Self::Light => Self::Dark,
             Self::Dark => Self::Light,
@@ -33,7 +33,7 @@ impl Tone {
     }
 
     /// Colours of the pictures.
-    pub fn pictures(self) -> Theme {
+    pub(crate) fn pictures(self) -> Theme {
         match self {
             Self::Light => Theme::light(),
             Self::Dark => Theme::dark(),
@@ -41,7 +41,7 @@ impl Tone {
     }
 
     /// What warns.
-    pub fn warning(self) -> Color32 {
+    pub(crate) fn warning(self) -> Color32 {
         match self {
             Self::Light => Color32::from_rgb(0x9a, 0x5b, 0x00),
             Self::Dark => Color32::from_rgb(0xf0, 0xb4, 0x4c),
@@ -49,7 +49,7 @@ impl Tone {
     }
 
     /// What failed.
-    pub fn error(self) -> Color32 {
+    pub(crate) fn error(self) -> Color32 {
         match self {
             Self::Light => Color32::from_rgb(0xb4, 0x23, 0x18),
             Self::Dark => Color32::from_rgb(0xff, 0x7b, 0x72),
@@ -57,7 +57,7 @@ impl Tone {
     }
 
     /// Dresses a context.
-    pub fn apply(self, ctx: &egui::Context) {
+    pub(crate) fn apply(self, ctx: &egui::Context) {
         let mut visuals = match self {
             Self::Light => Visuals::light(),
             Self::Dark => Visuals::dark(),
@@ -107,12 +107,12 @@ impl Tone {
 
 /// The frame of a bar or panel, without a ground of its own: the window's is behind it already, and to fill it again pixel
 /// by pixel is a quarter of a frame's work where no graphics card does it.
-pub fn panel(ui: &egui::Ui) -> egui::Frame {
+pub(crate) fn panel(ui: &egui::Ui) -> egui::Frame {
     egui::Frame::side_top_panel(ui.style()).fill(Color32::TRANSPARENT)
 }
 
 /// A picture's colour in the window.
-pub fn color(colour: Colour) -> Color32 {
+pub(crate) fn color(colour: Colour) -> Color32 {
     let byte = |channel: f32| (255.0 * channel.clamp(0.0, 1.0)).round() as u8;
     Color32::from_rgba_unmultiplied(byte(colour.red), byte(colour.green), byte(colour.blue), byte(colour.alpha))
 }

@@ -11,7 +11,7 @@ const FRAMES_PER_SECOND: f64 = 11.0;
 
 /// Pictures by name, as far as they have been seen.
 #[derive(Default)]
-pub struct Thumbs {
+pub(super) struct Thumbs {
     known: HashMap<&'static str, Option<TextureHandle>>,
     /// Frame in which pictures were decoded last, and how many.
     decoded: (u64, u32),
@@ -39,19 +39,19 @@ impl Thumbs {
     }
 
     /// Whether the picture of this name has been decoded.
-    pub fn has(&self, name: &str) -> bool {
+    pub(super) fn has(&self, name: &str) -> bool {
         self.known.contains_key(name)
     }
 
     /// Paints the picture of this name into a place.
-    pub fn paint(&mut self, ui: &Ui, name: &'static str, png: &[u8], place: Rect) {
+    pub(super) fn paint(&mut self, ui: &Ui, name: &'static str, png: &[u8], place: Rect) {
         if let Some(texture) = self.get(ui.ctx(), name, png) {
             Image::from_texture(&texture).corner_radius(CornerRadius::same(4)).paint_at(ui, place);
         }
     }
 
     /// Paints a strip into a place: forth and back while it plays, else where it has come furthest.
-    pub fn paint_strip(&mut self, ui: &Ui, name: &'static str, png: &[u8], place: Rect, plays: bool) {
+    pub(super) fn paint_strip(&mut self, ui: &Ui, name: &'static str, png: &[u8], place: Rect, plays: bool) {
         let Some(texture) = self.get(ui.ctx(), name, png) else { return };
         let [width, height] = texture.size();
         let last = (height / width.max(1)).saturating_sub(1);

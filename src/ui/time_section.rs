@@ -17,7 +17,7 @@ const SAFETY: NumberField = NumberField::new(
 );
 
 /// Shows the time step and the limits of every body.
-pub fn time_section(ui: &mut Ui, cx: &mut Context) {
+pub(super) fn time_section(ui: &mut Ui, cx: &mut Context) {
     let mut time = cx.scene().time.clone();
     let bodies = &cx.simulation.published().status.bodies;
     let dt = bodies.iter().map(|body| body.dt).fold(f64::INFINITY, f64::min);

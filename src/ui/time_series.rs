@@ -25,7 +25,7 @@ const POINTS: u64 = 300;
 
 /// The plots of what was recorded of the scene, with their legend.
 #[derive(Default)]
-pub struct TimeSeriesPanel {
+pub(super) struct TimeSeriesPanel {
     /// Whether the panel is open.
     pub open: bool,
     tab: Tab,
@@ -113,7 +113,7 @@ fn spoken(name: &str) -> String {
 
 impl TimeSeriesPanel {
     /// Shows the panel below the views, if it is open.
-    pub fn show(&mut self, ui: &mut Ui, cx: &mut Context) {
+    pub(super) fn show(&mut self, ui: &mut Ui, cx: &mut Context) {
         if self.open {
             Panel::bottom("readings").exact_size(HEIGHT).frame(theme::panel(ui)).show(ui, |ui| self.content(ui, cx));
         }

@@ -28,7 +28,7 @@ const MIB: usize = 1 << 20;
 
 /// What is remembered of the timeline from one start to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct RememberedTimeline {
+pub(super) struct RememberedTimeline {
     shown: bool,
     /// Memory that frames may take [MiB].
     memory: usize,
@@ -42,7 +42,7 @@ impl Default for RememberedTimeline {
 
 /// The bar below the views in which the motion is scrubbed, with its buttons.
 #[derive(Default)]
-pub struct Timeline {
+pub(super) struct Timeline {
     remembered: RememberedTimeline,
     /// Time under the pointer while it drags [s]; the last one that was asked for, and what was shown then.
     held: Option<f64>,
@@ -63,23 +63,23 @@ enum Sign {
 
 impl Timeline {
     /// What is to be remembered of it.
-    pub fn to_remember(&self) -> RememberedTimeline {
+    pub(super) fn to_remember(&self) -> RememberedTimeline {
         self.remembered
     }
 
     /// Goes on with the timeline of the last time.
-    pub fn recall(&mut self, last: RememberedTimeline, cx: &Context) {
+    pub(super) fn recall(&mut self, last: RememberedTimeline, cx: &Context) {
         self.remembered.shown = last.shown;
         self.choose_memory(last.memory.clamp(CHOICES[0], CHOICES[CHOICES.len() - 1]), cx);
     }
 
     /// Whether it is shown rather than folded away.
-    pub fn is_shown(&self) -> bool {
+    pub(super) fn is_shown(&self) -> bool {
         self.remembered.shown
     }
 
     /// Folds it away, or shows it again.
-    pub fn fold(&mut self) {
+    pub(super) fn fold(&mut self) {
         self.remembered.shown = !self.remembered.shown;
     }
 
@@ -90,7 +90,7 @@ impl Timeline {
 
     /// Passes on what the simulation says of going on from an earlier frame, and shows the timeline unless it is folded
     /// away.
-    pub fn show(&mut self, ui: &mut Ui, cx: &mut Context) {
+    pub(super) fn show(&mut self, ui: &mut Ui, cx: &mut Context) {
         let (count, said) = &cx.simulation.published().status.recording.continued;
         if *count != self.said {
             self.said = *count;

@@ -19,7 +19,7 @@ const APART: f32 = 60.0;
 /// A stretch of time along a stretch of the window. It is longer than what is kept, so that what is there stays where it
 /// is while more comes.
 #[derive(Clone, Copy, Debug)]
-pub struct TimeScale {
+pub(super) struct TimeScale {
     first: f64,
     length: f64,
     places: Rangef,
@@ -28,7 +28,7 @@ pub struct TimeScale {
 impl TimeScale {
     /// The scale of what is kept from a first to a last time [s] in frames of this length [s], over places of the window
     /// [points].
-    pub fn new([first, last]: [f64; 2], frame: f64, places: Rangef) -> Self {
+    pub(super) fn new([first, last]: [f64; 2], frame: f64, places: Rangef) -> Self {
         let kept = last - first;
         let least = kept.max(ROOM * frame * (1.0 - 1e-6));
         let mut length =
@@ -40,17 +40,17 @@ impl TimeScale {
     }
 
     /// Where a time is [points].
-    pub fn place(&self, time: f64) -> f32 {
+    pub(super) fn place(&self, time: f64) -> f32 {
         self.places.min + ((time - self.first) / self.length) as f32 * self.places.span()
     }
 
     /// The time at a place [s].
-    pub fn time(&self, place: f32) -> f64 {
+    pub(super) fn time(&self, place: f32) -> f64 {
         self.first + self.length * f64::from((place - self.places.min) / self.places.span())
     }
 
     /// Round times along it [s], with what is written there.
-    pub fn ticks(&self) -> Vec<(f64, String)> {
+    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         let least = self.length * f64::from(APART / self.places.span().max(1.0));
         let step = STEPS.into_iter().find(|step| *step >= least).unwrap_or(least);
         let from = (self.first / step - 1e-9).ceil() as i64;

@@ -13,7 +13,7 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 
 /// The bar above the views.
-pub struct TopBar {
+pub(super) struct TopBar {
     /// Simulated over real time that is aimed at.
     speed: f64,
     /// When the last frames were shown [s].
@@ -28,7 +28,7 @@ impl Default for TopBar {
 
 impl TopBar {
     /// Keeps the times of the last second's frames.
-    pub fn count_frame(&mut self, ctx: &egui::Context) {
+    pub(super) fn count_frame(&mut self, ctx: &egui::Context) {
         let now = ctx.input(|input| input.time);
         self.frame_times.push_back(now);
         while self.frame_times.front().is_some_and(|time| *time < now - 1.0) {
@@ -37,7 +37,7 @@ impl TopBar {
     }
 
     /// Shows the bar, with the files that were used in its menu.
-    pub fn show(&mut self, ui: &mut Ui, cx: &mut Context, recent: &[PathBuf], draws_in_software: bool) {
+    pub(super) fn show(&mut self, ui: &mut Ui, cx: &mut Context, recent: &[PathBuf], draws_in_software: bool) {
         Panel::top("top").frame(theme::panel(ui)).show(ui, |ui| {
             ui.add_space(GRID);
             ui.horizontal(|ui| {

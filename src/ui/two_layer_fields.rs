@@ -36,7 +36,7 @@ const MASS: NumberField = parameter(
 const INNER_MASS: NumberField = parameter("Inner mass", "kg", 1e-9..=1e6, 1.0, "Mass of a particle of the inner layer");
 
 /// Shows the springs, gas, masses and drag of a two-layer body.
-pub fn two_layer_fields(ui: &mut Ui, body: &mut TwoLayer) {
+pub(super) fn two_layer_fields(ui: &mut Ui, body: &mut TwoLayer) {
     ui.heading("Springs and gas");
     KS.show(ui, &mut body.ks);
     KD.show(ui, &mut body.kd);

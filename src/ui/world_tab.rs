@@ -20,7 +20,7 @@ const GRAVITY: NumberField = NumberField::new(
 );
 
 /// What surrounds the bodies and acts on them.
-pub struct WorldTab {
+pub(super) struct WorldTab {
     /// Impulse that the strike button gives [N s].
     impulse: [f64; 3],
 }
@@ -33,7 +33,7 @@ impl Default for WorldTab {
 
 impl WorldTab {
     /// Shows the tab.
-    pub fn show(&mut self, ui: &mut Ui, cx: &mut Context) {
+    pub(super) fn show(&mut self, ui: &mut Ui, cx: &mut Context) {
         let mut gravity = cx.scene().gravity;
         GRAVITY.show(ui, &mut gravity[1]);
         if gravity != cx.scene().gravity {

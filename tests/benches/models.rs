@@ -3,13 +3,13 @@
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::DVec3;
-use sinew::geometry::fill::{FillResolution, fill};
-use sinew::geometry::isosurface::isosurface;
-use sinew::geometry::kernel::Kernel;
-use sinew::geometry::model::Model;
-use sinew::geometry::solid::Solid;
+use sinew::geometry::Kernel;
+use sinew::geometry::Model;
+use sinew::geometry::Solid;
+use sinew::geometry::{FillResolution, fill};
 use sinew::io::{load_model, write_glb};
-use sinew::solver::skin::{Skin, SkinShape};
+use sinew::test_support::geometry::isosurface;
+use sinew::test_support::solver::{Skin, SkinShape};
 use std::path::{Path, PathBuf};
 
 fn main() {

@@ -7,14 +7,16 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use sinew::bake::bake;
-use sinew::geometry::kernel::Kernel;
-use sinew::geometry::lattice::{Cuboid, fill_box};
+use sinew::geometry::Cuboid;
+use sinew::geometry::Kernel;
 use sinew::scene::{Assets, Scene};
 use sinew::sketch::{LiftOptions, Stroke, View, lift};
-use sinew::solver::forces::{Elasticity, Force, MatrixForce};
-use sinew::solver::neighbourhood::Neighbourhood;
-use sinew::solver::state::ParticleState;
-use sinew::solver::world::World;
+use sinew::solver::Force;
+use sinew::solver::ParticleState;
+use sinew::solver::World;
+use sinew::test_support::geometry::fill_box;
+use sinew::test_support::solver::Neighbourhood;
+use sinew::test_support::solver::{Elasticity, MatrixForce};
 use std::sync::Arc;
 
 fn main() {

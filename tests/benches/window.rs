@@ -2,13 +2,14 @@
 
 use divan::Bencher;
 use egui_kittest::Harness;
-use sinew::geometry::lattice::Cuboid;
-use sinew::geometry::mesh::box_surface;
-use sinew::geometry::model::Model;
+use sinew::geometry::Cuboid;
+use sinew::geometry::Model;
+use sinew::geometry::box_surface;
 use sinew::io::write_glb;
 use sinew::scene::{MeshShape, Scene};
 use sinew::sim::{SimCommand, Worker};
-use sinew::ui::{App, Document};
+use sinew::test_support::ui::App;
+use sinew::ui::Document;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;

@@ -4,10 +4,10 @@ use crate::shapes::*;
 use glam::DVec3;
 use proptest::prelude::*;
 use sinew::edit::fibre_ops::*;
-use sinew::geometry::curve::arc_length;
-use sinew::geometry::nearest::SurfaceIndex;
 use sinew::scene::{Assets, Fibre, FibreSource, RestShape};
 use sinew::sketch::{SketchError, View};
+use sinew::test_support::geometry::SurfaceIndex;
+use sinew::test_support::geometry::arc_length;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Rounding of sums of lengths of a tenth of a metre.

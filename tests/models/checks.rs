@@ -2,10 +2,10 @@
 
 use crate::shapes::{joined, moved, single, solid, sphere, torus};
 use glam::DVec3;
-use sinew::geometry::fill::{FillError, FillResolution, fill};
-use sinew::geometry::model::Model;
-use sinew::geometry::model_report::Refusal;
-use sinew::geometry::solid::Solid;
+use sinew::geometry::Model;
+use sinew::geometry::Refusal;
+use sinew::geometry::Solid;
+use sinew::geometry::{FillError, FillResolution, fill};
 
 fn findings(model: &Model) -> Vec<String> {
     solid(model).report.findings().iter().map(ToString::to_string).collect()

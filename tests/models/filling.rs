@@ -2,8 +2,8 @@
 
 use crate::shapes::{shuffled, single, solid, sphere, torus, turned};
 use glam::{DMat3, DVec3};
-use sinew::geometry::fill::{FillResolution, fill};
-use sinew::geometry::solid::Solid;
+use sinew::geometry::Solid;
+use sinew::geometry::{FillResolution, fill};
 
 const REACH: f64 = 2.5;
 

@@ -1,8 +1,8 @@
 //! Files of every format come in as they were meant.
 
 use glam::{DVec3, Vec3};
-use sinew::geometry::model::UpAxis;
-use sinew::geometry::solid::Solid;
+use sinew::geometry::Solid;
+use sinew::geometry::UpAxis;
 use sinew::io::{IoError, load_model, write_glb};
 use std::fmt::Write;
 use std::fs;

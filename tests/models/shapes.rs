@@ -1,8 +1,8 @@
 //! Meshes made for tests.
 
 use glam::{DMat3, DVec3};
-use sinew::geometry::model::{MeshData, Model};
-use sinew::geometry::solid::Solid;
+use sinew::geometry::Solid;
+use sinew::geometry::{MeshData, Model};
 
 /// A closed surface over a grid of angles, both wrapping round: `around` and `along` in [0, 1).
 fn wrapped(n: u32, m: u32, at: impl Fn(f64, f64) -> DVec3) -> Model {

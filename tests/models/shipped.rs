@@ -1,8 +1,8 @@
 //! The models in assets/: what the code makes, closed, and of the sizes of Table 1.
 
 use sinew::cli::{Cli, Console, run};
-use sinew::geometry::fill::{FillResolution, fill};
-use sinew::geometry::solid::Solid;
+use sinew::geometry::Solid;
+use sinew::geometry::{FillResolution, fill};
 use sinew::io::load_model;
 use std::fs;
 use std::io::sink;

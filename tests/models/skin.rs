@@ -2,10 +2,10 @@
 
 use crate::shapes::{solid, torus};
 use glam::{DMat3, DVec3, Vec3};
-use sinew::geometry::fill::{FillResolution, fill};
-use sinew::geometry::kernel::Kernel;
-use sinew::geometry::model::Model;
-use sinew::solver::skin::{Skin, SkinShape};
+use sinew::geometry::Kernel;
+use sinew::geometry::Model;
+use sinew::geometry::{FillResolution, fill};
+use sinew::test_support::solver::{Skin, SkinShape};
 
 fn skinned(model: &Model, normals: &[Vec3]) -> (Skin, Vec<DVec3>, Vec<DVec3>) {
     let solid = solid(model);

@@ -2,7 +2,7 @@
 
 use crate::common::*;
 use sinew::scene::{Axis, Fibre, MeasureKind, RestShape, Scene, Side, Stiffness};
-use sinew::solver::measure::MeasureValue;
+use sinew::solver::MeasureValue;
 
 /// The short bar that drops on its end at 15 m/s, measured by its peaks.
 fn dropped(fibres: Vec<Fibre>) -> Scene {

@@ -4,13 +4,14 @@ use glam::DVec3;
 use sinew::bake::bake;
 use sinew::io::scene_from_json;
 use sinew::scene::{Assets, IntegratorKind, Scene};
-use sinew::solver::dynamics::Dynamics;
-use sinew::solver::energy::Energies;
-use sinew::solver::forces::{Force, MatrixForce};
-use sinew::solver::integrators::Integrator;
-use sinew::solver::snapshot::Snapshot;
-use sinew::solver::state::ParticleState;
-use sinew::solver::world::World;
+use sinew::solver::Dynamics;
+use sinew::solver::Energies;
+use sinew::solver::Force;
+use sinew::solver::Integrator;
+use sinew::solver::ParticleState;
+use sinew::solver::Snapshot;
+use sinew::solver::World;
+use sinew::test_support::solver::MatrixForce;
 
 /// A bar of curved and straight fibres that break, a ball of two layers and a ring, a panel that falls on them all, a floor,
 /// a pin that moves, damping, and measures with peaks.
@@ -42,7 +43,7 @@ fn baked(scene: &Scene) -> World {
 }
 
 fn bits(world: &World) -> Vec<u64> {
-    let state = |body: &sinew::solver::body::Body| {
+    let state = |body: &sinew::solver::Body| {
         let forces = (0..body.state().len()).map(|i| body.net_force(i)).collect::<Vec<_>>();
         let vectors: Vec<DVec3> = [&*body.state().positions, &*body.state().velocities, &*forces].concat();
         let energy = body.energies(world.time()).total();

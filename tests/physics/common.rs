@@ -93,8 +93,8 @@ pub fn settle(scene: &Scene, frames: u64) -> Runner {
 
 pub fn scalar(runner: &Runner, index: usize) -> f64 {
     match runner.world().measures()[index] {
-        sinew::solver::measure::MeasureValue::Scalar(value) => value,
-        sinew::solver::measure::MeasureValue::Vector(value) => panic!("a vector: {value}"),
+        sinew::solver::MeasureValue::Scalar(value) => value,
+        sinew::solver::MeasureValue::Vector(value) => panic!("a vector: {value}"),
     }
 }
 

@@ -2,13 +2,13 @@
 
 use crate::common::*;
 use glam::{DQuat, DVec3};
-use sinew::geometry::kernel::Kernel;
+use sinew::geometry::Kernel;
 use sinew::scene::{Axis, Distance, Falloff, MeasureKind, Motion, RestShape, Scene, Side};
-use sinew::solver::embedding::EmbeddingWeights;
-use sinew::solver::energy::Energies;
-use sinew::solver::forces::Force;
-use sinew::solver::forces::fibre::{FibreForce, FibreRest};
-use sinew::solver::state::ParticleState;
+use sinew::solver::EmbeddingWeights;
+use sinew::solver::Energies;
+use sinew::solver::Force;
+use sinew::solver::ParticleState;
+use sinew::test_support::solver::{FibreForce, FibreRest};
 use std::sync::Arc;
 
 /// The press of the short bar at 2 %, with the four fibres of the design's figure.

@@ -3,8 +3,8 @@
 use super::common::{D, fibre, in_space, rigidity, runner, short_bar};
 use glam::{DMat3, DQuat, DVec3};
 use sinew::scene::{BreakPast, RestShape, Scene};
-use sinew::solver::field::FieldKind;
-use sinew::solver::snapshot::{FieldSnapshot, TensionSnapshot};
+use sinew::solver::FieldKind;
+use sinew::solver::{FieldSnapshot, TensionSnapshot};
 
 const YOUNG: f64 = 1e5;
 const POISSON: f64 = 0.33;
@@ -111,7 +111,7 @@ fn a_broken_edge_carries_nothing() {
     let tensions = body.tensions();
     assert!(body.breaks().count() > 0);
     for at in body.breaks() {
-        let sinew::solver::snapshot::BreakPlace::Edge(edge) = at.place else { panic!("{at:?}") };
+        let sinew::solver::BreakPlace::Edge(edge) = at.place else { panic!("{at:?}") };
         assert_eq!(tensions[0][edge as usize], 0.0);
     }
 }

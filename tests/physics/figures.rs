@@ -3,7 +3,7 @@
 use crate::ship::{mirrored, number, ran, scene, vector};
 use sinew::io::apply_sets;
 use sinew::scene::Scene;
-use sinew::solver::snapshot::BreakPlace;
+use sinew::solver::BreakPlace;
 
 /// Time at which a dropped soft bar has been squeezed and sheared or twisted, and has not yet toppled [s].
 const LANDED: f64 = 0.12;

@@ -3,9 +3,9 @@
 use crate::common::*;
 use glam::{DMat3, DQuat, DVec3};
 use sinew::scene::{Fibre, RestShape, Scene};
-use sinew::solver::body::Body;
-use sinew::solver::energy::Energies;
-use sinew::solver::state::ParticleState;
+use sinew::solver::Body;
+use sinew::solver::Energies;
+use sinew::solver::ParticleState;
 
 fn total_force(body: &Body, state: &ParticleState) -> Vec<DVec3> {
     let mut forces = vec![DVec3::ZERO; state.len()];

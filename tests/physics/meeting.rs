@@ -8,10 +8,10 @@ use sinew::scene::Scene;
 use sinew::sim::Runner;
 
 fn momenta(runner: &Runner) -> (DVec3, DVec3) {
-    let states = || runner.world().bodies().iter().map(sinew::solver::body::Body::state);
+    let states = || runner.world().bodies().iter().map(sinew::solver::Body::state);
     (
-        states().map(sinew::solver::state::ParticleState::linear_momentum).sum(),
-        states().map(sinew::solver::state::ParticleState::angular_momentum).sum(),
+        states().map(sinew::solver::ParticleState::linear_momentum).sum(),
+        states().map(sinew::solver::ParticleState::angular_momentum).sum(),
     )
 }
 

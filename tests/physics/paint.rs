@@ -3,7 +3,7 @@
 use crate::common::*;
 use glam::DVec3;
 use sinew::scene::{Axis, Body, Dab, MeasureKind, Motion, RestShape, Scene, Side, painted};
-use sinew::solver::measure::MeasureValue;
+use sinew::solver::MeasureValue;
 
 fn dab(center: [f64; 3], radius: f64, value: f64, strength: f64) -> Dab {
     Dab { strength, ..Dab::new(center, radius, value) }

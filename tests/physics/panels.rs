@@ -8,7 +8,7 @@ fn panel(motion: PanelMotion, mass: f64, height: f64) -> Panel {
     Panel { motion, mass, ..Panel::falling("panel", height, [0.1, 0.1]) }
 }
 
-fn state_of(runner: &sinew::sim::Runner) -> &sinew::solver::state::ParticleState {
+fn state_of(runner: &sinew::sim::Runner) -> &sinew::solver::ParticleState {
     runner.world().bodies()[0].state()
 }
 

@@ -2,11 +2,11 @@
 
 use crate::common::runner;
 use glam::DVec3;
-use sinew::cli::{Demo, demo};
 use sinew::scene::{FibreSource, Scene};
 use sinew::sim::Runner;
 use sinew::sketch::pattern::{PATTERNS, Pattern};
-use sinew::solver::measure::MeasureValue;
+use sinew::solver::MeasureValue;
+use sinew::test_support::cli::{Demo, demo};
 
 fn demo_of(id: &str) -> Demo {
     demo(Pattern::by_id(id).expect("a pattern")).expect("a scene").expect("one of its own")

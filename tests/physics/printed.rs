@@ -2,7 +2,7 @@
 
 use crate::ship::{mirrored, number, ran, scene, vector};
 use sinew::scene::Scene;
-use sinew::solver::snapshot::BreakPlace;
+use sinew::solver::BreakPlace;
 
 #[test]
 fn figure_6_with_table_1s_values() {

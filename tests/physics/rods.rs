@@ -2,7 +2,7 @@
 
 use crate::common::*;
 use sinew::scene::{Axis, Body, Mass, MeasureKind, Motion, Region, Rotation, Scene, Shape, Turn};
-use sinew::solver::measure::MeasureValue;
+use sinew::solver::MeasureValue;
 
 const E: f64 = 5e6;
 const NU: f64 = 0.33;

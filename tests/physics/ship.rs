@@ -6,7 +6,7 @@ use sinew::bake::bake;
 use sinew::io::{load_assets, load_scene};
 use sinew::scene::{FibreSource, Scene};
 use sinew::sim::Runner;
-use sinew::solver::measure::MeasureValue;
+use sinew::solver::MeasureValue;
 use std::path::{Path, PathBuf};
 
 pub fn folder() -> PathBuf {

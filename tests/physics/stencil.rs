@@ -2,12 +2,14 @@
 
 use crate::common::*;
 use glam::{DMat3, DQuat, DVec3, IVec3};
-use sinew::geometry::kernel::Kernel;
-use sinew::geometry::lattice::{Cuboid, LatticeSample, fill_box};
-use sinew::solver::energy::Energies;
-use sinew::solver::forces::{Elasticity, Force, MatrixForce};
-use sinew::solver::neighbourhood::Neighbourhood;
-use sinew::solver::state::ParticleState;
+use sinew::geometry::Cuboid;
+use sinew::geometry::Kernel;
+use sinew::solver::Energies;
+use sinew::solver::Force;
+use sinew::solver::ParticleState;
+use sinew::test_support::geometry::{LatticeSample, fill_box};
+use sinew::test_support::solver::Neighbourhood;
+use sinew::test_support::solver::{Elasticity, MatrixForce};
 use std::sync::Arc;
 
 const YOUNG_MODULUS: f64 = 2e5;

@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 use sinew::io::scene_from_json;
 use sinew::scene::Scene;
 use sinew::sim::Runner;
-use sinew::solver::body::Body;
-use sinew::solver::forces::springs::SpringKind;
+use sinew::solver::Body;
+use sinew::solver::SpringKind;
 
 /// A scene of two-layer bodies: the fields of each beside its id, b0, b1, ...; no gravity and no room unless given.
 pub fn two_layer(bodies: &[Value], rest: Value) -> Scene {

@@ -5,10 +5,10 @@ use crate::common::baked;
 use crate::two_layer::{ball, ring, two_layer, with};
 use glam::DVec3;
 use serde_json::json;
-use sinew::solver::embedding::EmbeddingWeights;
-use sinew::solver::energy::Energies;
-use sinew::solver::forces::{Force, Grab};
-use sinew::solver::state::ParticleState;
+use sinew::solver::EmbeddingWeights;
+use sinew::solver::Energies;
+use sinew::solver::ParticleState;
+use sinew::solver::{Force, Grab};
 
 fn wobble(k: usize, scale: f64) -> DVec3 {
     let k = k as f64;

@@ -3,7 +3,7 @@
 use crate::two_layer::{ball, ring, segment, two_layer, with};
 use serde_json::{Value, json};
 use sinew::scene::{Assets, IntegratorKind, Scene};
-use sinew::sim::{Trial, convergence_order, reference};
+use sinew::sim::{Study, Trial, convergence_order};
 
 const EULER: IntegratorKind = IntegratorKind::ExplicitEuler;
 const MIDPOINT: IntegratorKind = IntegratorKind::Midpoint;
@@ -11,12 +11,16 @@ const RK4: IntegratorKind = IntegratorKind::Rk4;
 const SYMPLECTIC: IntegratorKind = IntegratorKind::SymplecticEuler;
 
 fn estimate(scene: &Scene, integrator: IntegratorKind) -> f64 {
-    Trial::new(scene, &Assets::default(), integrator, 1e-3).unwrap().stable_dt()
+    trial(scene, integrator, 1e-3).stable_dt()
+}
+
+fn trial(scene: &Scene, integrator: IntegratorKind, dt: f64) -> Trial {
+    Study::new(scene, &Assets::default()).unwrap().trial(integrator, dt)
 }
 
 /// Whether a small disturbance dies out under steps of `dt`.
 fn calms(scene: &Scene, integrator: IntegratorKind, dt: f64) -> bool {
-    let mut trial = Trial::new(scene, &Assets::default(), integrator, dt).unwrap();
+    let mut trial = trial(scene, integrator, dt);
     let mut early: f64 = 0.0;
     let mut last = 0.0;
     for step in 0..4000 {
@@ -76,7 +80,7 @@ fn backward_euler_is_stable_at_any_step() {
     );
     assert_eq!(estimate(&scene, IntegratorKind::BackwardEuler), f64::INFINITY);
     for dt in [0.03, 0.3, 3.0] {
-        let mut trial = Trial::new(&scene, &Assets::default(), IntegratorKind::BackwardEuler, dt).unwrap();
+        let mut trial = trial(&scene, IntegratorKind::BackwardEuler, dt);
         for _ in 0..300 {
             trial.step();
         }
@@ -94,9 +98,9 @@ fn orders_of_convergence_in_free_oscillation() {
     let free_scene = two_layer(&[with(with(ring(), oscillating), undamped)], json!({}));
     let (dts, seconds) = ([5e-4, 1e-3, 2e-3], 0.4);
     let fit = |scene: &Scene, integrator| {
-        let exact = reference(scene, &Assets::default(), seconds, dts[0]).unwrap();
+        let exact = Study::new(scene, &Assets::default()).unwrap().reference(seconds, dts[0]);
         let points = dts.map(|dt| {
-            let mut trial = Trial::new(scene, &Assets::default(), integrator, dt).unwrap();
+            let mut trial = trial(scene, integrator, dt);
             for _ in 0..(seconds / dt).round() as u32 {
                 trial.step();
             }
@@ -125,7 +129,7 @@ fn orders_of_convergence_in_free_oscillation() {
 fn stable(scene: &Scene, seconds: f64) -> [[bool; 3]; 3] {
     [EULER, MIDPOINT, RK4].map(|integrator| {
         [0.003, 0.03, 0.3].map(|dt| {
-            let mut trial = Trial::new(scene, &Assets::default(), integrator, dt).unwrap();
+            let mut trial = trial(scene, integrator, dt);
             for _ in 0..(seconds / dt).round() as u32 {
                 trial.step();
             }
@@ -161,7 +165,7 @@ fn a_single_layer_blows_up_under_euler_where_two_hold() {
     };
     let blew_up = |single: bool| {
         let scene = two_layer(&[body(single)], json!({"gravity": [0, -9.81, 0], "room": {"floor": -5}}));
-        let mut trial = Trial::new(&scene, &Assets::default(), EULER, 0.005).unwrap();
+        let mut trial = trial(&scene, EULER, 0.005);
         for _ in 0..2000 {
             trial.step();
         }

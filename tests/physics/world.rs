@@ -6,7 +6,7 @@ use sinew::scene::{
     Axis, Distance, Impulse, IntegratorKind, Keyframe, MeasureKind, Motion, Rotation, Scene, Side, TimeStep,
 };
 
-fn state_of(runner: &sinew::sim::Runner) -> &sinew::solver::state::ParticleState {
+fn state_of(runner: &sinew::sim::Runner) -> &sinew::solver::ParticleState {
     runner.world().bodies()[0].state()
 }
 

@@ -13,7 +13,7 @@ use sinew::io::load_scene;
 use sinew::render::{Camera, NoDriver, Offscreen, Picture, RenderError};
 use sinew::scene::Scene;
 use sinew::sim::Runner;
-use sinew::solver::snapshot::Snapshot;
+use sinew::solver::Snapshot;
 use std::path::Path;
 
 const SIZE: [u32; 2] = [400, 300];

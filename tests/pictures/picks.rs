@@ -3,8 +3,9 @@
 use super::{SIZE, bar, blank, framed, list, offscreen, pixel_of};
 use glam::{DVec3, Vec3};
 use sinew::draw::{Colour, Display, DrawList, PickId, PickKind, Points, Size, SkinStyle, Slice};
-use sinew::render::{Camera, Facing, Offscreen, Pick};
+use sinew::render::{Camera, Facing, Offscreen};
 use sinew::scene::Axis;
+use sinew::test_support::render::Pick;
 use std::task::Poll;
 
 fn pick(offscreen: &Offscreen, camera: &Camera, pixel: [u32; 2], reach: u32) -> Option<Pick> {

@@ -5,7 +5,7 @@ use glam::DVec3;
 use sinew::draw::{Display, Slice, Theme};
 use sinew::render::{Camera, Facing, Offscreen, Options};
 use sinew::scene::Axis;
-use sinew::solver::snapshot::{BreakPlace, FibreBreak, FieldKind, FieldSnapshot, TensionSnapshot};
+use sinew::solver::{BreakPlace, FibreBreak, FieldKind, FieldSnapshot, TensionSnapshot};
 
 /// The middle of the bar at its start [m].
 const MIDDLE: DVec3 = DVec3::new(0.0, 0.066, 0.0);

@@ -1,8 +1,9 @@
 //! Files on the disk: what is no scene file, and saves that happen wholly or not at all.
 
 use super::{EVERY_FIELD, every_field, is_one_line};
-use sinew::io::{IoError, MAX_SCENE_BYTES, load_scene, save_scene, scene_to_json, write_atomically};
+use sinew::io::{IoError, load_scene, save_scene, scene_to_json};
 use sinew::scene::Scene;
+use sinew::test_support::io::{MAX_SCENE_BYTES, write_atomically};
 use std::fs::{self, File};
 use std::io;
 use std::path::Path;

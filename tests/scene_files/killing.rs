@@ -101,7 +101,7 @@ fn a_save_that_is_killed_leaves_one_whole_version() {
 fn a_file_that_is_being_written_is_not_swept_away() {
     let folder = tempfile::tempdir().expect("a folder");
     let [busy, other] = ["busy.json", "other.json"].map(|name| folder.path().join(name));
-    sinew::io::write_atomically(&busy, |out| {
+    sinew::test_support::io::write_atomically(&busy, |out| {
         out.write_all(b"half")?;
         save_scene(&other, &every_field()).expect("saved");
         assert_eq!(left_behind(folder.path()), 1, "the half that is being written");

@@ -1,8 +1,8 @@
 //! Changed documents are found again after a program that ended without asking, and only then.
 
 use super::every_field;
-use sinew::io::{Origin, RecoveryFile, recoverable_documents};
 use sinew::scene::Scene;
+use sinew::test_support::io::{Origin, RecoveryFile, recoverable_documents};
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};

@@ -2,8 +2,9 @@
 
 use crate::drawing::{BOX_DIAGONAL, CURVES, apart, curve, draw, exact, lifted};
 use glam::DVec3;
-use sinew::geometry::curve::{arc_length, distance_to_polyline};
-use sinew::sketch::{Lifted, SAMPLES, STRAY_LIMIT, SketchNote, View};
+use sinew::sketch::{Lifted, SketchNote, View};
+use sinew::test_support::geometry::{arc_length, distance_to_polyline};
+use sinew::test_support::sketch::{SAMPLES, STRAY_LIMIT};
 
 /// Drawings of each curve.
 const DRAWINGS: u64 = 20;

@@ -1,8 +1,8 @@
 //! Ten known curves in the unit box, and a hand that draws them: unevenly and with noise, the same every time.
 
 use glam::{DVec2, DVec3};
-use sinew::geometry::curve::distance_to_polyline;
 use sinew::sketch::{LiftOptions, Lifted, Stroke, View, lift};
+use sinew::test_support::geometry::distance_to_polyline;
 use std::f64::consts::{PI, TAU};
 
 /// Diagonal of the unit box.

@@ -4,7 +4,8 @@ use crate::drawing::{CURVES, PLAIN, draw};
 use glam::{DVec2, DVec3};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use sinew::sketch::{LiftOptions, Placed, Stroke, View, follow, guides, lift, structure_particles, trim};
+use sinew::sketch::{LiftOptions, Placed, Stroke, View, lift, structure_particles, trim};
+use sinew::test_support::sketch::{follow, guides};
 
 fn view() -> impl Strategy<Value = View> {
     prop_oneof![Just(View::Front), Just(View::Side), Just(View::Top)]

@@ -1,7 +1,8 @@
 //! What is shown while the strokes are being drawn.
 
 use crate::drawing::{BOX_DIAGONAL, Curve, curve, draw};
-use sinew::sketch::{Stroke, View, follow, guides};
+use sinew::sketch::{Stroke, View};
+use sinew::test_support::sketch::{follow, guides};
 
 #[test]
 fn guides_mark_band_ends_and_turns() {

@@ -2,8 +2,8 @@
 
 use crate::drawing::{PLAIN, curve, draw, lifted};
 use glam::DVec2;
-use sinew::geometry::curve::arc_length;
 use sinew::sketch::{LiftOptions, SketchError, SketchNote, Stroke, View, lift, structure_particles};
+use sinew::test_support::geometry::arc_length;
 
 /// A straight stroke of 50 points.
 fn line(view: View, from: [f64; 2], to: [f64; 2]) -> Stroke {

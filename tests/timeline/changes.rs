@@ -7,7 +7,7 @@ use super::{
 use glam::DVec3;
 use sinew::scene::{IntegratorKind, TimeStep};
 use sinew::sim::SimCommand;
-use sinew::solver::snapshot::FieldKind;
+use sinew::solver::FieldKind;
 use std::sync::Arc;
 
 #[test]

@@ -3,7 +3,7 @@
 use super::{Window, click, press_key, still, until};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
-use sinew::ui::{Action, Menu};
+use sinew::test_support::ui::{Action, Menu};
 
 fn listed(window: &Window, action: Action) -> bool {
     window.query_all_by_label_contains(action.name().trim_end_matches('…')).next().is_some()

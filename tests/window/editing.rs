@@ -101,7 +101,9 @@ fn a_strike_gives_the_impulse_at_once_and_changes_no_scene() {
             "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.02}}]}"#,
     ));
     let before = window.state().scene().clone();
-    let x = |app: &sinew::ui::App| app.published().snapshot.bodies[0].particles.iter().map(|x| x.x).sum::<f64>();
+    let x = |app: &sinew::test_support::ui::App| {
+        app.published().snapshot.bodies[0].particles.iter().map(|x| x.x).sum::<f64>()
+    };
     let start = x(window.state());
     click(&mut window, "World");
     let field =

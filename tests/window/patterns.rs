@@ -6,10 +6,11 @@ use egui::{Event, Key, Modifiers, Pos2, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
-use sinew::geometry::curve::distance_to_polyline;
 use sinew::scene::{Fibre, FibreSource};
 use sinew::sketch::pattern::PATTERNS;
-use sinew::ui::{App, Document};
+use sinew::test_support::geometry::distance_to_polyline;
+use sinew::test_support::ui::App;
+use sinew::ui::Document;
 use std::fs;
 use std::path::Path;
 

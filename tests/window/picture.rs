@@ -3,8 +3,9 @@
 use super::{draw, scene, until, view};
 use egui::{Pos2, Rect, Vec2};
 use egui_kittest::Harness;
-use sinew::render::open_device;
-use sinew::ui::{App, Document};
+use sinew::test_support::render::open_device;
+use sinew::test_support::ui::App;
+use sinew::ui::Document;
 
 #[allow(clippy::print_stderr, reason = "what is skipped is said")]
 fn has_driver(test: &str) -> bool {

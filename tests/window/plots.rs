@@ -8,7 +8,8 @@ use sinew::bake::bake;
 use sinew::io::scene_from_json;
 use sinew::scene::Assets;
 use sinew::sim::{Runner, TimeSeries};
-use sinew::ui::{Action, App, Document};
+use sinew::test_support::ui::{Action, App};
+use sinew::ui::Document;
 
 /// A cube that falls, with two measures in different units.
 const CUBE: &str = r#"{"version": 1, "room": {"floor": -5}, "bodies": [{"id": "cube",

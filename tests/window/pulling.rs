@@ -3,7 +3,7 @@
 use super::{Window, button, open, scene, until, view};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
 use glam::DVec3;
-use sinew::ui::App;
+use sinew::test_support::ui::App;
 
 const CUBE: &str = r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{
     "id": "cube", "shape": {"box": {"size": [0.04, 0.04, 0.04]}},

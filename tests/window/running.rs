@@ -4,7 +4,7 @@ use super::{Window, click, open, press_key, scene, still, until};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use sinew::scene::TimeStep;
-use sinew::ui::App;
+use sinew::test_support::ui::App;
 
 fn time(app: &App) -> f64 {
     app.published().status.time

@@ -4,8 +4,8 @@ use super::{Window, click, press_key, scene, still, until};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use sinew::sim::Published;
-use sinew::solver::snapshot::FieldKind;
-use sinew::ui::App;
+use sinew::solver::FieldKind;
+use sinew::test_support::ui::App;
 
 fn legend(window: &Window, text: &str) -> bool {
     window.query_all_by_label_contains(text).next().is_some()

@@ -6,7 +6,8 @@ use egui_kittest::kittest::Queryable;
 use glam::{DVec2, DVec3};
 use sinew::scene::{Fibre, FibreSource, StrokePair};
 use sinew::sketch::{LiftOptions, Stroke, View, lift};
-use sinew::ui::{App, Document};
+use sinew::test_support::ui::App;
+use sinew::ui::Document;
 
 fn fibres(app: &App) -> &[Fibre] {
     &app.scene().bodies[0].fibres

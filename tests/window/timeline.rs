@@ -5,8 +5,8 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect};
 use egui_kittest::kittest::{NodeT, Queryable};
 use sinew::sim::RecordingStatus;
-use sinew::solver::snapshot::Snapshot;
-use sinew::ui::App;
+use sinew::solver::Snapshot;
+use sinew::test_support::ui::App;
 
 fn time(app: &App) -> f64 {
     app.published().status.time

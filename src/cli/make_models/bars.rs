@@ -10,7 +10,7 @@ const ROUNDING: f64 = 0.13;
 
 /// A bar standing on the origin, of these extents [m] but for what keeps its volume that of the box, its surface cut
 /// into `cells` along each axis.
-pub fn bar(size: DVec3, cells: [f64; 3]) -> Model {
+pub(super) fn bar(size: DVec3, cells: [f64; 3]) -> Model {
     // A grid on the surface of a box of whole cells, each then stretched to the bar.
     let grid = box_surface(&Cuboid { center: DVec3::ZERO, size: DVec3::from_array(cells) }, 1.0);
     let radius = ROUNDING * size.min_element();

@@ -3,19 +3,19 @@
 use glam::{DVec2, DVec3};
 
 /// Two shapes as one, with a fillet of about `k` [m] between them (a polynomial smooth minimum).
-pub fn smooth_union(a: f64, b: f64, k: f64) -> f64 {
+pub(super) fn smooth_union(a: f64, b: f64, k: f64) -> f64 {
     let h = (k - (a - b).abs()).max(0.0) / k;
     a.min(b) - h * h * k / 4.0
 }
 
 /// What both shapes have in common, with a rounding of about `k` [m] where they meet.
-pub fn smooth_intersection(a: f64, b: f64, k: f64) -> f64 {
+pub(super) fn smooth_intersection(a: f64, b: f64, k: f64) -> f64 {
     -smooth_union(-a, -b, k)
 }
 
 /// A stalk: a tube along a smooth curve, with a radius that changes from end to end.
 #[derive(Clone, Debug)]
-pub struct Stalk<C, R> {
+pub(super) struct Stalk<C, R> {
     curve: C,
     radius: R,
 }
@@ -28,12 +28,12 @@ const STEPS: usize = 3;
 
 impl<C: Fn(f64) -> DVec3, R: Fn(f64) -> f64> Stalk<C, R> {
     /// Along `curve`, with `radius` [m], both over [0, 1].
-    pub fn new(curve: C, radius: R) -> Self {
+    pub(super) fn new(curve: C, radius: R) -> Self {
         Self { curve, radius }
     }
 
     /// Distance to its surface.
-    pub fn distance(&self, p: DVec3) -> f64 {
+    pub(super) fn distance(&self, p: DVec3) -> f64 {
         let at = |t: f64| p.distance((self.curve)(t)) - (self.radius)(t);
         let mut step = 1.0 / PLACES as f64;
         let places = (0..=PLACES).map(|k| k as f64 * step).map(|t| (t, at(t)));
@@ -58,7 +58,7 @@ impl<C: Fn(f64) -> DVec3, R: Fn(f64) -> f64> Stalk<C, R> {
 
 /// A leaf's blade in its own frame: from its foot at the origin along x, its upper side along y, its width along z.
 #[derive(Clone, Copy, Debug)]
-pub struct Blade {
+pub(super) struct Blade {
     /// From foot to tip [m].
     pub length: f64,
     /// Greatest half width [m].
@@ -131,7 +131,7 @@ impl Blade {
     }
 
     /// Distance to its surface, nearly.
-    pub fn distance(&self, p: DVec3) -> f64 {
+    pub(super) fn distance(&self, p: DVec3) -> f64 {
         let s = p.x / self.length;
         let across = p.z.hypot(TIP_ROUND) - TIP_ROUND;
         let step = 1e-4;
@@ -149,7 +149,7 @@ impl Blade {
 
 /// A place and direction for a blade.
 #[derive(Clone, Copy, Debug)]
-pub struct LocalFrame {
+pub(super) struct LocalFrame {
     /// Where its foot is [m].
     pub origin: DVec3,
     /// Its axes in the world.
@@ -158,7 +158,7 @@ pub struct LocalFrame {
 
 impl LocalFrame {
     /// From a foot along `direction`, the upper side as far up as that allows, then rolled about it [rad].
-    pub fn new(origin: DVec3, direction: DVec3, roll: f64) -> Self {
+    pub(super) fn new(origin: DVec3, direction: DVec3, roll: f64) -> Self {
         let x = direction.normalize_or(DVec3::X);
         let z = x.cross(DVec3::Y).normalize_or(DVec3::Z);
         let axes = glam::DMat3::from_cols(x, z.cross(x), z);
@@ -166,7 +166,7 @@ impl LocalFrame {
     }
 
     /// A point as the blade sees it.
-    pub fn local(&self, p: DVec3) -> DVec3 {
+    pub(super) fn local(&self, p: DVec3) -> DVec3 {
         self.axes.transpose() * (p - self.origin)
     }
 }

@@ -38,7 +38,7 @@ const LEAF: [f32; 3] = [0.26, 0.50, 0.12];
 ///
 /// # Errors
 /// A folder or file that cannot be written.
-pub fn run(args: &MakeModels, console: &mut Console) -> Result<Outcome, CliError> {
+pub(super) fn run(args: &MakeModels, console: &mut Console) -> Result<Outcome, CliError> {
     make_folder(&args.folder)?;
     for (name, model) in [
         (

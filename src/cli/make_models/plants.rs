@@ -7,7 +7,7 @@ use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
 /// A leaf that lies on its side along x: its stalk begins at the origin, where a person holds it.
-pub fn leaf(build: &LeafBuild) -> Model {
+pub(super) fn leaf(build: &LeafBuild) -> Model {
     let blade = Blade {
         length: 0.235,
         half_width: build.half_width,
@@ -28,7 +28,7 @@ pub fn leaf(build: &LeafBuild) -> Model {
 
 /// What leaves differ in [m].
 #[derive(Clone, Copy, Debug)]
-pub struct LeafBuild {
+pub(super) struct LeafBuild {
     /// Greatest half width of the blade.
     half_width: f64,
     /// Half thickness of the blade at its edge and, more, along its midrib.
@@ -42,7 +42,7 @@ pub struct LeafBuild {
 }
 
 /// The paper's leaf: its cells give the vertices of Table 1.
-pub const LEAF: LeafBuild = LeafBuild {
+pub(super) const LEAF: LeafBuild = LeafBuild {
     half_width: 0.053,
     half_thickness: [5.6e-3, 1.6e-3],
     stalk: [8.2e-3, 1.4e-3],
@@ -51,14 +51,14 @@ pub const LEAF: LeafBuild = LeafBuild {
 };
 
 /// A leaf thick enough for particles of twice the spacing, so that it moves in real time.
-pub const THICK_LEAF: LeafBuild =
+pub(super) const THICK_LEAF: LeafBuild =
     LeafBuild { half_width: 0.058, half_thickness: [10e-3, 2.5e-3], stalk: [14e-3, 2e-3], fillet: 0.02, cell: 5e-3 };
 
 /// A turn of the stem from leaf to leaf: the golden angle, as plants have it.
 const GOLDEN: f64 = TAU * 0.381_966;
 
 /// A plant that stands on the origin: a bent stem that grows thinner, and leaves around it. `seed` varies the leaves.
-pub fn plant(build: &PlantBuild, seed: u64) -> Model {
+pub(super) fn plant(build: &PlantBuild, seed: u64) -> Model {
     let mut random = Mmix(seed);
     let height = 0.33;
     let stem_at = |t: f64| {
@@ -107,7 +107,7 @@ pub fn plant(build: &PlantBuild, seed: u64) -> Model {
 
 /// What plants differ in [m].
 #[derive(Clone, Copy, Debug)]
-pub struct PlantBuild {
+pub(super) struct PlantBuild {
     /// Number of leaves, two or more.
     leaves: usize,
     /// Radius of the stem at its foot, and what it loses up to its top.
@@ -123,7 +123,7 @@ pub struct PlantBuild {
 }
 
 /// The paper's plant: its cells give the vertices of Table 1.
-pub const PLANT: PlantBuild = PlantBuild {
+pub(super) const PLANT: PlantBuild = PlantBuild {
     leaves: 5,
     stem: [0.0148, 0.0058],
     petiole: 7.2e-3,
@@ -133,7 +133,7 @@ pub const PLANT: PlantBuild = PlantBuild {
 };
 
 /// A plant with fewer and thicker leaves, for particles of twice the spacing, so that it moves in real time.
-pub const THICK_PLANT: PlantBuild = PlantBuild {
+pub(super) const THICK_PLANT: PlantBuild = PlantBuild {
     leaves: 3,
     stem: [0.021, 0.006],
     petiole: 12e-3,

@@ -13,7 +13,7 @@ const AROUND: u32 = 20;
 const SECTION: u32 = 10;
 
 /// A torus about the Y axis.
-pub fn tube() -> Model {
+pub(super) fn tube() -> Model {
     let mut piece = MeshData::default();
     for i in 0..AROUND {
         for j in 0..SECTION {

@@ -2,7 +2,7 @@
 
 /// A scene and the time of its picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ExamplePicture {
+pub(super) struct ExamplePicture {
     /// Its file's name, without the ending.
     pub name: &'static str,
     /// When the picture is taken [s].
@@ -20,7 +20,7 @@ const fn beside_start(name: &'static str, at: f64) -> ExamplePicture {
 }
 
 /// Every scene that ships.
-pub const EXAMPLES: [ExamplePicture; 65] = [
+pub(super) const EXAMPLES: [ExamplePicture; 65] = [
     at("cantilever", 1.0),
     at("figure_06_without", 0.002),
     at("figure_06_without_soft", 0.033),

@@ -32,7 +32,7 @@ const FINER: u32 = 2;
 ///
 /// # Errors
 /// No driver, or a scene that cannot be put together.
-pub fn strip(demo: &Demo) -> Result<Vec<u8>, CliError> {
+pub(super) fn strip(demo: &Demo) -> Result<Vec<u8>, CliError> {
     let times: Vec<f64> =
         (0..FRAMES).map(|k| demo.from + (demo.to - demo.from) * f64::from(k) / f64::from(FRAMES - 1)).collect();
     let states = run(&demo.scene, &Assets::default(), &times, None)?;
@@ -64,7 +64,7 @@ pub fn strip(demo: &Demo) -> Result<Vec<u8>, CliError> {
 ///
 /// # Errors
 /// A scene that cannot be used, or no driver.
-pub fn picture(example: &ExamplePicture, folder: &Path) -> Result<Vec<u8>, CliError> {
+pub(super) fn picture(example: &ExamplePicture, folder: &Path) -> Result<Vec<u8>, CliError> {
     let path = folder.join(format!("{}.json", example.name));
     let scene = load_scene(&path)?;
     let assets = load_assets(&scene, folder, &mut |_| {})?;

@@ -32,7 +32,7 @@ pub struct MakePictures {
 /// # Errors
 /// No driver, a scene that cannot be used, or a file that cannot be written.
 #[cfg(feature = "render")]
-pub fn run(args: &MakePictures, console: &mut Console) -> Result<Outcome, CliError> {
+pub(crate) fn run(args: &MakePictures, console: &mut Console) -> Result<Outcome, CliError> {
     use super::output;
     use crate::io::make_folder;
     use crate::sketch::pattern::PATTERNS;
@@ -60,6 +60,6 @@ pub fn run(args: &MakePictures, console: &mut Console) -> Result<Outcome, CliErr
 /// # Errors
 /// [`CliError::NoPictures`].
 #[cfg(not(feature = "render"))]
-pub fn run(_args: &MakePictures, _console: &mut Console) -> Result<Outcome, CliError> {
+pub(crate) fn run(_args: &MakePictures, _console: &mut Console) -> Result<Outcome, CliError> {
     Err(CliError::NoPictures)
 }

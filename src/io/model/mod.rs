@@ -8,7 +8,7 @@ mod ply;
 mod polygon;
 mod stl;
 
-pub use limits::MAX_MODEL_BYTES;
+use limits::MAX_MODEL_BYTES;
 
 use self::failure::Failure;
 use self::limits::MOST;
@@ -51,7 +51,7 @@ impl Format {
 }
 
 /// Whether a path ends like that of a model.
-pub fn is_model(path: &Path) -> bool {
+pub(crate) fn is_model(path: &Path) -> bool {
     Format::of(path).is_some()
 }
 
@@ -71,7 +71,8 @@ pub fn load_model(path: &Path) -> Result<Model, IoError> {
 ///
 /// # Errors
 /// As [`load_model`], but for those of reading.
-pub fn read_model(name: &Path, bytes: &[u8]) -> Result<Model, IoError> {
+#[cfg(feature = "gui")]
+pub(crate) fn read_model(name: &Path, bytes: &[u8]) -> Result<Model, IoError> {
     let format = Format::of(name).ok_or(IoError::UnknownModel);
     format.and_then(|format| read(bytes.to_vec(), format, name)).map_err(|error| error.within(name))
 }

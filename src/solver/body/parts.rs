@@ -30,9 +30,9 @@ pub struct BodyParts {
     /// How it is stepped.
     pub integrator: Box<dyn Integrator>,
     /// Prescribed motions.
-    pub constraints: Vec<Constraint>,
+    pub(crate) constraints: Vec<Constraint>,
     /// How it pushes on other things.
-    pub contact: ContactLaw,
+    pub(crate) contact: ContactLaw,
     /// Centre lines of the fibres, for drawing and counting.
     pub fibres: Vec<FibreLine>,
     /// Build of a two-layer body; none for others.

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 /// Linear drag `-c m v`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AirDrag {
+pub(crate) struct AirDrag {
     /// Rate c [1/s].
     pub rate: f64,
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 /// How a particle, a ball of the law's radius, is pushed out of what it touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactLaw {
+pub(crate) struct ContactLaw {
     /// Radius of a particle [m]; half the spacing, so that the skin rests on the surface.
     pub radius: f64,
     /// Stiffness kc [N/m].
@@ -23,7 +23,7 @@ pub struct ContactLaw {
 impl ContactLaw {
     /// Force [N] on a particle at signed distance `gap` [m] from a surface with outward `normal`, moving at `velocity`
     /// [m/s] relative to it: `N = max(0, kc d - cc vn)` and `|Ft| = min(friction N, ct |vt|)`.
-    pub fn force(&self, gap: f64, normal: DVec3, velocity: DVec3) -> DVec3 {
+    pub(crate) fn force(&self, gap: f64, normal: DVec3, velocity: DVec3) -> DVec3 {
         let depth = self.radius - gap;
         if depth <= 0.0 {
             return DVec3::ZERO;
@@ -38,7 +38,7 @@ impl ContactLaw {
     }
 
     /// Elastic energy [J] at signed distance `gap` [m].
-    pub fn energy(&self, gap: f64) -> f64 {
+    pub(crate) fn energy(&self, gap: f64) -> f64 {
         let depth = (self.radius - gap).max(0.0);
         0.5 * self.stiffness * depth * depth
     }
@@ -55,7 +55,7 @@ pub struct Plane {
 
 /// Contact with fixed planes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Contact {
+pub(crate) struct Contact {
     /// The planes.
     pub planes: Vec<Plane>,
     /// How they push.

@@ -68,7 +68,7 @@ pub trait Force: Any + Send + Sync {
     }
 
     /// A copy in a box; bodies are cloned to be replayed or probed. It gives the same forces from here on, bit for bit:
-    /// warm starts go along, buffers need not (see [`crate::solver::scratch::Scratch`]).
+    /// warm starts go along, buffers need not (see `crate::solver::scratch::Scratch`).
     fn clone_box(&self) -> Box<dyn Force>;
 }
 
@@ -86,7 +86,7 @@ impl Clone for Box<dyn Force> {
 }
 
 /// The sum of all forces [N] at time zero, one for each particle.
-pub fn total_forces(forces: &mut [Box<dyn Force>], state: &ParticleState) -> Vec<DVec3> {
+pub(crate) fn total_forces(forces: &mut [Box<dyn Force>], state: &ParticleState) -> Vec<DVec3> {
     let mut sum = vec![DVec3::ZERO; state.len()];
     for force in forces {
         force.add_forces(0.0, state, &mut sum);

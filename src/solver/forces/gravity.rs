@@ -7,7 +7,7 @@ use glam::DVec3;
 
 /// Uniform gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gravity {
+pub(crate) struct Gravity {
     /// Acceleration [m/s²].
     pub acceleration: DVec3,
 }

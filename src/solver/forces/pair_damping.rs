@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 /// `f = g m om_ij (dv . n) n` on both ends of every near bond, equal and opposite along the line between them.
 #[derive(Clone)]
-pub struct PairDamping {
+pub(crate) struct PairDamping {
     rate: f64,
     /// Greatest sum of a particle's weights.
     greatest_weight_sum: f64,
@@ -90,7 +90,7 @@ const CHUNK: usize = 64;
 
 impl PairDamping {
     /// Damping at `rate` g [1/s] over the bonds of up to 1.5 spacings.
-    pub fn new(rate: f64, neighbourhood: &Neighbourhood) -> Self {
+    pub(crate) fn new(rate: f64, neighbourhood: &Neighbourhood) -> Self {
         let cells = &neighbourhood.lattice().cells;
         let near = |i: usize| {
             let bonds = neighbourhood.bonds(i).map(move |(j, bond)| (j, cells[j] - cells[i], bond.weight));

@@ -88,7 +88,7 @@ impl Surface {
 /// V is the sum of the surfaces' volumes by their signs, so that an inner surface with the sign -1 is left out of what
 /// an outer one encloses.
 #[derive(Clone, Debug)]
-pub struct Pressure {
+pub(crate) struct Pressure {
     /// `nRT` [J]; in two dimensions per metre of depth.
     pub energy_scale: f64,
     /// Surfaces with +1 or -1.
@@ -98,12 +98,12 @@ pub struct Pressure {
 
 impl Pressure {
     /// Gas of `energy_scale` nRT [J] between these surfaces.
-    pub fn new(energy_scale: f64, surfaces: Vec<(Surface, f64)>) -> Self {
+    pub(crate) fn new(energy_scale: f64, surfaces: Vec<(Surface, f64)>) -> Self {
         Self { energy_scale, surfaces, scratch: Scratch::default() }
     }
 
     /// Volume of the gas [m³], or area [m²].
-    pub fn volume(&self, positions: &[DVec3]) -> f64 {
+    pub(crate) fn volume(&self, positions: &[DVec3]) -> f64 {
         self.surfaces.iter().map(|(surface, sign)| sign * surface.volume(positions)).sum()
     }
 }

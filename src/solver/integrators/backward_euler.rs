@@ -12,7 +12,7 @@ use glam::DVec3;
 /// Each Newton step solves `(M - dt² df/dx - dt df/dv) dv' = M (v - v') + dt f` by conjugate gradients preconditioned
 /// with the masses, and is halved while it makes the residual larger.
 #[derive(Clone, Debug, Default)]
-pub struct BackwardEuler {
+pub(crate) struct BackwardEuler {
     accelerations: Vec<DVec3>,
     end: ParticleState,
     velocities: Vec<DVec3>,

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 /// `x += dt v; v += dt a(x, v)`, both from the start of the step: order 1. Undamped oscillations always grow.
 #[derive(Clone, Debug, Default)]
-pub struct ExplicitEuler {
+pub(crate) struct ExplicitEuler {
     accelerations: Vec<DVec3>,
 }
 

@@ -11,7 +11,7 @@ use glam::DVec3;
 /// Linear and angular momentum are kept to round-off by forces that keep them. Forces that depend on velocity are
 /// evaluated with the half-step velocity, which lags and makes damping first order.
 #[derive(Clone, Debug, Default)]
-pub struct LeapFrog {
+pub(crate) struct LeapFrog {
     accelerations: Vec<DVec3>,
 }
 

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 /// Half an Euler step, then a whole step with the rates found there: order 2. Undamped oscillations grow slowly.
 #[derive(Clone, Debug, Default)]
-pub struct Midpoint {
+pub(crate) struct Midpoint {
     accelerations: Vec<DVec3>,
     middle: ParticleState,
 }

@@ -10,11 +10,11 @@ mod stability;
 mod symplectic_euler;
 mod verlet;
 
-pub use backward_euler::BackwardEuler;
-pub use explicit_euler::ExplicitEuler;
+pub(crate) use backward_euler::BackwardEuler;
+pub(crate) use explicit_euler::ExplicitEuler;
 pub use integrator::Integrator;
-pub use leap_frog::LeapFrog;
-pub use midpoint::Midpoint;
-pub use rk4::Rk4;
-pub use symplectic_euler::SymplecticEuler;
-pub use verlet::Verlet;
+pub(crate) use leap_frog::LeapFrog;
+pub(crate) use midpoint::Midpoint;
+pub(crate) use rk4::Rk4;
+pub(crate) use symplectic_euler::SymplecticEuler;
+pub(crate) use verlet::Verlet;

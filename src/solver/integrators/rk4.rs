@@ -9,7 +9,7 @@ use glam::DVec3;
 
 /// The classical Runge-Kutta method: order 4, four force evaluations a step.
 #[derive(Clone, Debug, Default)]
-pub struct Rk4 {
+pub(crate) struct Rk4 {
     accelerations: Vec<DVec3>,
     stage: ParticleState,
     velocity_sum: Vec<DVec3>,

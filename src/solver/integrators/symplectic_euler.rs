@@ -8,7 +8,7 @@ use glam::DVec3;
 
 /// `v += dt a(x, v); x += dt v` with the new velocity: order 1, symplectic, one force evaluation a step.
 #[derive(Clone, Debug, Default)]
-pub struct SymplecticEuler {
+pub(crate) struct SymplecticEuler {
     accelerations: Vec<DVec3>,
 }
 

@@ -10,7 +10,7 @@ use glam::DVec3;
 /// `x += dt v + dt²/2 a; v += dt/2 (a + a')` with a' at the new position and the velocity `v + dt a`: order 2, with
 /// damping too, where leap-frog falls to order 1. Two evaluations a step; without damping it moves as leap-frog.
 #[derive(Clone, Debug, Default)]
-pub struct Verlet {
+pub(crate) struct Verlet {
     accelerations: Vec<DVec3>,
     at_end: Vec<DVec3>,
     predicted: ParticleState,

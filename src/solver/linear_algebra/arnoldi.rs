@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// What an operator does in the space that is spanned by a vector and what becomes of it.
 #[derive(Clone, Debug)]
-pub struct KrylovSpace {
+pub(crate) struct KrylovSpace {
     /// Orthonormal basis.
     pub basis: Vec<Vec<DVec3>>,
     /// The operator in the basis, an upper Hessenberg matrix row by row.
@@ -16,7 +16,7 @@ pub struct KrylovSpace {
 
 /// The Krylov space of the operator `apply` and a unit vector `start`, of `most` vectors at most. What is shorter than a
 /// billionth of `scale` counts as rounding: the space is complete then.
-pub fn krylov_space(
+pub(crate) fn krylov_space(
     start: Vec<DVec3>,
     most: usize,
     scale: f64,

@@ -9,7 +9,7 @@ use glam::DVec3;
 ///
 /// Where A turns out not to be positive along a direction, x is what has been found so far, or the right side over the
 /// diagonal if nothing has.
-pub fn conjugate_gradients(
+pub(crate) fn conjugate_gradients(
     right: &[DVec3],
     diagonal: &[f64],
     tolerance: f64,

@@ -4,7 +4,7 @@ use std::ops::{Add, Mul, Sub};
 
 /// A complex number.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Complex {
+pub(crate) struct Complex {
     /// Real part.
     pub re: f64,
     /// Imaginary part.
@@ -13,12 +13,12 @@ pub struct Complex {
 
 impl Complex {
     /// A real number.
-    pub fn real(re: f64) -> Self {
+    pub(crate) fn real(re: f64) -> Self {
         Self { re, im: 0.0 }
     }
 
     /// Its distance from zero.
-    pub fn abs(self) -> f64 {
+    pub(crate) fn abs(self) -> f64 {
         self.re.hypot(self.im)
     }
 
@@ -63,7 +63,7 @@ impl Mul for Complex {
 }
 
 /// Eigenvalues of a real upper Hessenberg matrix, given row by row, by QR iterations with Wilkinson's shift.
-pub fn eigenvalues(matrix: &[Vec<f64>]) -> Vec<Complex> {
+pub(crate) fn eigenvalues(matrix: &[Vec<f64>]) -> Vec<Complex> {
     const MOST_SWEEPS: usize = 60;
     let mut h: Vec<Vec<Complex>> = matrix.iter().map(|row| row.iter().map(|&x| Complex::real(x)).collect()).collect();
     let mut found = vec![Complex::default(); h.len()];
@@ -134,7 +134,7 @@ fn sweep(h: &mut [Vec<Complex>], first: usize, last: usize, shift: Complex) {
 }
 
 /// Unit eigenvector to an eigenvalue, by inverse iteration.
-pub fn eigenvector(matrix: &[Vec<f64>], value: Complex) -> Vec<Complex> {
+pub(crate) fn eigenvector(matrix: &[Vec<f64>], value: Complex) -> Vec<Complex> {
     let n = matrix.len();
     let scale = matrix.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
     // A little beside the eigenvalue, so that the system can be solved.

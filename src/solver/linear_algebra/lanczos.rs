@@ -12,7 +12,7 @@ const SETTLED: f64 = 2e-4;
 const CHECK_EVERY: usize = 8;
 
 /// Greatest eigenvalue of the symmetric operator `apply`, from a unit vector `start` that has a part in it.
-pub fn greatest_eigenvalue(start: Vec<DVec3>, mut apply: impl FnMut(&[DVec3]) -> Vec<DVec3>) -> f64 {
+pub(crate) fn greatest_eigenvalue(start: Vec<DVec3>, mut apply: impl FnMut(&[DVec3]) -> Vec<DVec3>) -> f64 {
     let mut before = vec![DVec3::ZERO; start.len()];
     let mut v = start;
     let (mut alphas, mut betas): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());

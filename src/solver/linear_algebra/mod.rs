@@ -3,8 +3,8 @@
 //!
 //! Every sum runs over the particles in their order and on one thread, so that results have the same bits anywhere.
 
-pub mod arnoldi;
-pub mod conjugate_gradients;
-pub mod hessenberg;
-pub mod lanczos;
-pub mod vectors;
+pub(crate) mod arnoldi;
+pub(crate) mod conjugate_gradients;
+pub(crate) mod hessenberg;
+pub(crate) mod lanczos;
+pub(crate) mod vectors;

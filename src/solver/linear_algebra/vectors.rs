@@ -3,31 +3,31 @@
 use glam::DVec3;
 
 /// `a . b`.
-pub fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
+pub(crate) fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
 }
 
 /// Euclidean length.
-pub fn norm(a: &[DVec3]) -> f64 {
+pub(crate) fn norm(a: &[DVec3]) -> f64 {
     dot(a, a).sqrt()
 }
 
 /// `y += a x`.
-pub fn axpy(a: f64, x: &[DVec3], y: &mut [DVec3]) {
+pub(crate) fn axpy(a: f64, x: &[DVec3], y: &mut [DVec3]) {
     for (y, &x) in y.iter_mut().zip(x) {
         *y += a * x;
     }
 }
 
 /// `y /= a`.
-pub fn divide(y: &mut [DVec3], a: f64) {
+pub(crate) fn divide(y: &mut [DVec3], a: f64) {
     for y in y {
         *y /= a;
     }
 }
 
 /// Scales a field to the length one.
-pub fn normalise(y: &mut [DVec3]) {
+pub(crate) fn normalise(y: &mut [DVec3]) {
     let length = norm(y);
     divide(y, length);
 }

@@ -4,27 +4,27 @@ use fearless_simd::{Simd, f64x4, f64x8, prelude::*};
 use glam::{DQuat, DVec3};
 
 /// Particles side by side in all but the sums of fibres.
-pub const LANES: usize = 4;
+pub(crate) const LANES: usize = 4;
 
 /// A number of each of four particles, in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C, align(32))]
-pub struct Lanes4(pub [f64; LANES]);
+pub(crate) struct Lanes4(pub [f64; LANES]);
 
 /// A number of each of eight particles, in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C, align(64))]
-pub struct Lanes8(pub [f64; 8]);
+pub(crate) struct Lanes8(pub [f64; 8]);
 
 impl Lanes4 {
     /// The same number for all four.
-    pub fn splat(value: f64) -> Self {
+    pub(crate) fn splat(value: f64) -> Self {
         Self([value; LANES])
     }
 }
 
 /// A number of each of several particles, in a register.
-pub trait Wide: SimdFloat<<Self as Wide>::Set, Element = f64> {
+pub(crate) trait Wide: SimdFloat<<Self as Wide>::Set, Element = f64> {
     /// The instruction set that the register belongs to.
     type Set: Simd;
     /// The same numbers in memory.
@@ -67,7 +67,7 @@ impl<S: Simd> Wide for f64x8<S> {
 
 /// Several numbers of the same particles.
 #[inline(always)]
-pub fn load_all<V: Wide, const N: usize>(simd: V::Set, lanes: &[V::Memory; N]) -> [V; N] {
+pub(crate) fn load_all<V: Wide, const N: usize>(simd: V::Set, lanes: &[V::Memory; N]) -> [V; N] {
     let mut values = [V::simd_from(simd, 0.0); N];
     for k in 0..N {
         values[k] = V::load(simd, &lanes[k]);
@@ -87,12 +87,12 @@ pub(super) fn store_all<V: Wide, const N: usize>(values: [V; N]) -> [V::Memory; 
 
 /// The vector of one of four particles.
 #[inline(always)]
-pub fn vector_of(lanes: &[Lanes4; 3], lane: usize) -> DVec3 {
+pub(crate) fn vector_of(lanes: &[Lanes4; 3], lane: usize) -> DVec3 {
     DVec3::new(lanes[0].0[lane], lanes[1].0[lane], lanes[2].0[lane])
 }
 
 /// The quaternion of one of four particles.
 #[inline(always)]
-pub fn quaternion_of(lanes: &[Lanes4; 4], lane: usize) -> DQuat {
+pub(crate) fn quaternion_of(lanes: &[Lanes4; 4], lane: usize) -> DQuat {
     DQuat::from_xyzw(lanes[0].0[lane], lanes[1].0[lane], lanes[2].0[lane], lanes[3].0[lane])
 }

@@ -8,12 +8,12 @@ use std::ops::{Add, Index, Mul, Sub};
 
 /// A matrix of each particle, by columns.
 #[derive(Clone, Copy, Debug)]
-pub struct Mat3x<V>(pub [Vec3x<V>; 3]);
+pub(crate) struct Mat3x<V>(pub [Vec3x<V>; 3]);
 
 impl<V: Wide> Mat3x<V> {
     /// The same matrix for all particles.
     #[inline(always)]
-    pub fn splat(simd: V::Set, m: &DMat3) -> Self {
+    pub(crate) fn splat(simd: V::Set, m: &DMat3) -> Self {
         let columns = m.to_cols_array_2d();
         let mut matrix = Self([Vec3x::splat(V::simd_from(simd, 0.0)); 3]);
         for c in 0..3 {
@@ -26,7 +26,7 @@ impl<V: Wide> Mat3x<V> {
 
     /// The rotation matrices of unit quaternions.
     #[inline(always)]
-    pub fn from_quat(Quatx([x, y, z, w]): Quatx<V>) -> Self {
+    pub(crate) fn from_quat(Quatx([x, y, z, w]): Quatx<V>) -> Self {
         let one = V::simd_from(x.token(), 1.0);
         let (x2, y2, z2) = (x + x, y + y, z + z);
         let (xx, xy, xz) = (x * x2, x * y2, x * z2);
@@ -41,19 +41,19 @@ impl<V: Wide> Mat3x<V> {
 
     /// The symmetric matrix of the entries 00, 01, 02, 11, 12, 22.
     #[inline(always)]
-    pub fn symmetric([m00, m01, m02, m11, m12, m22]: [V; 6]) -> Self {
+    pub(crate) fn symmetric([m00, m01, m02, m11, m12, m22]: [V; 6]) -> Self {
         Self([Vec3x([m00, m01, m02]), Vec3x([m01, m11, m12]), Vec3x([m02, m12, m22])])
     }
 
     /// `a (x) b`, the matrix with entries `a_r b_c`.
     #[inline(always)]
-    pub fn outer(a: Vec3x<V>, b: Vec3x<V>) -> Self {
+    pub(crate) fn outer(a: Vec3x<V>, b: Vec3x<V>) -> Self {
         Self([a * b[0], a * b[1], a * b[2]])
     }
 
     /// `aᵀ b`.
     #[inline(always)]
-    pub fn transpose_mul(self, b: Self) -> Self {
+    pub(crate) fn transpose_mul(self, b: Self) -> Self {
         let Self(a) = self;
         let mut out = b;
         for c in 0..3 {
@@ -64,14 +64,14 @@ impl<V: Wide> Mat3x<V> {
 
     /// `a : b`, the sum of all products of entries, which is tr(aᵀ b).
     #[inline(always)]
-    pub fn double_dot(self, Self(b): Self) -> V {
+    pub(crate) fn double_dot(self, Self(b): Self) -> V {
         let Self(a) = self;
         a[0].dot(b[0]) + a[1].dot(b[1]) + a[2].dot(b[2])
     }
 
     /// `s a + b`, rounded once where the machine can.
     #[inline(always)]
-    pub fn mul_add(mut self, s: V, b: Self) -> Self {
+    pub(crate) fn mul_add(mut self, s: V, b: Self) -> Self {
         for c in 0..3 {
             self.0[c] = self.0[c].mul_add(s, b.0[c]);
         }

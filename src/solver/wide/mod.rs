@@ -10,8 +10,8 @@ mod quaternion;
 mod rotation;
 mod vector;
 
-pub use lanes::{LANES, Lanes4, Lanes8, Wide, load_all, quaternion_of, vector_of};
-pub use matrix::Mat3x;
-pub use quaternion::Quatx;
-pub use rotation::nearest_rotations;
-pub use vector::Vec3x;
+pub(crate) use lanes::{LANES, Lanes4, Lanes8, Wide, load_all, quaternion_of, vector_of};
+pub(crate) use matrix::Mat3x;
+pub(crate) use quaternion::Quatx;
+pub(crate) use rotation::nearest_rotations;
+pub(crate) use vector::Vec3x;

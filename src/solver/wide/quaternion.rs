@@ -5,24 +5,24 @@ use super::vector::Vec3x;
 
 /// A quaternion of each particle: x, y, z, w.
 #[derive(Clone, Copy, Debug)]
-pub struct Quatx<V>(pub [V; 4]);
+pub(crate) struct Quatx<V>(pub [V; 4]);
 
 impl<V: Wide> Quatx<V> {
     /// The quaternions that stand in memory.
     #[inline(always)]
-    pub fn load(simd: V::Set, lanes: &[V::Memory; 4]) -> Self {
+    pub(crate) fn load(simd: V::Set, lanes: &[V::Memory; 4]) -> Self {
         Self(load_all(simd, lanes))
     }
 
     /// The quaternions, to be kept in memory.
     #[inline(always)]
-    pub fn store(self) -> [V::Memory; 4] {
+    pub(crate) fn store(self) -> [V::Memory; 4] {
         store_all(self.0)
     }
 
     /// `q (h, 1)`: turned further by about twice a small h, and longer by a factor `sqrt(1 + h²)`.
     #[inline(always)]
-    pub fn turned_by(self, h: Vec3x<V>) -> Self {
+    pub(crate) fn turned_by(self, h: Vec3x<V>) -> Self {
         let Self([x, y, z, w]) = self;
         Self([
             z.mul_add(-h[1], y.mul_add(h[2], w.mul_add(h[0], x))),
@@ -34,7 +34,7 @@ impl<V: Wide> Quatx<V> {
 
     /// The unit quaternions along these.
     #[inline(always)]
-    pub fn normalize(self) -> Self {
+    pub(crate) fn normalize(self) -> Self {
         let Self([x, y, z, w]) = self;
         let vector = Vec3x([x, y, z]);
         let inverse = V::simd_from(x.token(), 1.0) / w.mul_add(w, vector.dot(vector)).sqrt();

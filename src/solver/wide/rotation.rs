@@ -15,7 +15,7 @@ const ROUND_OFF: f64 = 1e-15;
 
 /// [`nearest_rotation`] of four deformation gradients `f` from warm starts `q`.
 #[inline(always)]
-pub fn nearest_rotations<S: Simd>(f: Mat3x<f64x4<S>>, q: Quatx<f64x4<S>>) -> Quatx<f64x4<S>> {
+pub(crate) fn nearest_rotations<S: Simd>(f: Mat3x<f64x4<S>>, q: Quatx<f64x4<S>>) -> Quatx<f64x4<S>> {
     match newton(f, q) {
         Some(found) => found,
         None => one_by_one(&f, &q),

@@ -5,37 +5,37 @@ use std::ops::{Add, AddAssign, Index, IndexMut, Mul, Sub};
 
 /// A vector of each particle: x, y, z.
 #[derive(Clone, Copy, Debug)]
-pub struct Vec3x<V>(pub [V; 3]);
+pub(crate) struct Vec3x<V>(pub [V; 3]);
 
 impl<V: Wide> Vec3x<V> {
     /// The same register for all three components.
     #[inline(always)]
-    pub fn splat(component: V) -> Self {
+    pub(crate) fn splat(component: V) -> Self {
         Self([component; 3])
     }
 
     /// The vectors that stand in memory.
     #[inline(always)]
-    pub fn load(simd: V::Set, lanes: &[V::Memory; 3]) -> Self {
+    pub(crate) fn load(simd: V::Set, lanes: &[V::Memory; 3]) -> Self {
         Self(load_all(simd, lanes))
     }
 
     /// The vectors, to be kept in memory.
     #[inline(always)]
-    pub fn store(self) -> [V::Memory; 3] {
+    pub(crate) fn store(self) -> [V::Memory; 3] {
         store_all(self.0)
     }
 
     /// `a . b`.
     #[inline(always)]
-    pub fn dot(self, Self(b): Self) -> V {
+    pub(crate) fn dot(self, Self(b): Self) -> V {
         let Self(a) = self;
         a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
     }
 
     /// `s v + w`, rounded once where the machine can.
     #[inline(always)]
-    pub fn mul_add(mut self, s: V, w: Self) -> Self {
+    pub(crate) fn mul_add(mut self, s: V, w: Self) -> Self {
         for k in 0..3 {
             self.0[k] = self.0[k].mul_add(s, w.0[k]);
         }

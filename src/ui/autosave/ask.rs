@@ -9,7 +9,7 @@ use std::path::Path;
 use std::time::{Duration, SystemTime};
 
 /// What questions are about.
-pub struct About<'a> {
+pub(crate) struct About<'a> {
     pub name: &'a str,
     pub path: Option<&'a Path>,
     pub offers: &'a [RecoveryOffer],
@@ -20,7 +20,7 @@ pub struct About<'a> {
 type Choice<'a> = (&'static str, &'a str, Reply);
 
 /// Shows a question; gives its answer.
-pub fn ask(ui: &mut Ui, question: &Question, about: &About<'_>) -> Option<Reply> {
+pub(crate) fn ask(ui: &mut Ui, question: &Question, about: &About<'_>) -> Option<Reply> {
     ui.set_width(if matches!(question, Question::Recover) { 520.0 } else { 400.0 });
     match question {
         Question::Unsaved(_) => unsaved(ui, about),

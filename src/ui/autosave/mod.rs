@@ -7,7 +7,7 @@ mod question;
 mod state;
 mod thread;
 
-pub use ask::{About, ask};
-pub use offer::RecoveryOffer;
-pub use question::{Loss, Question, Reply};
-pub use state::Autosave;
+pub(crate) use ask::{About, ask};
+pub(crate) use offer::RecoveryOffer;
+pub(crate) use question::{Loss, Question, Reply};
+pub(crate) use state::Autosave;

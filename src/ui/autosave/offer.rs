@@ -4,7 +4,7 @@ use crate::io::RecoverableDocument;
 
 /// A recoverable document, offered to be opened or discarded.
 #[derive(Clone, Debug)]
-pub struct RecoveryOffer {
+pub(crate) struct RecoveryOffer {
     /// The document.
     pub document: RecoverableDocument,
     /// Whether its file was written after it.
@@ -13,12 +13,12 @@ pub struct RecoveryOffer {
 
 impl RecoveryOffer {
     /// Offers a document.
-    pub fn new(document: RecoverableDocument) -> Self {
+    pub(crate) fn new(document: RecoverableDocument) -> Self {
         Self { is_older: document.is_older_than_its_file(), document }
     }
 
     /// Its name.
-    pub fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         if self.document.name.is_empty() { "Untitled" } else { &self.document.name }
     }
 }

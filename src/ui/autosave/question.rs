@@ -4,7 +4,7 @@ use crate::ui::next::Next;
 use std::path::PathBuf;
 
 /// What is asked before something could be lost.
-pub enum Question {
+pub(crate) enum Question {
     /// What becomes of the changes.
     Unsaved(Next),
     /// Whether a file is replaced.
@@ -31,7 +31,7 @@ pub enum Question {
 
 /// How a question is answered, other than by leaving everything as it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reply {
+pub(crate) enum Reply {
     /// Saves, then goes on.
     Save,
     /// Goes on without the changes.
@@ -52,7 +52,7 @@ pub enum Reply {
 
 /// Why a file is not simply written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Loss {
+pub(crate) enum Loss {
     /// Another program wrote it since it was read.
     Changed,
     /// It is another file than the document's.

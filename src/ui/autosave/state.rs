@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// Looks after the document: keeps what is not saved, notices what other programs do to its file, asks before something is
 /// lost.
-pub struct Autosave {
+pub(crate) struct Autosave {
     thread: AutosaveThread,
     /// The document's file as it was when it was read or saved; none where it may hold anything.
     stamp: Option<FileStamp>,
@@ -29,7 +29,7 @@ pub struct Autosave {
 
 impl Autosave {
     /// Looks after a document, just read.
-    pub fn start(ctx: &egui::Context, document: &OpenDocument) -> Self {
+    pub(crate) fn start(ctx: &egui::Context, document: &OpenDocument) -> Self {
         let repaint = ctx.clone();
         let thread = AutosaveThread::start(move || repaint.request_repaint());
         let scene = Arc::clone(document.scene());
@@ -49,12 +49,12 @@ impl Autosave {
     }
 
     /// Keeps changed documents in this folder from now on, and offers those that were left there.
-    pub fn keep_in(&self, folder: PathBuf) {
+    pub(crate) fn keep_in(&self, folder: PathBuf) {
         self.thread.send(AutosaveRequest::Folder(folder));
     }
 
     /// The document's file is another one, or was read or written anew.
-    pub fn watch(&mut self, stamp: Option<FileStamp>) {
+    pub(crate) fn watch(&mut self, stamp: Option<FileStamp>) {
         self.watch += 1;
         self.stamp.clone_from(&stamp);
         self.waiting.retain(|question| !matches!(question, Question::Reload { .. }));
@@ -62,7 +62,7 @@ impl Autosave {
     }
 
     /// What would be lost by writing to `path`, where the document belongs to `own`; none if nothing would.
-    pub fn loss(&self, path: &Path, own: Option<&Path>) -> Option<Loss> {
+    pub(crate) fn loss(&self, path: &Path, own: Option<&Path>) -> Option<Loss> {
         if !path.exists() {
             return None;
         }
@@ -75,7 +75,7 @@ impl Autosave {
     }
 
     /// Documents that were left behind.
-    pub fn offers(&self) -> &[RecoveryOffer] {
+    pub(crate) fn offers(&self) -> &[RecoveryOffer] {
         &self.offers
     }
 
@@ -83,7 +83,7 @@ impl Autosave {
     ///
     /// # Errors
     /// A file that cannot be removed.
-    pub fn discard(&mut self, index: usize) -> Result<(), IoError> {
+    pub(crate) fn discard(&mut self, index: usize) -> Result<(), IoError> {
         if index < self.offers.len() {
             self.offers[index].document.discard()?;
             self.offers.remove(index);
@@ -92,7 +92,7 @@ impl Autosave {
     }
 
     /// The open document is now a recovered one: it is kept here before it is dropped there.
-    pub fn recovered(&mut self, offer: &RecoveryOffer, document: &OpenDocument) {
+    pub(crate) fn recovered(&mut self, offer: &RecoveryOffer, document: &OpenDocument) {
         self.offers.retain(|other| other.document != offer.document);
         self.note(document);
         self.thread.send(AutosaveRequest::Recovered(offer.document.clone()));
@@ -100,7 +100,7 @@ impl Autosave {
     }
 
     /// Takes note of what the document is now.
-    pub fn note(&mut self, document: &OpenDocument) {
+    pub(crate) fn note(&mut self, document: &OpenDocument) {
         self.seen = Arc::clone(document.scene());
         if document.editor.is_changed() {
             let origin = Origin {
@@ -116,18 +116,18 @@ impl Autosave {
     }
 
     /// The window closes, whatever becomes of the changes.
-    pub fn leave(&mut self) {
+    pub(crate) fn leave(&mut self) {
         self.is_leaving = true;
         self.thread.forget();
     }
 
     /// Whether the window may close with changes.
-    pub fn is_leaving(&self) -> bool {
+    pub(crate) fn is_leaving(&self) -> bool {
         self.is_leaving
     }
 
     /// What is to be looked after in every frame, whether or not the window is shown.
-    pub fn look_after(&mut self, ctx: &egui::Context, cx: &mut Context) {
+    pub(crate) fn look_after(&mut self, ctx: &egui::Context, cx: &mut Context) {
         while let Some(report) = self.thread.report() {
             self.hear(report, cx);
         }
@@ -177,7 +177,7 @@ impl Autosave {
     }
 
     /// What is to be asked now that nothing else is going on; none where nothing waits.
-    pub fn next_question(&mut self, cx: &mut Context) -> Option<Question> {
+    pub(crate) fn next_question(&mut self, cx: &mut Context) -> Option<Question> {
         if self.waiting.is_empty() {
             return None;
         }

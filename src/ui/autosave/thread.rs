@@ -27,7 +27,7 @@ struct WaitingDocument {
 }
 
 /// What is asked of the thread.
-pub enum AutosaveRequest {
+pub(super) enum AutosaveRequest {
     /// Keeps documents in this folder from now on, and tells which were left there.
     Folder(PathBuf),
     /// Keeps the newest document in the slot before long.
@@ -47,7 +47,7 @@ pub enum AutosaveRequest {
 }
 
 /// What the thread tells.
-pub enum AutosaveReport {
+pub(super) enum AutosaveReport {
     /// What was left behind.
     Offers(Vec<RecoveryOffer>),
     /// The document cannot be kept.
@@ -60,7 +60,7 @@ pub enum AutosaveReport {
 type LatestSlot = Arc<Mutex<Option<WaitingDocument>>>;
 
 /// The thread, seen from the window.
-pub struct AutosaveThread {
+pub(super) struct AutosaveThread {
     requests: Option<Sender<AutosaveRequest>>,
     reports: Receiver<AutosaveReport>,
     slot: LatestSlot,
@@ -71,7 +71,7 @@ pub struct AutosaveThread {
 
 impl AutosaveThread {
     /// Starts the thread; `wake` is called whenever there is something to tell.
-    pub fn start(wake: impl Fn() + Send + 'static) -> Self {
+    pub(super) fn start(wake: impl Fn() + Send + 'static) -> Self {
         let (requests, asked) = channel();
         let (told, reports) = channel();
         let slot = LatestSlot::default();
@@ -90,24 +90,24 @@ impl AutosaveThread {
         Self { requests: Some(requests), reports, slot, number: 0, thread }
     }
 
-    pub fn send(&self, request: AutosaveRequest) {
+    pub(super) fn send(&self, request: AutosaveRequest) {
         if let Some(requests) = &self.requests {
             // The thread outlives every request; without it nothing is kept.
             let _ = requests.send(request);
         }
     }
 
-    pub fn keep(&mut self, origin: Origin, scene: Arc<Scene>) {
+    pub(super) fn keep(&mut self, origin: Origin, scene: Arc<Scene>) {
         self.number += 1;
         *locked(&self.slot) = Some(WaitingDocument { number: self.number, origin, scene });
         self.send(AutosaveRequest::Keep);
     }
 
-    pub fn forget(&self) {
+    pub(super) fn forget(&self) {
         self.send(AutosaveRequest::Forget(self.number));
     }
 
-    pub fn report(&self) -> Option<AutosaveReport> {
+    pub(super) fn report(&self) -> Option<AutosaveReport> {
         self.reports.try_recv().ok()
     }
 }

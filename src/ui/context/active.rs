@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// The active body, in the order of the snapshot.
 #[derive(Debug, Default)]
-pub struct ActiveBody {
+pub(crate) struct ActiveBody {
     /// Which it is.
     pub index: usize,
     /// The body alone, at rest in its model frame.
@@ -17,25 +17,25 @@ pub struct ActiveBody {
 
 impl ActiveBody {
     /// Takes over how the body looks at rest.
-    pub fn take_model(&mut self, published: &Published) {
+    pub(crate) fn take_model(&mut self, published: &Published) {
         let bodies = published.at_rest.bodies.get(self.index).cloned().into_iter().collect();
         self.model = Arc::new(Snapshot { bodies, ..Snapshot::default() });
     }
 
     /// The box around the body at rest [m], by its skin where it has one; none before it is there.
-    pub fn bounds(&self) -> Option<Bounds> {
+    pub(crate) fn bounds(&self) -> Option<Bounds> {
         let body = self.model.bodies.first();
         let points = body.into_iter().flat_map(|body| if body.skin.is_empty() { &body.particles } else { &body.skin });
         Bounds::of(points.copied())
     }
 
     /// Diagonal of that box [m]; a hand's size before the body is there.
-    pub fn diagonal(&self) -> f64 {
+    pub(crate) fn diagonal(&self) -> f64 {
         self.bounds().map_or(0.1, |bounds| 2.0 * bounds.radius())
     }
 
     /// Least and greatest corner of that box [m].
-    pub fn corners(&self) -> Option<[DVec3; 2]> {
+    pub(crate) fn corners(&self) -> Option<[DVec3; 2]> {
         self.bounds().map(|bounds| [bounds.min, bounds.max])
     }
 }

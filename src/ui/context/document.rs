@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 /// The document that is edited.
-pub struct OpenDocument {
+pub(crate) struct OpenDocument {
     /// The scene and what can be undone.
     pub editor: Editor,
     /// Its file; none before it was saved.
@@ -22,18 +22,18 @@ pub struct OpenDocument {
 
 impl OpenDocument {
     /// A document as it was read.
-    pub fn new(document: Document) -> Self {
+    pub(crate) fn new(document: Document) -> Self {
         let Document { scene, assets, path, folder, .. } = document;
         Self { editor: Editor::new(scene), path, folder, assets, is_example: false }
     }
 
     /// The scene as it is now.
-    pub fn scene(&self) -> &Arc<Scene> {
+    pub(crate) fn scene(&self) -> &Arc<Scene> {
         self.editor.scene()
     }
 
     /// What people call it.
-    pub fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         if self.scene().name.is_empty() { "Untitled" } else { &self.scene().name }
     }
 }

@@ -2,11 +2,11 @@
 
 /// Counts the gestures of a person's hand.
 #[derive(Debug, Default)]
-pub struct Gestures(u64);
+pub(crate) struct Gestures(u64);
 
 /// The step of undo that a change belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Step {
+pub(crate) enum Step {
     /// One of its own, as of a click.
     Own,
     /// That of the gesture that goes on, as of a slider that is dragged: it ends as the pointer is released.
@@ -17,12 +17,12 @@ pub enum Step {
 
 impl Gestures {
     /// The gesture that goes on.
-    pub fn present(&self) -> u64 {
+    pub(crate) fn present(&self) -> u64 {
         self.0
     }
 
     /// Begins another one; gives its number.
-    pub fn begin(&mut self) -> u64 {
+    pub(crate) fn begin(&mut self) -> u64 {
         self.0 += 1;
         self.0
     }

@@ -10,11 +10,11 @@ use std::rc::Rc;
 
 /// What fibres came out as, by their identifiers.
 #[derive(Debug, Default)]
-pub struct Lifts(RefCell<HashMap<String, Rc<Lift>>>);
+pub(crate) struct Lifts(RefCell<HashMap<String, Rc<Lift>>>);
 
 /// What a fibre came out as.
 #[derive(Debug)]
-pub struct Lift {
+pub(crate) struct Lift {
     source: FibreSource,
     sampling: Sampling,
     /// The curve of its strokes; none where it has none, or they give none.
@@ -25,7 +25,7 @@ pub struct Lift {
 
 impl Lifts {
     /// What a fibre comes out as: lifted anew where its strokes or the body have changed since the last time.
-    pub fn of(&self, fibre: &Fibre, sampling: Sampling) -> Rc<Lift> {
+    pub(crate) fn of(&self, fibre: &Fibre, sampling: Sampling) -> Rc<Lift> {
         let mut known = self.0.borrow_mut();
         if let Some(lift) = known.get(&fibre.id)
             && lift.source == fibre.source
@@ -47,7 +47,7 @@ impl Lifts {
     }
 
     /// Forgets every fibre: another body or document is drawn into.
-    pub fn clear(&self) {
+    pub(crate) fn clear(&self) {
         self.0.borrow_mut().clear();
     }
 }

@@ -19,15 +19,15 @@ mod selection;
 mod simulation;
 mod status;
 
-pub use active::ActiveBody;
-pub use document::OpenDocument;
-pub use gestures::{Gestures, Step};
-pub use lifts::{Lift, Lifts};
-pub use preview::PatternPreview;
-pub use request::Request;
-pub use selection::Selection;
-pub use simulation::{Ghost, Grabbed, Simulation};
-pub use status::{Severity, StatusLine};
+pub(crate) use active::ActiveBody;
+pub(crate) use document::OpenDocument;
+pub(crate) use gestures::{Gestures, Step};
+pub(crate) use lifts::{Lift, Lifts};
+pub(crate) use preview::PatternPreview;
+pub(crate) use request::Request;
+pub(crate) use selection::Selection;
+pub(crate) use simulation::{Ghost, Grabbed, Simulation};
+pub(crate) use status::{Severity, StatusLine};
 
 use super::action::ActionStates;
 use super::theme::Tone;
@@ -38,7 +38,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// What panels and tools share.
-pub struct Context {
+pub(super) struct Context {
     /// The open document.
     pub document: OpenDocument,
     /// The running simulation.
@@ -64,7 +64,7 @@ pub struct Context {
 
 impl Context {
     /// The context of a window in which nothing has happened yet.
-    pub fn new(document: OpenDocument, simulation: Simulation, tone: Tone) -> Self {
+    pub(super) fn new(document: OpenDocument, simulation: Simulation, tone: Tone) -> Self {
         Self {
             document,
             simulation,
@@ -82,32 +82,32 @@ impl Context {
     }
 
     /// The document as it is now.
-    pub fn scene(&self) -> &Arc<Scene> {
+    pub(super) fn scene(&self) -> &Arc<Scene> {
         self.document.scene()
     }
 
     /// Says something at the foot of the window.
-    pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
+    pub(super) fn say(&mut self, severity: Severity, text: impl Into<String>) {
         self.status.message = Some((severity, text.into()));
     }
 
     /// Asks something of the simulation.
-    pub fn ask(&self, command: SimCommand) {
+    pub(super) fn ask(&self, command: SimCommand) {
         self.simulation.ask(command);
     }
 
     /// Asks for something that concerns other panels.
-    pub fn request(&mut self, request: Request) {
+    pub(super) fn request(&mut self, request: Request) {
         self.requests.push_back(request);
     }
 
     /// What was asked for first and is not carried out yet.
-    pub fn next_request(&mut self) -> Option<Request> {
+    pub(super) fn next_request(&mut self) -> Option<Request> {
         self.requests.pop_front()
     }
 
     /// Changes the document; changes of one gesture are one step of undo.
-    pub fn edit(&mut self, command: &Command, step: Step) {
+    pub(super) fn edit(&mut self, command: &Command, step: Step) {
         let gesture = match step {
             Step::Own => self.gestures.begin(),
             Step::Present => self.gestures.present(),
@@ -126,44 +126,44 @@ impl Context {
     }
 
     /// Draws into another body from now on.
-    pub fn activate(&mut self, index: usize) {
+    pub(super) fn activate(&mut self, index: usize) {
         self.active.index = index;
         self.take_model();
         self.forget_selection();
     }
 
     /// Takes over how the active body looks at rest, once the simulation has put it together.
-    pub fn take_model(&mut self) {
+    pub(super) fn take_model(&mut self) {
         self.active.take_model(self.simulation.published());
     }
 
     /// Nothing is selected any more: another body or document is drawn into.
-    pub fn forget_selection(&mut self) {
+    pub(super) fn forget_selection(&mut self) {
         self.selection = Selection::default();
         self.lifts.clear();
     }
 
     /// Begins a gesture: what is changed from now on is another step of undo. Gives its number.
-    pub fn begin_gesture(&mut self) -> u64 {
+    pub(super) fn begin_gesture(&mut self) -> u64 {
         self.gestures.begin()
     }
 
     /// Gives a gesture up: the document is as it was before it.
-    pub fn abandon(&mut self, gesture: u64) {
+    pub(super) fn abandon(&mut self, gesture: u64) {
         if self.document.editor.abandon(gesture) {
             self.hand_over();
         }
     }
 
     /// Takes the last change back.
-    pub fn undo(&mut self) {
+    pub(super) fn undo(&mut self) {
         if self.document.editor.undo() {
             self.hand_over();
         }
     }
 
     /// Makes the last change that was taken back again.
-    pub fn redo(&mut self) {
+    pub(super) fn redo(&mut self) {
         if self.document.editor.redo() {
             self.hand_over();
         }

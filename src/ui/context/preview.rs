@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// What the views show of the pattern that is chosen.
 #[derive(Clone, Debug, Default)]
-pub struct PatternPreview {
+pub(crate) struct PatternPreview {
     /// Its fibres where they would be, model frame [m].
     pub lines: Vec<Polyline>,
     /// Least and greatest corner of what it fills, model frame [m]; none before the body is there.

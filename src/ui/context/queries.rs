@@ -12,17 +12,17 @@ const USUAL_SPACING: f64 = 1e-2;
 
 impl Context {
     /// The fibre solid that is drawn into.
-    pub fn active_body(&self) -> Option<&Body> {
+    pub(crate) fn active_body(&self) -> Option<&Body> {
         self.scene().any_body(self.active.index)?.solid()
     }
 
     /// The two-layer body whose properties are shown.
-    pub fn active_two_layer(&self) -> Option<&TwoLayer> {
+    pub(crate) fn active_two_layer(&self) -> Option<&TwoLayer> {
         self.scene().any_body(self.active.index)?.two_layer()
     }
 
     /// How strokes of the active body become vertices.
-    pub fn sampling(&self) -> Sampling {
+    pub(crate) fn sampling(&self) -> Sampling {
         let model_diagonal = self.active.diagonal();
         // Of a mesh that is filled with a number of particles, the spacing that came out.
         let body = self.active.model.bodies.first();
@@ -38,27 +38,27 @@ impl Context {
     }
 
     /// The selected fibres of the active body, in the order in which they were chosen.
-    pub fn selected_fibres(&self) -> Vec<&Fibre> {
+    pub(crate) fn selected_fibres(&self) -> Vec<&Fibre> {
         let Some(body) = self.active_body() else { return Vec::new() };
         let find = |id: &String| body.fibres.iter().find(|fibre| fibre.id == *id);
         self.selection.fibres().iter().filter_map(find).collect()
     }
 
     /// The fibre that was selected last and the body that it lies in.
-    pub fn selected_fibre(&self) -> Option<(&Body, &Fibre)> {
+    pub(crate) fn selected_fibre(&self) -> Option<(&Body, &Fibre)> {
         let body = self.active_body()?;
         let id = self.selection.active()?;
         Some((body, body.fibres.iter().find(|fibre| fibre.id == *id)?))
     }
 
     /// The curve and vertices of that fibre.
-    pub fn selected_lift(&self) -> Option<Rc<Lift>> {
+    pub(crate) fn selected_lift(&self) -> Option<Rc<Lift>> {
         let (_, fibre) = self.selected_fibre()?;
         Some(self.lifts.of(fibre, self.sampling()))
     }
 
     /// Views in which the strokes of that fibre were drawn.
-    pub fn selected_views(&self) -> Vec<View> {
+    pub(crate) fn selected_views(&self) -> Vec<View> {
         match self.selected_fibre().map(|(_, fibre)| &fibre.source) {
             Some(FibreSource::Strokes(pair)) => vec![pair.first.view, pair.second.view],
             _ => Vec::new(),
@@ -66,12 +66,12 @@ impl Context {
     }
 
     /// Vertices of that fibre in the model frame [m].
-    pub fn active_vertices(&self) -> Vec<DVec3> {
+    pub(crate) fn active_vertices(&self) -> Vec<DVec3> {
         self.selected_lift().map_or_else(Vec::new, |lift| lift.vertices.clone())
     }
 
     /// The middle of what is selected, in the model frame [m]; none if nothing is.
-    pub fn pivot(&self) -> Option<DVec3> {
+    pub(crate) fn pivot(&self) -> Option<DVec3> {
         let points: Vec<DVec3> = if let Some(chosen) = self.selection.vertices() {
             let vertices = self.active_vertices();
             chosen.iter().filter_map(|&k| vertices.get(k).copied()).collect()
@@ -84,7 +84,7 @@ impl Context {
     }
 
     /// What sets a stable step, to be said after it; nothing where that is not known.
-    pub fn set_by(&self, limited_by: Option<&str>) -> String {
+    pub(crate) fn set_by(&self, limited_by: Option<&str>) -> String {
         limited_by.map_or_else(String::new, |pointer| format!(", set by {}", self.scene().with_names(pointer)))
     }
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 use std::path::PathBuf;
 
 /// Something that the window does as soon as the panel has been shown.
-pub enum Request {
+pub(crate) enum Request {
     /// Does what an action is for.
     Do(Action),
     /// Opens something over the window.

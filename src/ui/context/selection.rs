@@ -2,44 +2,44 @@
 
 /// Fibres by their identifiers, the last chosen at the end; vertices of that one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Selection {
+pub(crate) struct Selection {
     fibres: Vec<String>,
     vertices: Option<Vec<usize>>,
 }
 
 impl Selection {
     /// The fibre that was chosen last.
-    pub fn active(&self) -> Option<&String> {
+    pub(crate) fn active(&self) -> Option<&String> {
         self.fibres.last()
     }
 
     /// All selected fibres.
-    pub fn fibres(&self) -> &[String] {
+    pub(crate) fn fibres(&self) -> &[String] {
         &self.fibres
     }
 
     /// Whether a fibre is selected.
-    pub fn contains(&self, fibre: &str) -> bool {
+    pub(crate) fn contains(&self, fibre: &str) -> bool {
         self.fibres.iter().any(|id| id == fibre)
     }
 
     /// The selected vertices of the active fibre; none while whole fibres are edited.
-    pub fn vertices(&self) -> Option<&[usize]> {
+    pub(crate) fn vertices(&self) -> Option<&[usize]> {
         self.vertices.as_deref()
     }
 
     /// Selects one fibre alone.
-    pub fn only(&mut self, fibre: impl Into<String>) {
+    pub(crate) fn only(&mut self, fibre: impl Into<String>) {
         *self = Self { fibres: vec![fibre.into()], vertices: None };
     }
 
     /// Selects fibres, and nothing else.
-    pub fn set(&mut self, fibres: impl IntoIterator<Item = String>) {
+    pub(crate) fn set(&mut self, fibres: impl IntoIterator<Item = String>) {
         *self = Self { fibres: fibres.into_iter().collect(), vertices: None };
     }
 
     /// Adds a fibre, or takes it out.
-    pub fn toggle(&mut self, fibre: &str) {
+    pub(crate) fn toggle(&mut self, fibre: &str) {
         let before = self.fibres.len();
         self.fibres.retain(|id| id != fibre);
         if self.fibres.len() == before {
@@ -49,7 +49,7 @@ impl Selection {
     }
 
     /// Takes in what a click means: a fibre alone, or one more with `adding`; nothing, unless adding, clears.
-    pub fn click(&mut self, fibre: Option<&str>, adding: bool) {
+    pub(crate) fn click(&mut self, fibre: Option<&str>, adding: bool) {
         match fibre {
             Some(fibre) if adding => self.toggle(fibre),
             Some(fibre) => self.only(fibre),
@@ -59,24 +59,24 @@ impl Selection {
     }
 
     /// Selects nothing.
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         *self = Self::default();
     }
 
     /// Goes into the vertices of the active fibre, or back to whole fibres.
-    pub fn enter_vertices(&mut self, enter: bool) {
+    pub(crate) fn enter_vertices(&mut self, enter: bool) {
         self.vertices = (enter && !self.fibres.is_empty()).then(Vec::new);
     }
 
     /// Selects vertices of the active fibre, in order and each once.
-    pub fn set_vertices(&mut self, mut vertices: Vec<usize>) {
+    pub(crate) fn set_vertices(&mut self, mut vertices: Vec<usize>) {
         vertices.sort_unstable();
         vertices.dedup();
         self.vertices = Some(vertices);
     }
 
     /// As [`Self::click`], for a vertex of the active fibre.
-    pub fn click_vertex(&mut self, vertex: Option<usize>, adding: bool) {
+    pub(crate) fn click_vertex(&mut self, vertex: Option<usize>, adding: bool) {
         let mut vertices = self.vertices.take().unwrap_or_default();
         match vertex {
             Some(vertex) if adding && vertices.contains(&vertex) => vertices.retain(|k| *k != vertex),
@@ -89,7 +89,7 @@ impl Selection {
     }
 
     /// Forgets fibres and vertices that are not there any more.
-    pub fn retain(&mut self, there: impl Fn(&str) -> bool) {
+    pub(crate) fn retain(&mut self, there: impl Fn(&str) -> bool) {
         let active = self.active().cloned();
         self.fibres.retain(|id| there(id));
         if self.active() != active.as_ref() {

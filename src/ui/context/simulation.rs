@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// A scene that runs beside the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ghost {
+pub(crate) enum Ghost {
     /// The document without its fibres.
     WithoutFibres,
     /// The document before the last edit.
@@ -17,7 +17,7 @@ pub enum Ghost {
 
 /// A point of a body that is grabbed.
 #[derive(Clone, Copy, Debug)]
-pub struct Grabbed {
+pub(crate) struct Grabbed {
     /// Index of the body.
     pub body: usize,
     /// Vertex of its skin.
@@ -29,7 +29,7 @@ pub struct Grabbed {
 }
 
 /// The thread that simulates, and the newest state that came from it.
-pub struct Simulation {
+pub(crate) struct Simulation {
     worker: Worker,
     published: Arc<Published>,
     /// Edits sent, to know whether what is shown is up to date.
@@ -40,29 +40,29 @@ pub struct Simulation {
 
 impl Simulation {
     /// Starts to simulate a document; `notify` is called whenever there is a new state.
-    pub fn start(document: &OpenDocument, notify: impl Fn() + Send + 'static) -> Self {
+    pub(crate) fn start(document: &OpenDocument, notify: impl Fn() + Send + 'static) -> Self {
         let worker = Worker::start(Arc::clone(document.scene()), Arc::clone(&document.assets), true, notify);
         Self { worker, published: Arc::default(), sent_edits: 0, ghost: None, grabbed: None }
     }
 
     /// The newest state.
-    pub fn published(&self) -> &Arc<Published> {
+    pub(crate) fn published(&self) -> &Arc<Published> {
         &self.published
     }
 
     /// Takes the newest state; gives the one before where there is a new one.
-    pub fn take(&mut self) -> Option<Arc<Published>> {
+    pub(crate) fn take(&mut self) -> Option<Arc<Published>> {
         let newest = self.worker.take()?;
         Some(std::mem::replace(&mut self.published, newest))
     }
 
     /// Asks for something.
-    pub fn ask(&self, command: SimCommand) {
+    pub(crate) fn ask(&self, command: SimCommand) {
         self.worker.send(command);
     }
 
     /// Hands over the document after an edit: its motion goes on.
-    pub fn edit(&mut self, document: &OpenDocument) {
+    pub(crate) fn edit(&mut self, document: &OpenDocument) {
         if self.worker.send(SimCommand::Edit(Arc::clone(document.scene()))) {
             self.sent_edits += 1;
         }
@@ -70,7 +70,7 @@ impl Simulation {
     }
 
     /// Hands over another document, which begins anew.
-    pub fn open(&mut self, document: &OpenDocument) {
+    pub(crate) fn open(&mut self, document: &OpenDocument) {
         self.grabbed = None;
         if self.worker.send(SimCommand::Open(Arc::clone(document.scene()), Arc::clone(&document.assets))) {
             self.sent_edits += 1;
@@ -79,17 +79,17 @@ impl Simulation {
     }
 
     /// Whether what is shown has taken up every change of the document.
-    pub fn is_up_to_date(&self) -> bool {
+    pub(crate) fn is_up_to_date(&self) -> bool {
         self.published.status.edits >= self.sent_edits
     }
 
     /// What runs beside the document.
-    pub fn ghost(&self) -> Option<Ghost> {
+    pub(crate) fn ghost(&self) -> Option<Ghost> {
         self.ghost
     }
 
     /// Runs something else beside the document, or nothing. False where there is no such scene yet.
-    pub fn choose_ghost(&mut self, ghost: Option<Ghost>, document: &OpenDocument) -> bool {
+    pub(crate) fn choose_ghost(&mut self, ghost: Option<Ghost>, document: &OpenDocument) -> bool {
         self.ghost = ghost;
         let scene = self.ghost_scene(document);
         let is_there = ghost.is_none() || scene.is_some();
@@ -116,50 +116,50 @@ impl Simulation {
     }
 
     /// Whether time runs.
-    pub fn is_playing(&self) -> bool {
+    pub(crate) fn is_playing(&self) -> bool {
         self.published.status.playing
     }
 
     /// Whether integrators are compared in place of the scene's own motion.
-    pub fn is_comparing(&self) -> bool {
+    pub(crate) fn is_comparing(&self) -> bool {
         !self.published.compared.is_empty()
     }
 
     /// Whether an earlier frame is shown.
-    pub fn is_replaying(&self) -> bool {
+    pub(crate) fn is_replaying(&self) -> bool {
         self.published.status.recording.in_replay
     }
 
     /// Whether there are earlier frames to be seen.
-    pub fn has_frames(&self) -> bool {
+    pub(crate) fn has_frames(&self) -> bool {
         !self.is_comparing() && self.published.status.recording.frames > 1
     }
 
     /// Asks for earlier frames; what was grabbed is let go.
-    pub fn replay(&mut self, command: SimCommand) {
+    pub(crate) fn replay(&mut self, command: SimCommand) {
         self.grabbed = None;
         self.ask(command);
     }
 
     /// Asks for the first frame that is kept.
-    pub fn show_first(&mut self) {
+    pub(crate) fn show_first(&mut self) {
         if let Some([first, _]) = self.published.status.recording.span {
             self.replay(SimCommand::Show(first));
         }
     }
 
     /// Looks at the numbers of every frame since the start. The solver waits meanwhile: to be read, not to be worked with.
-    pub fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
+    pub(crate) fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
         self.worker.time_series(read)
     }
 
     /// What is grabbed by the pointer.
-    pub fn grabbed(&self) -> Option<Grabbed> {
+    pub(crate) fn grabbed(&self) -> Option<Grabbed> {
         self.grabbed
     }
 
     /// Grabs a point of a body, or nothing.
-    pub fn grab(&mut self, grabbed: Option<Grabbed>) {
+    pub(crate) fn grab(&mut self, grabbed: Option<Grabbed>) {
         self.grabbed = grabbed;
         if let Some(Grabbed { body, vertex, target, .. }) = grabbed {
             self.ask(SimCommand::Grab { body, vertex, target });
@@ -167,7 +167,7 @@ impl Simulation {
     }
 
     /// Moves what is grabbed to a point [m].
-    pub fn move_grab(&mut self, target: DVec3) {
+    pub(crate) fn move_grab(&mut self, target: DVec3) {
         if let Some(grabbed) = self.grabbed.as_mut().filter(|grabbed| grabbed.target != target) {
             grabbed.target = target;
             self.ask(SimCommand::MoveGrab(target));
@@ -175,13 +175,13 @@ impl Simulation {
     }
 
     /// Lets go of what is grabbed.
-    pub fn release_grab(&mut self) {
+    pub(crate) fn release_grab(&mut self) {
         self.grabbed = None;
         self.ask(SimCommand::Release);
     }
 
     /// Leaves what is grabbed where it is held now.
-    pub fn pin_grab(&mut self) {
+    pub(crate) fn pin_grab(&mut self) {
         self.grabbed = None;
         self.ask(SimCommand::PinGrab);
     }

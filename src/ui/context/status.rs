@@ -2,7 +2,7 @@
 
 /// How serious a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Severity {
+pub(crate) enum Severity {
     /// Something was done.
     Note,
     /// Something should be looked at.
@@ -13,7 +13,7 @@ pub enum Severity {
 
 /// The last message, and what can be done where the pointer is.
 #[derive(Debug, Default)]
-pub struct StatusLine {
+pub(crate) struct StatusLine {
     /// What was said last.
     pub message: Option<(Severity, String)>,
     /// What can be done now.

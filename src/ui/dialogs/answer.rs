@@ -6,7 +6,7 @@ use crate::ui::gallery::Example;
 use std::path::PathBuf;
 
 /// What a dialog came to in a frame.
-pub enum Answer {
+pub(crate) enum Answer {
     /// It stays open.
     None,
     /// It is closed.

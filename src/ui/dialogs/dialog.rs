@@ -8,7 +8,7 @@ use std::sync::mpsc::Receiver;
 
 /// What a path is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PathPurpose {
+pub(crate) enum PathPurpose {
     /// To open a scene.
     Open,
     /// To save the scene.
@@ -18,7 +18,7 @@ pub enum PathPurpose {
 }
 
 /// What is open over the window.
-pub enum Dialog {
+pub(crate) enum Dialog {
     /// Finds an action by its name.
     Palette {
         /// What has been typed.
@@ -49,19 +49,19 @@ pub enum Dialog {
 
 impl Dialog {
     /// The palette, with nothing typed.
-    pub fn palette() -> Self {
+    pub(crate) fn palette() -> Self {
         Self::Palette { text: String::new(), chosen: 0 }
     }
 
     /// A request for a path, beginning with the present one.
-    pub fn path(purpose: PathPurpose, present: Option<&Path>) -> Self {
+    pub(crate) fn path(purpose: PathPurpose, present: Option<&Path>) -> Self {
         let text = present.map_or_else(|| "scene.json".to_owned(), |path| path.display().to_string());
         Self::Path { purpose, text, browsing: None, next: None }
     }
 
     /// A request for a path after which is gone on to something else.
     #[must_use]
-    pub fn then(self, next: Option<Next>) -> Self {
+    pub(crate) fn then(self, next: Option<Next>) -> Self {
         match self {
             Self::Path { purpose, text, browsing, .. } => Self::Path { purpose, text, browsing, next },
             other => other,

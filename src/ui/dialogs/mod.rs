@@ -6,6 +6,6 @@ mod palette;
 mod path;
 mod show;
 
-pub use answer::Answer;
-pub use dialog::{Dialog, PathPurpose};
-pub use show::show;
+pub(crate) use answer::Answer;
+pub(crate) use dialog::{Dialog, PathPurpose};
+pub(crate) use show::show;

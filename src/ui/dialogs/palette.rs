@@ -7,7 +7,7 @@ use crate::ui::theme::GRID;
 use egui::{Key, RichText, ScrollArea, TextEdit, Ui};
 
 /// Finds an action by its name.
-pub fn palette(ui: &mut Ui, text: &mut String, chosen: &mut usize, actions: &ActionStates) -> Answer {
+pub(super) fn palette(ui: &mut Ui, text: &mut String, chosen: &mut usize, actions: &ActionStates) -> Answer {
     ui.set_width(360.0);
     let typed = ui.add(TextEdit::singleline(text).hint_text("Type a command").desired_width(f32::INFINITY));
     typed.request_focus();
@@ -49,7 +49,7 @@ pub fn palette(ui: &mut Ui, text: &mut String, chosen: &mut usize, actions: &Act
 }
 
 /// Lists every key and gesture.
-pub fn help(ui: &mut Ui) -> Answer {
+pub(super) fn help(ui: &mut Ui) -> Answer {
     ui.set_width(520.0);
     ui.heading("Keys and gestures");
     ScrollArea::vertical().max_height(0.7 * ui.ctx().content_rect().height()).show(ui, |ui| {

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, channel};
 
 /// Asks for a path.
-pub fn ask_path(
+pub(super) fn ask_path(
     ui: &mut Ui,
     purpose: PathPurpose,
     text: &mut String,

@@ -13,7 +13,7 @@ use egui::{Id, Modal};
 use std::path::PathBuf;
 
 /// Shows a dialog; gives what it came to.
-pub fn show(
+pub(crate) fn show(
     dialog: &mut Dialog,
     ctx: &egui::Context,
     gallery: &mut Gallery,

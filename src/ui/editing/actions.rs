@@ -22,7 +22,7 @@ fn each(cx: &mut Context, verb: &str, change: impl Fn(&Fibre) -> Result<Edited, 
 }
 
 /// Selects every fibre of the body, or every vertex of the fibre.
-pub fn select_all(cx: &mut Context) {
+pub(crate) fn select_all(cx: &mut Context) {
     if cx.selection.vertices().is_some() {
         let count = cx.active_vertices().len();
         cx.selection.set_vertices((0..count).collect());
@@ -34,7 +34,7 @@ pub fn select_all(cx: &mut Context) {
 }
 
 /// Copies of the selected fibres, which are selected then.
-pub fn duplicate(cx: &mut Context) {
+pub(crate) fn duplicate(cx: &mut Context) {
     let Some(body) = cx.active_body() else { return };
     let copies = fibre_ops::copies(cx.selected_fibres(), &body.fibres);
     let (id, chosen) = (body.id.clone(), copies.iter().map(|fibre| fibre.id.clone()).collect::<Vec<_>>());
@@ -43,7 +43,7 @@ pub fn duplicate(cx: &mut Context) {
 }
 
 /// Deletes the selected fibres or vertices.
-pub fn delete(cx: &mut Context) {
+pub(crate) fn delete(cx: &mut Context) {
     if let Some(chosen) = cx.selection.vertices().map(<[usize]>::to_vec) {
         let sampling = cx.sampling();
         each(cx, "Delete vertices of", |fibre| fibre_ops::delete_vertices(fibre, &chosen, sampling));
@@ -57,7 +57,7 @@ pub fn delete(cx: &mut Context) {
 }
 
 /// Mirrors the selected fibres in the plane through the middle of the body.
-pub fn mirror(cx: &mut Context, normal: DVec3) {
+pub(crate) fn mirror(cx: &mut Context, normal: DVec3) {
     let middle = cx.active.bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
     let sampling = cx.sampling();
     match Transform::reflection(middle, normal) {
@@ -67,31 +67,31 @@ pub fn mirror(cx: &mut Context, normal: DVec3) {
 }
 
 /// Runs the selected fibres from their other end.
-pub fn reverse(cx: &mut Context) {
+pub(crate) fn reverse(cx: &mut Context) {
     each(cx, "Reverse", fibre_ops::reverse);
 }
 
 /// Smooths the selected fibres.
-pub fn smooth(cx: &mut Context) {
+pub(crate) fn smooth(cx: &mut Context) {
     let sampling = cx.sampling();
     each(cx, "Smooth", |fibre| fibre_ops::smooth(fibre, SMOOTHING, sampling));
 }
 
 /// Spaces the vertices of the selected fibres evenly, as far apart as the particles.
-pub fn resample(cx: &mut Context) {
+pub(crate) fn resample(cx: &mut Context) {
     let sampling = cx.sampling();
     let to = ResampleTo::Spacing(sampling.spacing);
     each(cx, "Resample", |fibre| fibre_ops::resample(fibre, to, sampling));
 }
 
 /// Keeps the selected fibres as vertices and forgets their strokes.
-pub fn detach(cx: &mut Context) {
+pub(crate) fn detach(cx: &mut Context) {
     let sampling = cx.sampling();
     each(cx, "Detach", |fibre| fibre_ops::detach(fibre, sampling));
 }
 
 /// Lays the selected fibres or vertices under the surface.
-pub fn snap(cx: &mut Context) {
+pub(crate) fn snap(cx: &mut Context) {
     let sampling = cx.sampling();
     let surface = cx.active_body().and_then(|body| fibre_ops::surface(body, &cx.document.assets));
     let Some(surface) = surface else {
@@ -104,7 +104,7 @@ pub fn snap(cx: &mut Context) {
 }
 
 /// A vertex in the middle of every edge between selected ones.
-pub fn insert_vertices(cx: &mut Context) {
+pub(crate) fn insert_vertices(cx: &mut Context) {
     let Some(chosen) = cx.selection.vertices().map(<[usize]>::to_vec) else { return };
     let sampling = cx.sampling();
     let edges: Vec<usize> = chosen.windows(2).filter(|ends| ends[1] == ends[0] + 1).map(|ends| ends[0]).collect();
@@ -126,7 +126,7 @@ pub fn insert_vertices(cx: &mut Context) {
 }
 
 /// The knife: two fibres that meet at the selected vertex.
-pub fn split(cx: &mut Context) {
+pub(crate) fn split(cx: &mut Context) {
     let Some((body, fibre)) = cx.selected_fibre() else { return };
     let Some(&[vertex]) = cx.selection.vertices() else { return };
     match fibre_ops::split(fibre, vertex, &body.fibres, cx.sampling()) {
@@ -148,7 +148,7 @@ pub fn split(cx: &mut Context) {
 }
 
 /// Hides the selected fibres.
-pub fn hide(cx: &mut Context) {
+pub(crate) fn hide(cx: &mut Context) {
     let Some(body) = cx.active_body().map(|body| body.id.clone()) else { return };
     let item = |fibre: &String| Item::Fibre { body: body.clone(), fibre: fibre.clone() };
     let items: Vec<Item> = cx.selection.fibres().iter().map(item).collect();
@@ -157,7 +157,7 @@ pub fn hide(cx: &mut Context) {
 }
 
 /// Shows every hidden fibre of the body.
-pub fn show_all(cx: &mut Context) {
+pub(crate) fn show_all(cx: &mut Context) {
     let Some(body) = cx.active_body() else { return };
     let hidden = body.fibres.iter().filter(|fibre| fibre.hidden);
     let items = hidden.map(|fibre| Item::Fibre { body: body.id.clone(), fibre: fibre.id.clone() }).collect();

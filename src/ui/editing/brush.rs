@@ -16,7 +16,7 @@ const USUAL_RADIUS: f64 = 0.12;
 const APART: f64 = 0.25;
 
 /// Takes up the brush, or puts it down.
-pub fn toggle_brush(editing: &mut Editing, cx: &Context) {
+pub(crate) fn toggle_brush(editing: &mut Editing, cx: &Context) {
     editing.brush = match editing.brush.take() {
         Some(_) => None,
         None => Some(Brush {
@@ -50,7 +50,7 @@ fn paint_waiting(brush: &mut Brush, now: bool, cx: &mut Context) {
 }
 
 /// Paints with the brush; whether it is in use here.
-pub fn brush(
+pub(super) fn brush(
     editing: &mut Editing,
     ui: &Ui,
     response: &Response,
@@ -90,7 +90,7 @@ pub fn brush(
 }
 
 /// The circle in which the brush acts.
-pub fn paint_brush(editing: &Editing, ui: &Ui, frame: &ViewFrame, slice: Option<Slice>, cx: &Context) {
+pub(super) fn paint_brush(editing: &Editing, ui: &Ui, frame: &ViewFrame, slice: Option<Slice>, cx: &Context) {
     let Some(brush) = editing.brush.as_ref().filter(|_| frame.kind == PaneKind::Result) else { return };
     let Some(at) = ui.input(|input| input.pointer.latest_pos()).filter(|at| frame.rect.contains(*at)) else {
         return;

@@ -19,7 +19,7 @@ const STRENGTH: NumberField =
     NumberField::new("Strength", "", 0.0..=1.0, Some(1.0), "How much of the way to that fraction one stroke goes");
 
 /// Shows the brush's radius, value and strength, while it is in use.
-pub fn brush_panel(editing: &mut Editing, ui: &mut Ui, cx: &mut Context) {
+pub(crate) fn brush_panel(editing: &mut Editing, ui: &mut Ui, cx: &mut Context) {
     let Some(brush) = &mut editing.brush else { return };
     ui.heading("Brush");
     RADIUS.show(ui, &mut brush.radius);

@@ -12,7 +12,7 @@ const NEAR_FIBRE: f64 = 9.0;
 const NEAR_VERTEX: f64 = 10.0;
 
 /// Fibres as a view shows them, with their identifiers; hidden ones are not.
-pub fn courses(kind: PaneKind, cx: &Context) -> Vec<(String, Vec<DVec3>)> {
+pub(super) fn courses(kind: PaneKind, cx: &Context) -> Vec<(String, Vec<DVec3>)> {
     let shown = DisplayedState::of(kind, cx);
     let hidden: Vec<&str> = cx
         .active_body()
@@ -27,7 +27,7 @@ pub fn courses(kind: PaneKind, cx: &Context) -> Vec<(String, Vec<DVec3>)> {
 }
 
 /// The fibre under the pointer.
-pub fn fibre_at(frame: &ViewFrame, at: Pos2, cx: &Context) -> Option<String> {
+pub(super) fn fibre_at(frame: &ViewFrame, at: Pos2, cx: &Context) -> Option<String> {
     let near = courses(frame.kind, cx).into_iter().filter_map(|(id, vertices)| {
         let seen: Vec<Pos2> = vertices.iter().filter_map(|&point| frame.screen(point)).collect();
         let nearest = seen.windows(2).map(|ends| distance_to(at, [ends[0], ends[1]])).fold(f64::INFINITY, f64::min);
@@ -37,7 +37,7 @@ pub fn fibre_at(frame: &ViewFrame, at: Pos2, cx: &Context) -> Option<String> {
 }
 
 /// Where a view shows the active fibre's vertices; none in the result unless it shows the same ones.
-pub fn vertex_marks(kind: PaneKind, cx: &Context) -> Vec<DVec3> {
+pub(super) fn vertex_marks(kind: PaneKind, cx: &Context) -> Vec<DVec3> {
     let vertices = cx.active_vertices();
     if kind != PaneKind::Result {
         return vertices;
@@ -48,7 +48,7 @@ pub fn vertex_marks(kind: PaneKind, cx: &Context) -> Vec<DVec3> {
 }
 
 /// The vertex under the pointer, while vertices are edited.
-pub fn vertex_at(frame: &ViewFrame, at: Pos2, cx: &Context) -> Option<usize> {
+pub(super) fn vertex_at(frame: &ViewFrame, at: Pos2, cx: &Context) -> Option<usize> {
     cx.selection.vertices()?;
     let near = vertex_marks(frame.kind, cx).into_iter().enumerate().filter_map(|(k, point)| {
         let away = f64::from(frame.screen(point)?.distance(at));
@@ -58,7 +58,7 @@ pub fn vertex_at(frame: &ViewFrame, at: Pos2, cx: &Context) -> Option<usize> {
 }
 
 /// Turn from the model frame to what a view shows.
-pub fn view_from_model(kind: PaneKind, cx: &Context) -> DMat3 {
+pub(super) fn view_from_model(kind: PaneKind, cx: &Context) -> DMat3 {
     match (kind, cx.active_body()) {
         (PaneKind::Result, Some(body)) => DMat3::from_quat(body.placement.rotation.quaternion()),
         _ => DMat3::IDENTITY,
@@ -66,7 +66,7 @@ pub fn view_from_model(kind: PaneKind, cx: &Context) -> DMat3 {
 }
 
 /// Where a view shows the middle of what is selected, which lies at `pivot` in the model frame.
-pub fn seen_pivot(kind: PaneKind, pivot: DVec3, cx: &Context) -> DVec3 {
+pub(super) fn seen_pivot(kind: PaneKind, pivot: DVec3, cx: &Context) -> DVec3 {
     if kind != PaneKind::Result {
         return pivot;
     }
@@ -85,7 +85,7 @@ pub fn seen_pivot(kind: PaneKind, pivot: DVec3, cx: &Context) -> DVec3 {
 }
 
 /// Distance of a point from a segment [points].
-pub fn distance_to(at: Pos2, [a, b]: [Pos2; 2]) -> f64 {
+pub(super) fn distance_to(at: Pos2, [a, b]: [Pos2; 2]) -> f64 {
     let (along, offset) = (b - a, at - a);
     let share = (offset.dot(along) / along.length_sq().max(1e-12)).clamp(0.0, 1.0);
     f64::from((offset - share * along).length())

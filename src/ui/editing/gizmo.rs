@@ -41,7 +41,7 @@ fn gizmo(editing: &Editing, frame: &ViewFrame, draws: bool, cx: &Context) -> Opt
 }
 
 /// The handle at a point of the window.
-pub fn handle_at(editing: &Editing, frame: &ViewFrame, at: Pos2, draws: bool, cx: &Context) -> Option<Handle> {
+pub(super) fn handle_at(editing: &Editing, frame: &ViewFrame, at: Pos2, draws: bool, cx: &Context) -> Option<Handle> {
     if let Some(vertex) = vertex_at(frame, at, cx) {
         return Some(Handle::Vertex(vertex));
     }
@@ -57,7 +57,7 @@ pub fn handle_at(editing: &Editing, frame: &ViewFrame, at: Pos2, draws: bool, cx
 }
 
 /// Paints the gizmo.
-pub fn paint_gizmo(editing: &Editing, painter: &Painter, frame: &ViewFrame, draws: bool, cx: &Context) {
+pub(super) fn paint_gizmo(editing: &Editing, painter: &Painter, frame: &ViewFrame, draws: bool, cx: &Context) {
     let Some((middle, ends)) = gizmo(editing, frame, draws, cx) else { return };
     let pictures = cx.tone.pictures();
     let moving = editing.moving.as_ref().map(|(moving, _)| (moving.kind, moving.axis));

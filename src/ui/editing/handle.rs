@@ -2,7 +2,7 @@
 
 /// A place to take hold of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Handle {
+pub(super) enum Handle {
     /// Moves along an axis.
     Axis(usize),
     /// Moves in the plane of the view.

@@ -6,7 +6,7 @@ use crate::ui::context::Context;
 use egui::{Event, Key};
 
 /// Keys while something is moved, or a box is drawn, or the brush is in use; whether they were taken.
-pub fn take_keys(editing: &mut Editing, ctx: &egui::Context, cx: &mut Context) -> bool {
+pub(crate) fn take_keys(editing: &mut Editing, ctx: &egui::Context, cx: &mut Context) -> bool {
     let escaped = ctx.input(|input| input.key_pressed(Key::Escape));
     if editing.brush.is_some() && escaped {
         editing.brush = None;

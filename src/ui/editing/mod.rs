@@ -14,15 +14,15 @@ mod pointer;
 mod set;
 mod state;
 
-pub use actions::{
+pub(crate) use actions::{
     delete, detach, duplicate, hide, insert_vertices, mirror, resample, reverse, select_all, show_all, smooth, snap,
     split,
 };
-pub use brush::toggle_brush;
-pub use brush_panel::brush_panel;
-pub use keys::take_keys;
-pub use motion::begin_moving;
-pub use moving::Kind;
-pub use pointer::{paint, take_pointer};
-pub use set::set_fibres;
-pub use state::Editing;
+pub(crate) use brush::toggle_brush;
+pub(crate) use brush_panel::brush_panel;
+pub(crate) use keys::take_keys;
+pub(crate) use motion::begin_moving;
+pub(crate) use moving::Kind;
+pub(crate) use pointer::{paint, take_pointer};
+pub(crate) use set::set_fibres;
+pub(crate) use state::Editing;

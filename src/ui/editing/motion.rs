@@ -10,7 +10,7 @@ use crate::ui::views::{PaneKind, ViewFrame};
 use egui::{Pos2, Response, Ui};
 
 /// Begins to move or turn what is selected.
-pub fn begin_moving(
+pub(crate) fn begin_moving(
     editing: &mut Editing,
     kind: Kind,
     axis: Option<usize>,
@@ -56,7 +56,7 @@ fn follow_moving(editing: &mut Editing, at_once: bool, cx: &mut Context) {
 }
 
 /// Ends a gesture: what it has come to stays, or everything is as it was.
-pub fn end_moving(editing: &mut Editing, keep: bool, cx: &mut Context) {
+pub(super) fn end_moving(editing: &mut Editing, keep: bool, cx: &mut Context) {
     if keep {
         // What waits for the simulation is not lost.
         follow_moving(editing, true, cx);
@@ -70,7 +70,7 @@ pub fn end_moving(editing: &mut Editing, keep: bool, cx: &mut Context) {
 }
 
 /// Follows a move or turn in the view in which it goes on; whether there is one here.
-pub fn follow_pointer(
+pub(super) fn follow_pointer(
     editing: &mut Editing,
     ui: &Ui,
     response: &Response,

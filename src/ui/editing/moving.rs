@@ -7,7 +7,7 @@ use glam::{DMat3, DVec2, DVec3};
 
 /// Moved or turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// Along with the pointer.
     Move,
     /// About the pivot.
@@ -16,7 +16,7 @@ pub enum Kind {
 
 /// A gesture under way. All places are in the model frame.
 #[derive(Clone, Debug)]
-pub struct Moving {
+pub(super) struct Moving {
     pub kind: Kind,
     /// Axis to which it is locked.
     pub axis: Option<usize>,
@@ -40,7 +40,7 @@ pub struct Moving {
 
 /// What a pointer and the keys beside it ask for.
 #[derive(Clone, Copy, Debug)]
-pub struct Asked {
+pub(super) struct Asked {
     /// Where the pointer would put the pivot [m].
     pub to: DVec3,
     /// Turn of the pointer about the pivot as seen, counter-clockwise [rad].
@@ -79,7 +79,7 @@ impl Moving {
     ///
     /// # Errors
     /// An axis without a direction.
-    pub fn transform(&self, asked: &Asked) -> Result<Transform, FibreEditError> {
+    pub(super) fn transform(&self, asked: &Asked) -> Result<Transform, FibreEditError> {
         let share = if asked.fine { FINE } else { 1.0 };
         let stepped = |value: f64, step: f64| if asked.snap { (value / step).round() * step } else { value };
         match self.kind {
@@ -105,7 +105,7 @@ impl Moving {
     }
 
     /// What is going on, for the status bar.
-    pub fn hint(&self) -> String {
+    pub(super) fn hint(&self) -> String {
         let what = match self.kind {
             Kind::Move => "Move",
             Kind::Turn => "Turn",
@@ -125,14 +125,14 @@ impl Moving {
 }
 
 /// Steps in which things of this size [m] are moved: about a fortieth, as 1, 2 or 5 times a power of ten.
-pub fn step_for(diagonal: f64) -> f64 {
+pub(super) fn step_for(diagonal: f64) -> f64 {
     let wanted = (diagonal / 40.0).max(f64::MIN_POSITIVE);
     let power = 10_f64.powf(wanted.log10().floor());
     [5.0, 2.0].into_iter().map(|times| times * power).find(|step| *step <= wanted).unwrap_or(power)
 }
 
 /// Turn from one pixel to another about a third, counter-clockwise as seen [rad].
-pub fn seen_angle(from: DVec2, to: DVec2, about: DVec2) -> f64 {
+pub(super) fn seen_angle(from: DVec2, to: DVec2, about: DVec2) -> f64 {
     // Pixels count downwards.
     let up = |v: DVec2| DVec2::new(v.x, -v.y);
     let (from, to) = (up(from - about), up(to - about));

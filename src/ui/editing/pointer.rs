@@ -19,7 +19,7 @@ const VERTEX_RADIUS: f32 = 4.0;
 
 /// Takes clicks, handles and gestures of editing; called before strokes and grabs, which leave the pointer alone then.
 /// While strokes are drawn (`draws`) there is no gizmo.
-pub fn take_pointer(
+pub(crate) fn take_pointer(
     editing: &mut Editing,
     ui: &Ui,
     response: &Response,
@@ -123,7 +123,7 @@ fn select_in(frame: &ViewFrame, rect: Rect, adding: bool, cx: &mut Context) {
 }
 
 /// The box that is being drawn, marks of vertices, the gizmo and the brush.
-pub fn paint(editing: &Editing, ui: &Ui, frame: &ViewFrame, slice: Option<Slice>, draws: bool, cx: &Context) {
+pub(crate) fn paint(editing: &Editing, ui: &Ui, frame: &ViewFrame, slice: Option<Slice>, draws: bool, cx: &Context) {
     let painter = ui.painter_at(frame.rect);
     let accent = theme::color(cx.tone.pictures().accent);
     let from = editing.boxed.and_then(|boxed| boxed.from);

@@ -5,7 +5,7 @@ use crate::edit::fibre_ops::{Edited, FibreEditError};
 use crate::ui::context::{Context, Severity, Step};
 
 /// Puts edited fibres in the place of those with their identifiers, and says what they lost.
-pub fn set_fibres(cx: &mut Context, verb: &str, edited: Result<Vec<Edited>, FibreEditError>, step: Step) {
+pub(crate) fn set_fibres(cx: &mut Context, verb: &str, edited: Result<Vec<Edited>, FibreEditError>, step: Step) {
     let Some(body) = cx.active_body().map(|body| body.id.clone()) else { return };
     match edited {
         Ok(edited) => {

@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// What is being done to what is selected.
 #[derive(Clone, Debug, Default)]
-pub struct Editing {
+pub(crate) struct Editing {
     /// A move or turn under way, and the view in which it goes on.
     pub(super) moving: Option<(Moving, PaneKind)>,
     /// What the last move asked for and is not in the document yet.
@@ -27,14 +27,14 @@ pub struct Editing {
 
 /// A box around what is to be selected.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct BoxDrag {
+pub(super) struct BoxDrag {
     /// Where it began; none before the button is pressed.
     pub from: Option<Pos2>,
 }
 
 /// The brush that paints the volume fraction, while it is in use.
 #[derive(Clone, Debug)]
-pub struct Brush {
+pub(super) struct Brush {
     /// Beyond it the brush does nothing [m].
     pub radius: f64,
     /// The fraction that is painted.
@@ -51,39 +51,39 @@ pub struct Brush {
 
 impl Editing {
     /// What goes on, for the status bar; none while nothing does.
-    pub fn hint(&self) -> Option<String> {
+    pub(crate) fn hint(&self) -> Option<String> {
         self.moving.as_ref().map(|(moving, _)| moving.hint())
     }
 
     /// Whether the brush is in use.
-    pub fn paints(&self) -> bool {
+    pub(crate) fn paints(&self) -> bool {
         self.brush.is_some()
     }
 
     /// Draws a box around what is to be selected.
-    pub fn begin_box(&mut self) {
+    pub(crate) fn begin_box(&mut self) {
         self.boxed = Some(BoxDrag::default());
     }
 
     /// Tab was pressed for a command: it must not leave the keys with some button.
-    pub fn note_tab(&mut self) {
+    pub(crate) fn note_tab(&mut self) {
         self.tabbed = true;
     }
 
     /// Keeps the keys with the views after Tab.
-    pub fn keep_keys(&mut self, ctx: &egui::Context) {
+    pub(crate) fn keep_keys(&mut self, ctx: &egui::Context) {
         if std::mem::take(&mut self.tabbed) {
             ctx.memory_mut(egui::Memory::stop_text_input);
         }
     }
 
     /// Whether a move, a turn or a box is under way.
-    pub fn has_gesture(&self) -> bool {
+    pub(crate) fn has_gesture(&self) -> bool {
         self.moving.is_some() || self.boxed.is_some()
     }
 
     /// Whether the pointer belongs to a gesture of editing, so that it neither draws nor grabs.
-    pub fn has_pointer(&self, view: PaneKind) -> bool {
+    pub(crate) fn has_pointer(&self, view: PaneKind) -> bool {
         let paints = self.brush.is_some() && view == PaneKind::Result;
         self.moving.is_some() || self.boxed.is_some() || self.hovered.is_some() || paints
     }

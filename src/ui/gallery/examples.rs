@@ -79,7 +79,7 @@ impl Example {
 ///
 /// # Errors
 /// Another one is named.
-pub fn shipped_assets(scene: &Scene) -> Result<Assets, IoError> {
+pub(crate) fn shipped_assets(scene: &Scene) -> Result<Assets, IoError> {
     load_assets_by(scene, &|path| {
         let bytes = path.to_str().and_then(shipped).ok_or(IoError::Missing)?;
         read_model(path, bytes)

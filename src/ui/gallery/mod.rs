@@ -3,8 +3,9 @@
 mod examples;
 mod models;
 
-pub use examples::{EXAMPLES, Example, Group, shipped_assets};
-pub use models::with_models_in;
+pub(crate) use examples::shipped_assets;
+pub use examples::{EXAMPLES, Example, Group};
+pub(crate) use models::with_models_in;
 
 use super::action::Action;
 use super::theme::{self, GRID};
@@ -23,7 +24,7 @@ const COLUMNS: usize = 4;
 
 /// The start screen, with the pictures that have been seen.
 #[derive(Default)]
-pub struct Gallery {
+pub(crate) struct Gallery {
     thumbs: Thumbs,
     /// Whether the start screen has been shown.
     welcomed: bool,
@@ -32,7 +33,7 @@ pub struct Gallery {
 }
 
 /// What a person wants of the gallery.
-pub enum Choice {
+pub(crate) enum Choice {
     /// To go on with what is open.
     Draw,
     /// To open an example.
@@ -41,7 +42,7 @@ pub enum Choice {
 
 impl Gallery {
     /// Whether the start screen is to be shown now, over the scene that runs: it is unless it was shown before.
-    pub fn begin_welcome(&mut self) -> bool {
+    pub(crate) fn begin_welcome(&mut self) -> bool {
         let is_first = !self.welcomed;
         if is_first {
             self.welcomed = true;
@@ -51,32 +52,32 @@ impl Gallery {
     }
 
     /// The start screen was closed: whether the scene that it was shown over is to be started anew.
-    pub fn end_welcome(&mut self) -> bool {
+    pub(crate) fn end_welcome(&mut self) -> bool {
         std::mem::take(&mut self.welcoming)
     }
 
     /// The scene that the start screen was shown over is there no more.
-    pub fn forget_welcome(&mut self) {
+    pub(crate) fn forget_welcome(&mut self) {
         self.welcoming = false;
     }
 
     /// Goes on from whether the start screen was shown the last time.
-    pub fn recall(&mut self, welcomed: bool) {
+    pub(crate) fn recall(&mut self, welcomed: bool) {
         self.welcomed = welcomed;
     }
 
     /// Whether the start screen has been shown, to be remembered.
-    pub fn was_welcomed(&self) -> bool {
+    pub(crate) fn was_welcomed(&self) -> bool {
         self.welcomed
     }
 
     /// Whether the picture of an example, by its name, has been decoded.
-    pub fn has_decoded(&self, example: &str) -> bool {
+    pub(crate) fn has_decoded(&self, example: &str) -> bool {
         self.thumbs.has(example)
     }
 
     /// Shows everything; what was chosen, if something was.
-    pub fn show(&mut self, ui: &mut Ui) -> Option<Choice> {
+    pub(crate) fn show(&mut self, ui: &mut Ui) -> Option<Choice> {
         Frame::NONE.inner_margin(2.0 * GRID).show(ui, |ui| self.sections(ui)).inner
     }
 

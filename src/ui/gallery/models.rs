@@ -11,7 +11,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// A model cannot be written.
-pub fn with_models_in(folder: &Path, scene: &Scene) -> Result<Scene, IoError> {
+pub(crate) fn with_models_in(folder: &Path, scene: &Scene) -> Result<Scene, IoError> {
     let mut scene = scene.clone();
     for path in scene.model_paths_mut() {
         if let Some(bytes) = shipped(path) {

@@ -9,7 +9,7 @@ const TITLE_LENGTH: usize = 40;
 const LINE_LENGTH: usize = 120;
 
 /// Asks about a pattern; whether it is to be done, once that is clear.
-pub fn ask(ui: &mut Ui, question: &mut PatternQuestion) -> Option<bool> {
+pub(crate) fn ask(ui: &mut Ui, question: &mut PatternQuestion) -> Option<bool> {
     ui.set_width(360.0);
     let (verb, tooltip) = match question {
         PatternQuestion::Keep { title, does, fibres } => {

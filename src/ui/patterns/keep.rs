@@ -20,7 +20,7 @@ fn kept_lines(cx: &Context) -> Result<Vec<Polyline>, String> {
 
 impl Patterns {
     /// Asks what the pattern of the selected fibres is called.
-    pub fn ask_to_keep(&self, cx: &mut Context) {
+    pub(crate) fn ask_to_keep(&self, cx: &mut Context) {
         if self.own.folder().is_none() {
             cx.say(
                 Severity::Error,
@@ -38,7 +38,7 @@ impl Patterns {
     }
 
     /// Does what was asked about.
-    pub fn answered(&mut self, question: &PatternQuestion, cx: &mut Context) {
+    pub(crate) fn answered(&mut self, question: &PatternQuestion, cx: &mut Context) {
         let Some(folder) = self.own.folder().cloned() else { return };
         let (done, said) = match question {
             PatternQuestion::Keep { title, does, .. } => (
@@ -46,11 +46,11 @@ impl Patterns {
                 format!("{} is kept under Patterns, Yours", title.trim()),
             ),
             PatternQuestion::Rename { path, title } => (
-                folder.set_text(path, "title", title.trim()).map_err(|error| error.to_string()),
+                JsonFolder::set_text(path, "title", title.trim()).map_err(|error| error.to_string()),
                 format!("The pattern is called {} now", title.trim()),
             ),
             PatternQuestion::Delete { path, title } => {
-                (folder.remove(path).map_err(|error| error.to_string()), format!("{title} was deleted"))
+                (JsonFolder::remove(path).map_err(|error| error.to_string()), format!("{title} was deleted"))
             }
         };
         self.own.look_again();

@@ -8,6 +8,6 @@ mod question;
 mod state;
 mod tiles;
 
-pub use ask::ask;
-pub use question::PatternQuestion;
-pub use state::Patterns;
+pub(crate) use ask::ask;
+pub(crate) use question::PatternQuestion;
+pub(crate) use state::Patterns;

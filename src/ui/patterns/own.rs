@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// What is kept, as far as it is known.
 #[derive(Default)]
-pub struct OwnPatterns {
+pub(crate) struct OwnPatterns {
     /// Where; nowhere unless a folder was given.
     folder: Option<JsonFolder>,
     /// What was found there; none before it was looked at.
@@ -15,32 +15,32 @@ pub struct OwnPatterns {
 
 impl OwnPatterns {
     /// Those in a folder, which is not looked at yet.
-    pub fn of(folder: PathBuf) -> Self {
+    pub(crate) fn of(folder: PathBuf) -> Self {
         Self { folder: Some(JsonFolder::new(folder)), found: None }
     }
 
     /// Looks at what is there, unless it is known.
-    pub fn look(&mut self) {
+    pub(crate) fn look(&mut self) {
         if let (Some(folder), None) = (&self.folder, &self.found) {
             self.found = Some(folder.list());
         }
     }
 
     /// Looks again at what is there: a file was written or removed.
-    pub fn look_again(&mut self) {
+    pub(crate) fn look_again(&mut self) {
         self.found = None;
         self.look();
     }
 
     /// The usable patterns with their files.
-    pub fn patterns(&self) -> impl Iterator<Item = (&Path, &OwnPattern)> {
+    pub(crate) fn patterns(&self) -> impl Iterator<Item = (&Path, &OwnPattern)> {
         let usable = |kept: &JsonFile<OwnPattern>| kept.content.is_ok();
         let found = self.found.iter().flatten().flatten().filter(move |kept| usable(kept));
         found.filter_map(|kept| Some((kept.path.as_path(), kept.content.as_ref().ok()?)))
     }
 
     /// What is wrong with the folder or with files in it.
-    pub fn problems(&self) -> Vec<String> {
+    pub(crate) fn problems(&self) -> Vec<String> {
         match &self.found {
             Some(Err(error)) => vec![error.to_string()],
             Some(Ok(kept)) => kept.iter().filter_map(|kept| Some(kept.content.as_ref().err()?.to_string())).collect(),
@@ -49,12 +49,12 @@ impl OwnPatterns {
     }
 
     /// The pattern in a file.
-    pub fn get(&self, path: &Path) -> Option<&OwnPattern> {
+    pub(crate) fn get(&self, path: &Path) -> Option<&OwnPattern> {
         self.patterns().find(|(known, _)| *known == path).map(|(_, own)| own)
     }
 
     /// The folder to keep patterns in, if there is one.
-    pub fn folder(&self) -> Option<&JsonFolder> {
+    pub(crate) fn folder(&self) -> Option<&JsonFolder> {
         self.folder.as_ref()
     }
 }

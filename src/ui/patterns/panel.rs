@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 impl Patterns {
     /// The tab. With `strips_play` strips play by themselves: where a graphics card draws. Where that is work, only the
     /// one under the pointer does.
-    pub fn tab(&mut self, ui: &mut Ui, cx: &mut Context, strips_play: bool) {
+    pub(crate) fn tab(&mut self, ui: &mut Ui, cx: &mut Context, strips_play: bool) {
         self.own.look();
         if cx.active_body().is_none() {
             ui.label("Patterns go into fibre solids: choose one in the list of bodies, or open an example (Ctrl+E).");

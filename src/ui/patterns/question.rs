@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 /// What is asked about own patterns.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum PatternQuestion {
+pub(crate) enum PatternQuestion {
     /// What a new one is called.
     Keep {
         /// Its name.

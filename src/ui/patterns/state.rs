@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 /// The patterns that there are, and what is done with them.
 #[derive(Default)]
-pub struct Patterns {
+pub(crate) struct Patterns {
     /// The pattern that is shown with its numbers; the gallery is shown where there is none.
     pub chosen: Option<Chosen>,
     /// Values that were changed, by the pattern: they are there when it is chosen again.
@@ -32,7 +32,7 @@ pub struct Patterns {
 
 /// A pattern.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Chosen {
+pub(crate) enum Chosen {
     /// One that comes with the program, by its identifier.
     Shipped(&'static str),
     /// A person's own, by its file.
@@ -41,7 +41,7 @@ pub enum Chosen {
 
 /// What a pattern is fitted to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Fit {
+pub(crate) enum Fit {
     /// The whole body.
     #[default]
     Whole,
@@ -52,33 +52,33 @@ pub enum Fit {
 impl Patterns {
     /// Keeps a person's own patterns in this folder; nowhere unless one is given.
     #[must_use]
-    pub fn with_folder(self, folder: PathBuf) -> Self {
+    pub(crate) fn with_folder(self, folder: PathBuf) -> Self {
         Self { own: OwnPatterns::of(folder), ..self }
     }
 
     /// Fills this part of the body: least and greatest corner, model frame [m].
-    pub fn fill_region(&mut self, region: [DVec3; 2]) {
+    pub(crate) fn fill_region(&mut self, region: [DVec3; 2]) {
         self.region = Some(region);
     }
 
     /// Fills the whole body again. To be called while boxes are dragged around a part of it.
-    pub fn leave_region(&mut self) {
+    pub(crate) fn leave_region(&mut self) {
         self.fit = Fit::Whole;
         self.forget_region();
     }
 
     /// Forgets the region: it was a part of another body.
-    pub fn forget_region(&mut self) {
+    pub(crate) fn forget_region(&mut self) {
         self.region = None;
     }
 
     /// Values of a pattern's parameters.
-    pub fn values_of(&self, pattern: &Pattern) -> Vec<f64> {
+    pub(crate) fn values_of(&self, pattern: &Pattern) -> Vec<f64> {
         self.values.get(pattern.id).cloned().unwrap_or_else(|| pattern.defaults())
     }
 
     /// What the views show of the chosen pattern, by whether the patterns are shown.
-    pub fn preview(&self, tab_is_shown: bool, cx: &Context) -> PatternPreview {
+    pub(crate) fn preview(&self, tab_is_shown: bool, cx: &Context) -> PatternPreview {
         let is_shown = tab_is_shown && self.chosen.is_some() && cx.active_body().is_some();
         PatternPreview {
             lines: if is_shown { self.lines(cx) } else { Vec::new() },
@@ -89,7 +89,7 @@ impl Patterns {
     }
 
     /// The box that the chosen pattern fills: least and greatest corner, model frame [m].
-    pub fn filled_box(&self, cx: &Context) -> Option<[DVec3; 2]> {
+    pub(crate) fn filled_box(&self, cx: &Context) -> Option<[DVec3; 2]> {
         let whole = cx.active.corners()?;
         match self.fit {
             Fit::Whole => Some(whole),
@@ -98,7 +98,7 @@ impl Patterns {
     }
 
     /// The chosen pattern's fibres where they would be, model frame [m].
-    pub fn lines(&self, cx: &Context) -> Vec<Polyline> {
+    pub(crate) fn lines(&self, cx: &Context) -> Vec<Polyline> {
         let Some([min, max]) = self.filled_box(cx) else { return Vec::new() };
         match &self.chosen {
             Some(Chosen::Shipped(id)) => {
@@ -123,7 +123,7 @@ impl Patterns {
     }
 
     /// Puts the chosen pattern's fibres into the body, in one step.
-    pub fn add(&mut self, cx: &mut Context) {
+    pub(crate) fn add(&mut self, cx: &mut Context) {
         let lines = self.lines(cx);
         let (Some(body), Some((title, id, bending))) = (cx.active_body(), self.called()) else { return };
         let spacing = cx.sampling().spacing;

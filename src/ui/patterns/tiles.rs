@@ -8,7 +8,7 @@ use egui::{Align2, CornerRadius, FontId, Painter, Pos2, Rect, Response, Role, Se
 use glam::DVec3;
 
 /// Width and height of a picture [points].
-pub const PICTURE: f32 = 88.0;
+pub(super) const PICTURE: f32 = 88.0;
 
 macro_rules! strips {
     ($($id:literal),*) => {
@@ -34,7 +34,7 @@ strips!(
 );
 
 /// Paints what a pattern does into a place.
-pub fn paint_strip(ui: &Ui, strips: &mut Thumbs, pattern: &Pattern, place: Rect, plays: bool) {
+pub(super) fn paint_strip(ui: &Ui, strips: &mut Thumbs, pattern: &Pattern, place: Rect, plays: bool) {
     ui.painter().rect_filled(place, CornerRadius::same(4), theme::color(Theme::gallery().background_top));
     if let Some((name, png)) = STRIPS.iter().find(|(id, _)| *id == pattern.id) {
         strips.paint_strip(ui, name, png, place, plays);
@@ -42,7 +42,7 @@ pub fn paint_strip(ui: &Ui, strips: &mut Thumbs, pattern: &Pattern, place: Rect,
 }
 
 /// One row of the gallery: a place for the picture, the name and what it does. Gives the place, and the row to be clicked.
-pub fn tile(ui: &mut Ui, title: &str, does: &str) -> (Option<Rect>, Response) {
+pub(super) fn tile(ui: &mut Ui, title: &str, does: &str) -> (Option<Rect>, Response) {
     let (place, tile) = ui.allocate_exact_size(egui::vec2(ui.available_width(), PICTURE), Sense::click());
     tile.widget_info(|| egui::WidgetInfo::labeled(Role::Button, true, title));
     if !ui.is_rect_visible(place) {
@@ -69,7 +69,7 @@ fn write(painter: &Painter, at: Pos2, room: f32, title: &str, does: &str, [stron
 const EYE: [DVec3; 2] = [DVec3::new(0.88, 0.0, -0.47), DVec3::new(-0.13, 0.96, -0.25)];
 
 /// Paints an own pattern's fibres in their box into a place.
-pub fn paint_own(ui: &Ui, own: &OwnPattern, place: Rect) {
+pub(super) fn paint_own(ui: &Ui, own: &OwnPattern, place: Rect) {
     let look = Theme::gallery();
     let painter = ui.painter_at(place);
     painter.rect_filled(place, CornerRadius::same(4), theme::color(look.background_top));
@@ -92,7 +92,7 @@ pub fn paint_own(ui: &Ui, own: &OwnPattern, place: Rect) {
 }
 
 /// A tile's words alone, beside a picture of the same height.
-pub fn paint_words(ui: &Ui, place: Rect, does: &str) {
+pub(super) fn paint_words(ui: &Ui, place: Rect, does: &str) {
     let ink = ui.visuals().text_color();
     let words = ui.painter().layout(does.to_owned(), FontId::proportional(13.0), ink, place.width());
     let at = Align2::LEFT_TOP.align_size_within_rect(words.size(), place).min;

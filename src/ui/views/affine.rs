@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 
 /// A move, turn and stretch of space.
-pub struct Affine {
+pub(super) struct Affine {
     matrix: DMat3,
     offset: DVec3,
 }
@@ -16,13 +16,13 @@ impl Default for Affine {
 
 impl Affine {
     /// Where a point goes.
-    pub fn at(&self, point: DVec3) -> DVec3 {
+    pub(super) fn at(&self, point: DVec3) -> DVec3 {
         self.matrix * point + self.offset
     }
 
     /// The one that comes nearest to taking `rest` to `now` in the mean of squares; a move alone where these are not
     /// the same points or lie in a plane.
-    pub fn between(rest: &[DVec3], now: &[DVec3]) -> Self {
+    pub(super) fn between(rest: &[DVec3], now: &[DVec3]) -> Self {
         let mean = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len().max(1) as f64;
         let (from, to) = (mean(rest), mean(now));
         let outer = |a: DVec3, b: DVec3| DMat3::from_cols(a * b.x, a * b.y, a * b.z);

@@ -22,7 +22,7 @@ fn aspect(rect: Rect) -> f64 {
 }
 
 /// Fits the camera, where that was asked for, and moves it on where it is on its way.
-pub fn settle(pane: &mut Pane, ui: &Ui, links: &Links, cx: &Context) {
+pub(super) fn settle(pane: &mut Pane, ui: &Ui, links: &Links, cx: &Context) {
     let now = ui.input(|input| input.time);
     // Before the first frame it is not known where the drawing views lie, whose scales depend on each other.
     if !pane.framed
@@ -93,7 +93,7 @@ fn selected_bounds(shown: &Snapshot, cx: &Context) -> Option<Bounds> {
 }
 
 /// Moves the camera as the pointer and the keys ask for; a drawing view takes the other one along.
-pub fn follow(pane: &mut Pane, ui: &Ui, response: &Response, links: &mut Links) {
+pub(super) fn follow(pane: &mut Pane, ui: &Ui, response: &Response, links: &mut Links) {
     let frame = ViewFrame { kind: pane.kind, rect: response.rect, camera: pane.camera };
     let size = frame.size();
     let before = pane.camera;
@@ -149,14 +149,14 @@ fn turn_by_keys(pane: &mut Pane, ui: &Ui) {
 }
 
 /// Looks along an axis.
-pub fn face(pane: &mut Pane, ui: &Ui, facing: Facing) {
+pub(super) fn face(pane: &mut Pane, ui: &Ui, facing: Facing) {
     let turned = Camera::facing(facing);
     let to = Camera { yaw: turned.yaw, pitch: turned.pitch, ..pane.camera };
     pane.ease_to(to, ui.input(|input| input.time));
 }
 
 /// Between perspective and parallel lines.
-pub fn change_projection(pane: &mut Pane) {
+pub(super) fn change_projection(pane: &mut Pane) {
     let camera = &mut pane.camera;
     let parallel = camera.projection == Projection::Parallel;
     camera.projection = if parallel { Camera::perspective().projection } else { Projection::Parallel };

@@ -20,7 +20,7 @@ const REACH: f32 = 30.0;
 const BALL: f32 = 8.0;
 
 /// The controls in the corners of a view.
-pub fn corner(pane: &mut Pane, ui: &mut Ui, options: &mut ViewOptions, links: &mut Links, cx: &mut Context) {
+pub(super) fn corner(pane: &mut Pane, ui: &mut Ui, options: &mut ViewOptions, links: &mut Links, cx: &mut Context) {
     let rect = pane.rect;
     let mut bar = Rect::from_min_max(rect.min + Vec2::splat(2.0 * GRID), rect.max);
     if pane.kind == PaneKind::Result {

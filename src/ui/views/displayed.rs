@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// A state of the bodies, shared with who made it.
 #[derive(Clone, Debug)]
-pub enum DisplayedState {
+pub(crate) enum DisplayedState {
     /// A body at rest, as it is drawn into.
     Model(Arc<Snapshot>),
     /// The simulation.
@@ -40,7 +40,7 @@ impl PartialEq for DisplayedState {
 
 impl DisplayedState {
     /// What a view of this kind shows.
-    pub fn of(kind: PaneKind, cx: &Context) -> Self {
+    pub(crate) fn of(kind: PaneKind, cx: &Context) -> Self {
         match kind {
             PaneKind::Result => Self::Running(Arc::clone(cx.simulation.published())),
             PaneKind::Drawing(_) => Self::Model(Arc::clone(&cx.active.model)),
@@ -48,7 +48,7 @@ impl DisplayedState {
     }
 
     /// The place of the active body among the bodies that are shown.
-    pub fn active(&self, cx: &Context) -> usize {
+    pub(crate) fn active(&self, cx: &Context) -> usize {
         match self {
             Self::Running(_) => cx.active.index,
             Self::Model(_) => 0,

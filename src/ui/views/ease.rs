@@ -8,7 +8,7 @@ const EASE_SECONDS: f64 = 0.18;
 
 /// A camera on its way.
 #[derive(Clone, Copy, Debug)]
-pub struct Ease {
+pub(crate) struct Ease {
     from: Camera,
     to: Camera,
     /// When it started [s].
@@ -17,12 +17,12 @@ pub struct Ease {
 
 impl Ease {
     /// A camera that starts on its way now [s].
-    pub fn new(from: Camera, to: Camera, start: f64) -> Self {
+    pub(crate) fn new(from: Camera, to: Camera, start: f64) -> Self {
         Self { from, to, start }
     }
 
     /// Where it is, and whether it has arrived.
-    pub fn at(&self, time: f64) -> (Camera, bool) {
+    pub(crate) fn at(&self, time: f64) -> (Camera, bool) {
         let share = ((time - self.start) / EASE_SECONDS).clamp(0.0, 1.0);
         if share == 1.0 {
             return (self.to, true);

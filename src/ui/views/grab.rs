@@ -2,7 +2,7 @@
 
 use super::frame::ViewFrame;
 use crate::draw::Slice;
-use crate::geometry::mesh::nearest_hit;
+use crate::geometry::ray::nearest_hit;
 use crate::render::Ray;
 use crate::solver::snapshot::BodySnapshot;
 use crate::ui::context::{Context, Grabbed};
@@ -13,7 +13,7 @@ use glam::DVec3;
 const NEAR: f64 = 16.0;
 
 /// Grabs a body by the point under the pointer, moves what is grabbed along and lets it go.
-pub fn grab(ui: &Ui, response: &Response, frame: &ViewFrame, slice: Option<Slice>, cx: &mut Context) {
+pub(super) fn grab(ui: &Ui, response: &Response, frame: &ViewFrame, slice: Option<Slice>, cx: &mut Context) {
     let primary = PointerButton::Primary;
     let (origin, now, alt, pin) = ui.input(|input| {
         let pointer = &input.pointer;
@@ -65,7 +65,7 @@ fn hit(frame: &ViewFrame, slice: Option<Slice>, at: Pos2, bodies: &[BodySnapshot
 }
 
 /// What is seen of a skin at a pixel of the result view: a face, and where on it [m].
-pub fn seen_on(
+pub(crate) fn seen_on(
     skin: &[DVec3],
     triangles: &[[u32; 3]],
     slice: Option<Slice>,
@@ -80,7 +80,7 @@ pub fn seen_on(
 }
 
 /// Where a body is held by a vertex of its skin, or by a particle where it has none.
-pub fn grabbed_point(body: &BodySnapshot, vertex: usize) -> Option<DVec3> {
+pub(super) fn grabbed_point(body: &BodySnapshot, vertex: usize) -> Option<DVec3> {
     let surface = body.surface();
     if surface.is_empty() { body.particles.get(vertex).copied() } else { surface.get(vertex).copied() }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// What a view is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum PaneKind {
+pub(crate) enum PaneKind {
     /// Strokes are drawn into the model at rest.
     Drawing(View),
     /// The simulation is watched and pulled.
@@ -15,7 +15,7 @@ pub enum PaneKind {
 
 impl PaneKind {
     /// What people call it.
-    pub fn title(self) -> &'static str {
+    pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Drawing(view) => view_name(view),
             Self::Result => "Result",
@@ -24,7 +24,7 @@ impl PaneKind {
 }
 
 /// What people call a drawing view.
-pub fn view_name(view: View) -> &'static str {
+pub(super) fn view_name(view: View) -> &'static str {
     match view {
         View::Front => "Front",
         View::Side => "Side",
@@ -33,7 +33,7 @@ pub fn view_name(view: View) -> &'static str {
 }
 
 /// From where a drawing view looks.
-pub fn facing(view: View) -> Facing {
+pub(super) fn facing(view: View) -> Facing {
     match view {
         View::Front => Facing::Front,
         View::Side => Facing::Side,

@@ -17,7 +17,7 @@ use egui_tiles::{Behavior, Container, Linear, LinearDir, Tile, TileId, Tiles, Tr
 use glam::DVec3;
 
 /// The views and what is done in them.
-pub struct Views {
+pub(crate) struct Views {
     panes: Tree<Pane>,
     links: Links,
     painter: Option<Painter>,
@@ -66,7 +66,7 @@ fn drawing_views(views: &Tree<Pane>) -> Vec<(View, Rect)> {
 
 impl Views {
     /// The views at the first start. Without a painter nothing is painted into them, but everything else works.
-    pub fn new(painter: Option<Painter>) -> Self {
+    pub(crate) fn new(painter: Option<Painter>) -> Self {
         Self {
             panes: usual_layout(),
             links: Links::default(),
@@ -77,7 +77,7 @@ impl Views {
     }
 
     /// Goes on with the views of the last time, unless they are not as they must be.
-    pub fn recall(&mut self, views: Tree<Pane>, coach: bool) {
+    pub(crate) fn recall(&mut self, views: Tree<Pane>, coach: bool) {
         if is_whole(&views) {
             self.panes = views;
         }
@@ -85,17 +85,17 @@ impl Views {
     }
 
     /// The views as they lie, to be remembered.
-    pub fn panes(&self) -> &Tree<Pane> {
+    pub(crate) fn panes(&self) -> &Tree<Pane> {
         &self.panes
     }
 
     /// Whether the coach still explains the first fibre.
-    pub fn coach(&self) -> bool {
+    pub(crate) fn coach(&self) -> bool {
         self.tools.sketching.coach
     }
 
     /// Shows the views.
-    pub fn show(&mut self, ui: &mut Ui, cx: &mut Context) {
+    pub(crate) fn show(&mut self, ui: &mut Ui, cx: &mut Context) {
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
             self.links.drawing = drawing_views(&self.panes);
             let Self { panes, links, painter, options, tools } = self;
@@ -113,34 +113,34 @@ impl Views {
     }
 
     /// What is drawn.
-    pub fn sketching(&mut self) -> &mut Sketching {
+    pub(crate) fn sketching(&mut self) -> &mut Sketching {
         &mut self.tools.sketching
     }
 
     /// Whether the next stroke takes the place of the selected fibre's.
-    pub fn redraws(&self) -> bool {
+    pub(crate) fn redraws(&self) -> bool {
         self.tools.sketching.redraws
     }
 
     /// What is being done to what is selected.
-    pub fn editing(&self) -> &Editing {
+    pub(crate) fn editing(&self) -> &Editing {
         &self.tools.editing
     }
 
     /// As [`Self::editing`], to do something.
-    pub fn editing_mut(&mut self) -> &mut Editing {
+    pub(crate) fn editing_mut(&mut self) -> &mut Editing {
         &mut self.tools.editing
     }
 
     /// Forgets what is drawn, dragged and done so far: another body or document is drawn into.
-    pub fn forget_gestures(&mut self) {
+    pub(crate) fn forget_gestures(&mut self) {
         self.tools.editing = Editing::default();
         self.tools.region = RegionTool::default();
         self.tools.sketching.forget();
     }
 
     /// Begins a gesture under the pointer, in the view where that is, or else in the result.
-    pub fn begin_at_pointer(&mut self, ctx: &egui::Context, kind: Kind, cx: &mut Context) {
+    pub(crate) fn begin_at_pointer(&mut self, ctx: &egui::Context, kind: Kind, cx: &mut Context) {
         let pointer = ctx.input(|input| input.pointer.latest_pos());
         let frames = self.frames();
         let under = |frame: &&ViewFrame| pointer.is_some_and(|at| frame.rect.contains(at));
@@ -153,17 +153,17 @@ impl Views {
     }
 
     /// Whether pictures are drawn in software; none where none are drawn.
-    pub fn draws_in_software(&self) -> Option<bool> {
+    pub(crate) fn draws_in_software(&self) -> Option<bool> {
         self.painter.as_ref().map(Painter::saves_work)
     }
 
     /// Where the result view shows a point of the world [m]; none behind its eye.
-    pub fn shown_at(&self, point: DVec3) -> Option<Pos2> {
+    pub(crate) fn shown_at(&self, point: DVec3) -> Option<Pos2> {
         self.frames().into_iter().find(|frame| frame.kind == PaneKind::Result)?.screen(point)
     }
 
     /// The views, where they lay in the last frame and from where they look.
-    pub fn frames(&self) -> Vec<ViewFrame> {
+    pub(crate) fn frames(&self) -> Vec<ViewFrame> {
         let frame = |pane: &Pane| ViewFrame { kind: pane.kind, rect: pane.rect, camera: pane.camera };
         panes(&self.panes).map(frame).collect()
     }
@@ -176,7 +176,7 @@ impl Views {
     }
 
     /// Fits every view again as soon as there is something to fit: the selected fibre or everything.
-    pub fn reframe(&mut self, selected: bool) {
+    pub(crate) fn reframe(&mut self, selected: bool) {
         self.links.fits_selected = selected;
         for pane in self.panes_mut() {
             pane.framed = false;

@@ -37,7 +37,7 @@ struct Scale {
 }
 
 /// Name, unit, colours and range of what colours stand for in the result; nothing where there is none.
-pub fn legend(ui: &mut Ui, cx: &Context) {
+pub(super) fn legend(ui: &mut Ui, cx: &Context) {
     let snapshot = &cx.simulation.published().snapshot;
     if let Some(field) = &snapshot.field {
         let (name, meaning) = title(field.kind);

@@ -6,7 +6,7 @@ use egui::Rect;
 
 /// How the drawing views lie, what one of them has done that the other follows, and what all of them are fitted to.
 #[derive(Default)]
-pub struct Links {
+pub(super) struct Links {
     /// The drawing views, and where they lay in the last frame.
     pub drawing: Vec<(View, Rect)>,
     /// A drawing view whose camera was moved in this frame.

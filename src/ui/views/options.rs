@@ -9,7 +9,7 @@ use egui::{Slider, SliderClamping, Ui};
 use glam::DVec3;
 
 /// What was chosen.
-pub struct ViewOptions {
+pub(crate) struct ViewOptions {
     /// How the result is drawn.
     pub display: Display,
     field: Option<FieldKind>,
@@ -59,34 +59,34 @@ fn next<T: PartialEq + Copy, const N: usize>(all: &[(T, &str); N], chosen: T) ->
 
 impl ViewOptions {
     /// The next colour map, or none.
-    pub fn next_field(&mut self, cx: &Context) {
+    pub(crate) fn next_field(&mut self, cx: &Context) {
         self.choose_field(next(&FIELDS, self.field), cx);
     }
 
     /// The next scene beside the document, or none.
-    pub fn next_ghost(cx: &mut Context) {
+    pub(crate) fn next_ghost(cx: &mut Context) {
         choose_ghost(next(&GHOSTS, cx.simulation.ghost()), cx);
     }
 
     /// The next cut, or none.
-    pub fn next_slice(&mut self, cx: &Context) {
+    pub(crate) fn next_slice(&mut self, cx: &Context) {
         self.choose_slice(next(&CUTS, self.display.slice.map(|slice| slice.axis)), cx);
     }
 
     /// Shows the fibres through the solid, or no longer.
-    pub fn toggle_see_through(&mut self) {
+    pub(crate) fn toggle_see_through(&mut self) {
         let skin = &mut self.display.skin;
         *skin = if *skin == SkinStyle::XRay { SkinStyle::Shaded } else { SkinStyle::XRay };
     }
 
     /// Shows particles, or no longer.
-    pub fn toggle_particles(&mut self) {
+    pub(crate) fn toggle_particles(&mut self) {
         self.display.particles = !self.display.particles;
         self.display.structure = self.display.particles;
     }
 
     /// Colours fibres by what they carry, or no longer; a solid that hides them is seen through from then on.
-    pub fn toggle_tension(&mut self, cx: &mut Context) {
+    pub(crate) fn toggle_tension(&mut self, cx: &mut Context) {
         self.tension = !self.tension;
         if self.tension {
             if self.display.skin == SkinStyle::Shaded {
@@ -103,7 +103,7 @@ impl ViewOptions {
     }
 
     /// Nothing is cut any more: another document is shown.
-    pub fn forget_slice(&mut self) {
+    pub(crate) fn forget_slice(&mut self) {
         self.display.slice = None;
     }
 
@@ -144,7 +144,7 @@ impl ViewOptions {
     }
 
     /// The menus in the corner of the result.
-    pub fn menus(&mut self, ui: &mut Ui, cx: &mut Context) {
+    pub(crate) fn menus(&mut self, ui: &mut Ui, cx: &mut Context) {
         let field = menu(ui, &FIELDS, self.field, "Colours solids by a value at every point");
         if let Some(field) = field {
             self.choose_field(field, cx);

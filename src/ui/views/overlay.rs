@@ -12,7 +12,7 @@ use egui::{Align2, FontId, Rect, Stroke, Ui};
 use glam::DVec3;
 
 /// Paints the curve that the strokes make so far, and the grab, into the result.
-pub fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Context) {
+pub(super) fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Context) {
     let painter = ui.painter_at(frame.rect);
     let accent = theme::color(cx.tone.pictures().accent);
     let bodies = &cx.simulation.published().snapshot.bodies;
@@ -40,7 +40,7 @@ pub fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Cont
 }
 
 /// Names the axes of a drawing view, and says what the first fibre takes.
-pub fn paint_title(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Context) {
+pub(super) fn paint_title(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Context) {
     let rect = frame.rect;
     let painter = ui.painter_at(rect);
     let pictures = cx.tone.pictures();

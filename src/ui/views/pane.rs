@@ -8,7 +8,7 @@ use egui::Rect;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// One view.
-pub struct Pane {
+pub(crate) struct Pane {
     /// What it is for.
     pub kind: PaneKind,
     /// From where it looks.
@@ -27,7 +27,7 @@ pub struct Pane {
 
 impl Pane {
     /// A view that has not been shown yet.
-    pub fn new(kind: PaneKind) -> Self {
+    pub(crate) fn new(kind: PaneKind) -> Self {
         let camera = match kind {
             PaneKind::Drawing(view) => Camera::facing(facing(view)),
             PaneKind::Result => Camera::perspective(),
@@ -36,7 +36,7 @@ impl Pane {
     }
 
     /// Sends the camera somewhere, from now on [s].
-    pub fn ease_to(&mut self, to: Camera, now: f64) {
+    pub(crate) fn ease_to(&mut self, to: Camera, now: f64) {
         self.ease = Some(Ease::new(self.camera, to, now));
     }
 }

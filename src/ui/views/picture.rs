@@ -10,7 +10,7 @@ use egui_wgpu::{CallbackResources, CallbackTrait, RenderState};
 use std::sync::Arc;
 
 /// Draws pictures on the window's own device.
-pub struct Painter {
+pub(crate) struct Painter {
     state: RenderState,
     renderer: Renderer,
     blit: Blit,
@@ -19,7 +19,7 @@ pub struct Painter {
 
 /// Everything that a picture follows from, but for the point of view.
 #[derive(Clone, Debug)]
-pub struct ViewInputs {
+pub(crate) struct ViewInputs {
     /// The bodies.
     pub state: DisplayedState,
     /// The document.
@@ -41,7 +41,7 @@ impl PartialEq for ViewInputs {
 
 /// The picture of one view, kept until what it shows changes.
 #[derive(Default)]
-pub struct Picture {
+pub(crate) struct Picture {
     inputs: Option<ViewInputs>,
     content: Option<Content>,
     viewport: Option<Viewport>,
@@ -50,7 +50,7 @@ pub struct Picture {
 }
 
 impl Painter {
-    pub fn new(state: RenderState) -> Self {
+    pub(crate) fn new(state: RenderState) -> Self {
         let renderer = Renderer::new(&state.device, &state.queue, Options::for_adapter(&state.adapter));
         let software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         let blit = Blit::new(&state.device, state.target_format);
@@ -58,13 +58,13 @@ impl Painter {
     }
 
     /// Whether it draws in software and saves work where that is not seen much.
-    pub fn saves_work(&self) -> bool {
+    pub(crate) fn saves_work(&self) -> bool {
         self.software
     }
 
     /// What shows `inputs` as `camera` sees it in a place of the window, drawn anew only if something has changed; none where
     /// there is no room.
-    pub fn paint(
+    pub(crate) fn paint(
         &self,
         picture: &mut Picture,
         inputs: ViewInputs,

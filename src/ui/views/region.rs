@@ -17,14 +17,14 @@ const LEAST_SHARE: f64 = 0.02;
 
 /// Drags a box around the part of the body that a pattern fills.
 #[derive(Debug, Default)]
-pub struct RegionTool {
+pub(super) struct RegionTool {
     /// Where the box begins, and in which view.
     begun: Option<(View, DVec2)>,
 }
 
 impl RegionTool {
     /// Follows a box around the region that a pattern fills; whether the pointer is for that here.
-    pub fn follow(&mut self, ui: &Ui, response: &Response, frame: &ViewFrame, cx: &mut Context) -> bool {
+    pub(super) fn follow(&mut self, ui: &Ui, response: &Response, frame: &ViewFrame, cx: &mut Context) -> bool {
         let PaneKind::Drawing(view) = frame.kind else { return false };
         if !cx.pattern.takes_region {
             self.begun = None;
@@ -65,7 +65,7 @@ impl RegionTool {
 }
 
 /// The chosen pattern's fibres where they would be, and the region that they fill.
-pub fn paint_pattern(ui: &Ui, frame: &ViewFrame, cx: &Context) {
+pub(super) fn paint_pattern(ui: &Ui, frame: &ViewFrame, cx: &Context) {
     if cx.pattern.lines.is_empty() {
         return;
     }

@@ -10,11 +10,11 @@ use std::rc::Rc;
 const SAMPLE_EVERY: f64 = 2.0;
 
 /// Strokes shorter than this are taken for a slip [pixels].
-pub const SHORTEST_STROKE: f64 = 12.0;
+pub(super) const SHORTEST_STROKE: f64 = 12.0;
 
 /// Where the drawing of a fibre stands.
 #[derive(Clone, Debug, Default)]
-pub enum Stage {
+pub(crate) enum Stage {
     /// Nothing is drawn.
     #[default]
     Empty,
@@ -45,7 +45,7 @@ pub enum Stage {
 
 /// What a released stroke has led to.
 #[derive(Clone, Debug)]
-pub enum Outcome {
+pub(crate) enum Outcome {
     /// It was too short to be meant [pixels].
     Slip(f64),
     /// The first stroke is there; the second goes into another view.
@@ -63,7 +63,7 @@ pub enum Outcome {
 
 /// The tool.
 #[derive(Clone, Debug, Default)]
-pub struct SketchTool {
+pub(crate) struct SketchTool {
     stage: Stage,
     /// What was previewed last.
     previewed: RefCell<Option<Preview>>,
@@ -80,17 +80,17 @@ struct Preview {
 
 impl SketchTool {
     /// Where the drawing stands.
-    pub fn stage(&self) -> &Stage {
+    pub(crate) fn stage(&self) -> &Stage {
         &self.stage
     }
 
     /// Whether a stroke is being drawn in `view`.
-    pub fn draws_in(&self, view: View) -> bool {
+    pub(crate) fn draws_in(&self, view: View) -> bool {
         matches!(&self.stage, Stage::Drawing { stroke, .. } if stroke.view == view)
     }
 
     /// The first stroke, once it is finished.
-    pub fn first(&self) -> Option<&Stroke> {
+    pub(crate) fn first(&self) -> Option<&Stroke> {
         match &self.stage {
             Stage::Empty => None,
             Stage::Drawing { first, .. } => first.as_ref(),
@@ -100,14 +100,14 @@ impl SketchTool {
 
     /// Starts a stroke at a pixel and the point [m] that it shows. In the view of the first stroke it takes that one's
     /// place.
-    pub fn press(&mut self, view: View, pixel: DVec2, point: DVec2) {
+    pub(crate) fn press(&mut self, view: View, pixel: DVec2, point: DVec2) {
         let first = self.first().filter(|first| first.view != view).cloned();
         self.previewed.take();
         self.stage = Stage::Drawing { stroke: Stroke { view, points: vec![point] }, length: 0.0, last: pixel, first };
     }
 
     /// Takes a pointer sample of the stroke that is being drawn.
-    pub fn drag(&mut self, pixel: DVec2, point: DVec2) {
+    pub(crate) fn drag(&mut self, pixel: DVec2, point: DVec2) {
         if let Stage::Drawing { stroke, length, last, .. } = &mut self.stage {
             let travel = pixel.distance(*last);
             if travel >= SAMPLE_EVERY {
@@ -119,7 +119,7 @@ impl SketchTool {
     }
 
     /// Ends the stroke; `model_diagonal` [m] is that of the body that is drawn into.
-    pub fn release(&mut self, model_diagonal: f64) -> Option<Outcome> {
+    pub(crate) fn release(&mut self, model_diagonal: f64) -> Option<Outcome> {
         let Stage::Drawing { stroke, length, first, .. } = std::mem::take(&mut self.stage) else { return None };
         if length < SHORTEST_STROKE {
             self.stage = first.map_or(Stage::Empty, |first| Stage::Waiting { first });
@@ -133,7 +133,7 @@ impl SketchTool {
     }
 
     /// Takes a refused pair by stretching the second stroke onto the first.
-    pub fn stretch(&mut self, model_diagonal: f64) -> Option<Outcome> {
+    pub(crate) fn stretch(&mut self, model_diagonal: f64) -> Option<Outcome> {
         let Stage::Refused { first, second } = std::mem::take(&mut self.stage) else { return None };
         Some(self.pair(first, second, model_diagonal, Mismatch::Stretch))
     }
@@ -153,7 +153,7 @@ impl SketchTool {
     }
 
     /// Throws away the stroke that is being drawn, or else what has been drawn so far; false if there was nothing.
-    pub fn cancel(&mut self) -> bool {
+    pub(crate) fn cancel(&mut self) -> bool {
         match std::mem::take(&mut self.stage) {
             Stage::Empty => false,
             Stage::Drawing { first: Some(first), .. } | Stage::Refused { first, .. } => {
@@ -165,12 +165,12 @@ impl SketchTool {
     }
 
     /// What helps to draw the second stroke in `view`; none before the first one is there.
-    pub fn guides(&self, view: View, model_diagonal: f64) -> Option<Guides> {
+    pub(crate) fn guides(&self, view: View, model_diagonal: f64) -> Option<Guides> {
         guides(self.first()?, view, model_diagonal).ok()
     }
 
     /// The curve that the strokes make so far, while the second one is being drawn; lifted anew only as that grows.
-    pub fn preview(&self, model_diagonal: f64) -> Option<Rc<Follow>> {
+    pub(crate) fn preview(&self, model_diagonal: f64) -> Option<Rc<Follow>> {
         let Stage::Drawing { stroke, first: Some(first), .. } = &self.stage else { return None };
         let points = stroke.points.len();
         let mut previewed = self.previewed.borrow_mut();

@@ -10,7 +10,7 @@ use crate::ui::editing::set_fibres;
 use egui::{Event, PointerButton, Pos2, Response, Ui};
 
 /// What is drawn and what becomes of it.
-pub struct Sketching {
+pub(crate) struct Sketching {
     /// The strokes so far.
     pub tool: SketchTool,
     /// Whether the next stroke takes the place of the selected fibre's in its view.
@@ -27,19 +27,19 @@ impl Default for Sketching {
 
 impl Sketching {
     /// Forgets what is drawn so far: another body is drawn into.
-    pub fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.tool = SketchTool::default();
         self.redraws = false;
     }
 
     /// Takes the last stroke back.
-    pub fn cancel(&mut self) {
+    pub(crate) fn cancel(&mut self) {
         self.tool.cancel();
         self.redraws = false;
     }
 
     /// Has the next stroke take the place of the selected fibre's, or no longer.
-    pub fn toggle_redraw(&mut self, cx: &mut Context) {
+    pub(crate) fn toggle_redraw(&mut self, cx: &mut Context) {
         self.redraws = !self.redraws;
         if self.redraws {
             cx.say(Severity::Note, "Draw the stroke again in either of the fibre's two views");
@@ -47,7 +47,7 @@ impl Sketching {
     }
 
     /// Takes every pointer sample of a stroke.
-    pub fn draw(&mut self, ui: &Ui, response: &Response, view: View, frame: &ViewFrame, cx: &mut Context) {
+    pub(crate) fn draw(&mut self, ui: &Ui, response: &Response, view: View, frame: &ViewFrame, cx: &mut Context) {
         let primary = PointerButton::Primary;
         if response.drag_started_by(primary)
             && !ui.input(|input| input.modifiers.alt)
@@ -90,7 +90,7 @@ impl Sketching {
     }
 
     /// Takes refused strokes by stretching the second onto the first.
-    pub fn stretch(&mut self, cx: &mut Context) {
+    pub(crate) fn stretch(&mut self, cx: &mut Context) {
         if self.is_refused()
             && let Some(outcome) = self.tool.stretch(cx.active.diagonal())
         {
@@ -99,7 +99,7 @@ impl Sketching {
     }
 
     /// Whether the strokes that are drawn were refused and can be stretched.
-    pub fn is_refused(&self) -> bool {
+    pub(crate) fn is_refused(&self) -> bool {
         matches!(self.tool.stage(), Stage::Refused { .. })
     }
 

@@ -10,7 +10,7 @@ use egui::{Color32, Painter, Pos2, Rect, Stroke, Ui};
 use glam::DVec2;
 
 /// Paints what is drawn, what helps to draw on, and the strokes of the selected fibre.
-pub fn paint_strokes(sketching: &Sketching, ui: &Ui, view: View, frame: &ViewFrame, cx: &Context) {
+pub(super) fn paint_strokes(sketching: &Sketching, ui: &Ui, view: View, frame: &ViewFrame, cx: &Context) {
     let tool = &sketching.tool;
     let painter = ui.painter_at(frame.rect);
     let pictures = cx.tone.pictures();

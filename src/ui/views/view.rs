@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 /// What the pointer can do in the views.
 #[derive(Default)]
-pub struct Tools {
+pub(super) struct Tools {
     /// Draws fibres.
     pub sketching: Sketching,
     /// Selects, moves and paints.
@@ -34,7 +34,7 @@ pub struct Tools {
 }
 
 /// Shows a view in the room that is left.
-pub fn show(
+pub(super) fn show(
     pane: &mut Pane,
     ui: &mut Ui,
     tools: &mut Tools,

@@ -5,7 +5,7 @@ use super::{answer, built_in, close, edit, fibres, file, focus, folder, load, na
 use egui::{Key, Modifiers, ViewportCommand};
 use sinew::io::{load_scene, save_scene};
 use sinew::scene::Scene;
-use sinew::ui::App;
+use sinew::test_support::ui::App;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};

@@ -5,12 +5,12 @@ use glam::{DMat3, IVec3};
 use std::collections::HashSet;
 
 /// Cells of a brick, one for each lane.
-pub const CELLS: i32 = 4;
+pub(crate) const CELLS: i32 = 4;
 const _: () = assert!(CELLS as usize == LANES, "a brick fills its lanes");
 
 /// Which axis of the lattice the rows run along, and where bricks begin on it.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Alignment {
+pub(crate) struct Alignment {
     /// The axis: 0 x, 1 y, 2 z.
     axis: usize,
     /// Cells by which bricks begin before a multiple of four.
@@ -24,7 +24,7 @@ impl Alignment {
     }
 
     /// The alignment of fewest bricks; another than the plain one only where that saves some.
-    pub fn of_fewest_bricks(cells: &[IVec3]) -> Self {
+    pub(crate) fn of_fewest_bricks(cells: &[IVec3]) -> Self {
         let bricks = |cut: Self| cells.iter().map(|&cell| brick_of(cut.cell(cell))).collect::<HashSet<_>>().len();
         let mut best: Option<(usize, Self)> = None;
         for cut in Self::all() {
@@ -38,14 +38,14 @@ impl Alignment {
 
     /// A lattice index along the rows: the axes in turn, so that they stay right-handed, rows first, begun at the
     /// phase.
-    pub fn cell(self, cell: IVec3) -> IVec3 {
+    pub(crate) fn cell(self, cell: IVec3) -> IVec3 {
         let [x, y, z] = cell.to_array();
         let cell = [IVec3::new(x, y, z), IVec3::new(y, z, x), IVec3::new(z, x, y)][self.axis];
         cell + self.phase * IVec3::X
     }
 
     /// The lattice's axes in the same order.
-    pub fn axes(self, axes: &DMat3) -> DMat3 {
+    pub(crate) fn axes(self, axes: &DMat3) -> DMat3 {
         let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis];
         match self.axis {
             0 => *axes,

@@ -6,10 +6,10 @@ use glam::IVec3;
 use std::collections::{HashMap, HashSet};
 
 /// A place of a brick without a particle.
-pub const NO_PARTICLE: u32 = u32::MAX;
+pub(crate) const NO_PARTICLE: u32 = u32::MAX;
 
 /// The bricks of a body, row after row.
-pub struct Bricks {
+pub(crate) struct Bricks {
     /// Where every brick lies: its cells' index along the rows with x in units of bricks, in order of z, y, x.
     pub positions: Vec<IVec3>,
     /// Particles of every brick, [`NO_PARTICLE`] where there is none.
@@ -20,7 +20,7 @@ pub struct Bricks {
 
 impl Bricks {
     /// The bricks of particles in these lattice cells.
-    pub fn new(cells: &[IVec3], alignment: Alignment) -> Self {
+    pub(crate) fn new(cells: &[IVec3], alignment: Alignment) -> Self {
         let cells: Vec<IVec3> = cells.iter().map(|&cell| alignment.cell(cell)).collect();
         let mut positions: Vec<IVec3> =
             cells.iter().map(|&cell| brick_of(cell)).collect::<HashSet<_>>().into_iter().collect();
@@ -37,13 +37,13 @@ impl Bricks {
     }
 
     /// Number of bricks.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.positions.len()
     }
 }
 
 /// Brick and lane of a place.
 #[inline(always)]
-pub fn brick_and_lane(place: u32) -> (usize, usize) {
+pub(crate) fn brick_and_lane(place: u32) -> (usize, usize) {
     (place as usize / LANES, place as usize % LANES)
 }

@@ -12,6 +12,6 @@ mod alignment;
 mod layout;
 mod palette;
 
-pub use alignment::{Alignment, CELLS};
-pub use layout::{Bricks, NO_PARTICLE, brick_and_lane};
-pub use palette::Palette;
+pub(crate) use alignment::{Alignment, CELLS};
+pub(crate) use layout::{Bricks, NO_PARTICLE, brick_and_lane};
+pub(crate) use palette::Palette;

@@ -4,14 +4,14 @@ use crate::solver::wide::Lanes4;
 use std::collections::HashMap;
 
 /// Constants of bricks, each set of them kept once: inside a body all bricks have the same.
-pub struct Palette<T> {
+pub(crate) struct Palette<T> {
     entries: Vec<T>,
     of_brick: Vec<u32>,
 }
 
 impl<T> Palette<T> {
     /// The palette of bricks with these numbers; sets of the same bits become one entry.
-    pub fn new<const N: usize>(bricks: impl Iterator<Item = [Lanes4; N]>) -> Self
+    pub(crate) fn new<const N: usize>(bricks: impl Iterator<Item = [Lanes4; N]>) -> Self
     where
         T: From<[Lanes4; N]>,
     {
@@ -29,7 +29,7 @@ impl<T> Palette<T> {
 
     /// The entry of a brick.
     #[inline(always)]
-    pub fn of(&self, brick: usize) -> &T {
+    pub(crate) fn of(&self, brick: usize) -> &T {
         &self.entries[self.of_brick[brick] as usize]
     }
 }

@@ -16,7 +16,7 @@ fn inverse_half(c: f64) -> (f64, f64) {
 }
 
 /// Curvature binormal of eq. 6 from the unit tangents of two consecutive edges.
-pub fn curvature_binormal(before: DVec3, after: DVec3) -> DVec3 {
+pub(crate) fn curvature_binormal(before: DVec3, after: DVec3) -> DVec3 {
     2.0 * inverse_half(before.dot(after)).0 * before.cross(after)
 }
 

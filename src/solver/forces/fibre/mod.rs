@@ -10,7 +10,7 @@
 
 mod band;
 mod break_limits;
-pub mod breaking;
+pub(crate) mod breaking;
 mod corner;
 mod fibre_embedding;
 mod force;
@@ -21,6 +21,5 @@ mod soa;
 mod strip;
 mod tension;
 
-pub use corner::curvature_binormal;
 pub use force::FibreForce;
-pub use rest::{Bend, CurvedRest, FibreRest};
+pub use rest::FibreRest;

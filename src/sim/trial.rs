@@ -1,7 +1,6 @@
-//! The same scene under several integrators and steps: what the two-layer paper is for.
+//! A scene under one integrator and one step.
 
-use crate::bake::{BakeError, bake};
-use crate::scene::{Assets, Extra, IntegratorKind, Manual, Scene, TimeStep};
+use crate::scene::Scene;
 use crate::solver::body::Body;
 use crate::solver::energy::Energies;
 use crate::solver::world::World;
@@ -9,9 +8,6 @@ use glam::DVec3;
 
 /// A run has blown up once its energy exceeds the first this many times.
 const BLOWN_UP: f64 = 100.0;
-
-/// The reference steps this much finer than the finest run, and than its own limit of stability.
-const FINER: f64 = 4.0;
 
 /// A scene under one integrator with exactly one step: no sub-stepping, no automatic choice, and no guard that stops a
 /// body early.
@@ -24,24 +20,15 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// The scene at the start, every body under `integrator` in steps of `dt` [s].
-    ///
-    /// # Errors
-    /// A scene that cannot be put together.
-    pub fn new(scene: &Scene, assets: &Assets, integrator: IntegratorKind, dt: f64) -> Result<Self, BakeError> {
-        let mut scene = scene.clone();
-        scene.time.step = TimeStep::Manual(Manual { dt, substeps_per_frame: 1, extra: Extra::new() });
-        scene.measures.clear();
-        scene.all_bodies_mut().for_each(|mut body| *body.integrator_mut() = integrator);
-        let mut world = bake(&scene, assets)?.world;
+    /// A start. `scene` is what `world` was made of, `stable_dt` [s] the greatest step that its integrator takes.
+    pub(super) fn new(scene: &Scene, mut world: World, stable_dt: f64) -> Self {
         for index in 0..world.bodies().len() {
             if let Some(body) = world.body_mut(index) {
                 body.set_guarded(false);
             }
         }
-        let stable_dt = world.bodies().iter().map(|body| body.parts().stable_dt).fold(f64::INFINITY, f64::min);
-        let first = first_energy(&scene, &world);
-        Ok(Self { world, first, blew_up_at: None, stable_dt })
+        let first = first_energy(scene, &world);
+        Self { world, first, blew_up_at: None, stable_dt }
     }
 
     /// One step; nothing more happens once it has blown up.
@@ -88,11 +75,6 @@ impl Trial {
         self.energies().map(|energies| energies.total()).sum()
     }
 
-    /// Energy scale of the start [J], against which errors and growth are counted.
-    pub fn first_energy(&self) -> f64 {
-        self.first
-    }
-
     fn positions(&self) -> impl Iterator<Item = DVec3> {
         self.world.bodies().iter().flat_map(|body| body.state().positions.iter().copied())
     }
@@ -131,28 +113,4 @@ fn first_energy(scene: &Scene, world: &World) -> f64 {
     });
     let first = bodies.sum::<f64>() + gas;
     if first > 0.0 { first } else { 1.0 }
-}
-
-/// A run of classical Runge-Kutta to `seconds` [s] in steps finer than `finest` [s], against which others are held.
-///
-/// # Errors
-/// A scene that cannot be put together.
-pub fn reference(scene: &Scene, assets: &Assets, seconds: f64, finest: f64) -> Result<Trial, BakeError> {
-    let stable = Trial::new(scene, assets, IntegratorKind::Rk4, finest)?.stable_dt();
-    let steps = (seconds * FINER / finest.min(stable)).ceil().max(1.0);
-    let mut trial = Trial::new(scene, assets, IntegratorKind::Rk4, seconds / steps)?;
-    for _ in 0..steps as u64 {
-        trial.step();
-    }
-    Ok(trial)
-}
-
-/// Slope of log(error) over log(step): the order of convergence, by least squares. None with fewer than two points.
-pub fn convergence_order(points: &[(f64, f64)]) -> Option<f64> {
-    let logs: Vec<(f64, f64)> = points.iter().map(|(dt, error)| (dt.ln(), error.ln())).collect();
-    let n = logs.len() as f64;
-    let (mean_x, mean_y) = (logs.iter().map(|p| p.0).sum::<f64>() / n, logs.iter().map(|p| p.1).sum::<f64>() / n);
-    let square: f64 = logs.iter().map(|p| (p.0 - mean_x).powi(2)).sum();
-    let product: f64 = logs.iter().map(|p| (p.0 - mean_x) * (p.1 - mean_y)).sum();
-    (square > 0.0).then(|| product / square)
 }

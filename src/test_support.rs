@@ -1,0 +1,62 @@
+//! What the tests and benchmarks under `tests` look at besides the crate's face. No part of that face: these names come
+//! and go with the inside of the crate, without a word in the list of changes.
+
+/// Shapes and distances.
+pub mod geometry {
+    pub use crate::geometry::curve::{arc_length, distance_to_polyline};
+    pub use crate::geometry::isosurface::isosurface;
+    pub use crate::geometry::lattice::{LatticeSample, fill_box};
+    pub use crate::geometry::nearest::SurfaceIndex;
+    pub use crate::geometry::octahedron::sphere;
+}
+
+/// Forces one by one, and what they are made of.
+pub mod solver {
+    pub use crate::solver::forces::fibre::breaking::BreakLimits;
+    pub use crate::solver::forces::fibre::{FibreForce, FibreRest};
+    pub use crate::solver::forces::springs::{SpringGroup, Springs};
+    pub use crate::solver::forces::{Elasticity, MatrixForce};
+    pub use crate::solver::layers::Layers;
+    pub use crate::solver::neighbourhood::Neighbourhood;
+    pub use crate::solver::skin::{Skin, SkinShape};
+}
+
+/// The command line's own scenes.
+pub mod cli {
+    pub use crate::cli::make_pictures::{Demo, demo};
+}
+
+/// How files are written, and what is kept for the next start.
+pub mod io {
+    pub use crate::io::atomic::write_atomically;
+    pub use crate::io::recovery::{Origin, RecoveryFile, recoverable_documents};
+    pub use crate::io::scene::MAX_SCENE_BYTES;
+}
+
+/// Lines that help while a stroke is drawn, and the limits of a lift.
+pub mod sketch {
+    pub use crate::sketch::follow::follow;
+    pub use crate::sketch::guides::guides;
+    pub use crate::sketch::lift::{SAMPLES, STRAY_LIMIT};
+}
+
+/// Recording.
+pub mod sim {
+    pub use crate::sim::recording::DEFAULT_MEMORY;
+}
+
+/// Picking, and the device that a window shares.
+#[cfg(feature = "render")]
+pub mod render {
+    pub use crate::render::device::open_device;
+    pub use crate::render::pick::Pick;
+}
+
+/// The window without a screen.
+#[cfg(feature = "gui")]
+pub mod ui {
+    pub use crate::ui::action::Action;
+    pub use crate::ui::app::App;
+    pub use crate::ui::gallery::{EXAMPLES, Example, Group};
+    pub use crate::ui::menu::Menu;
+}

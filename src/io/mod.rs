@@ -42,6 +42,8 @@ pub use model::load_model;
 #[cfg(feature = "gui")]
 pub(crate) use model::read_model;
 pub use obj::write_obj;
+#[cfg(feature = "gui")]
+pub(crate) use paths::{is_same, is_there};
 pub(crate) use paths::{missing_files, resolved};
 pub use pointer::apply_sets;
 #[cfg(feature = "gui")]

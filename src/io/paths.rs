@@ -3,9 +3,22 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The file or folder that a path leads to, whole and with links followed, for comparing; none where nothing is.
+/// The file or folder that a path leads to, whole and with links followed, for comparing; none where nothing is. The empty
+/// path is the present folder.
 pub(crate) fn resolved(path: &Path) -> Option<PathBuf> {
-    fs::canonicalize(path).ok()
+    fs::canonicalize(if path.as_os_str().is_empty() { Path::new(".") } else { path }).ok()
+}
+
+/// Whether two paths lead to the same file or folder, or are the same.
+#[cfg(feature = "gui")]
+pub(crate) fn is_same(a: &Path, b: &Path) -> bool {
+    a == b || resolved(a).is_some_and(|a| resolved(b) == Some(a))
+}
+
+/// Whether a path leads to anything.
+#[cfg(feature = "gui")]
+pub(crate) fn is_there(path: &Path) -> bool {
+    path.exists()
 }
 
 /// Those of the files that are not there.

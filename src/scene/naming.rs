@@ -15,7 +15,15 @@ macro_rules! titles {
 
 titles! { Body Fibre Panel TwoLayer }
 
+/// What a scene without a name is called.
+pub(crate) const UNTITLED: &str = "Untitled";
+
 impl Scene {
+    /// Its name, or what one without a name is called.
+    pub fn title(&self) -> &str {
+        if self.name.is_empty() { UNTITLED } else { &self.name }
+    }
+
     /// `text` with names for the pointers that lead to bodies and fibres: "stiffness of Helix 4" for
     /// `/bodies/0/fibres/3/stiffness`. Pointers to anything else stay.
     pub fn with_names(&self, text: &str) -> String {

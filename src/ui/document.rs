@@ -1,7 +1,7 @@
 //! What the window opens: a scene and the models that it names, or a model alone.
 
 use crate::geometry::solid::Solid;
-use crate::io::{IoError, is_model, load_assets, load_scene, scene_from_json, unknown_fields};
+use crate::io::{IoError, is_model, load_assets, load_scene, resolved, scene_from_json, unknown_fields};
 use crate::scene::{Assets, Body, Material, MeshShape, Scene};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -101,7 +101,7 @@ fn model_scene(name: &str, shape: &MeshShape) -> Scene {
 /// `scene` with the models that it names from the folder `from` named from the folder `to`.
 pub(super) fn moved(scene: &Scene, from: &Path, to: &Path) -> Scene {
     let mut scene = scene.clone();
-    let (Some(from), Some(to)) = (whole(from), whole(to)) else { return scene };
+    let (Some(from), Some(to)) = (resolved(from), resolved(to)) else { return scene };
     if from == to {
         return scene;
     }
@@ -111,15 +111,9 @@ pub(super) fn moved(scene: &Scene, from: &Path, to: &Path) -> Scene {
     scene
 }
 
-/// An absolute path without links, as far as it exists.
-fn whole(folder: &Path) -> Option<PathBuf> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    folder.canonicalize().ok()
-}
-
 /// A path relative to a folder, both absolute, with `/` between the names.
 fn seen_from(path: &Path, folder: &Path) -> String {
-    let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let path = resolved(path).unwrap_or_else(|| path.to_owned());
     let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
     let up = folder.components().skip(shared).map(|_| "..".to_owned());
     let down =

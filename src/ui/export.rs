@@ -3,7 +3,7 @@
 use super::autosave::{Loss, Question};
 use super::context::{Context, Request, Severity};
 use super::dialogs::{Dialog, PathPurpose};
-use crate::io::write_atomically;
+use crate::io::{is_same, is_there, write_atomically};
 use std::path::{Path, PathBuf};
 
 /// Where the table goes unless another place is chosen.
@@ -19,7 +19,7 @@ pub(super) fn ask_where_to_export(cx: &mut Context) {
 
 /// Writes the table, after asking where that would lose what a file holds.
 pub(super) fn export_to(cx: &mut Context, path: PathBuf) {
-    if path.exists() {
+    if is_there(&path) {
         cx.request(Request::Open(Dialog::Question(Question::Replace { path, loss: Loss::Table, next: None })));
     } else {
         export(cx, &path);
@@ -28,10 +28,7 @@ pub(super) fn export_to(cx: &mut Context, path: PathBuf) {
 
 /// Writes every row that is kept as a table.
 pub(super) fn export(cx: &mut Context, path: &Path) {
-    let same = |scene: &Path| {
-        scene == path || scene.canonicalize().ok().is_some_and(|at| path.canonicalize().ok() == Some(at))
-    };
-    if cx.document.path.as_deref().is_some_and(same) {
+    if cx.document.path.as_deref().is_some_and(|scene| is_same(scene, path)) {
         cx.say(Severity::Error, format!("{}: that is the scene's own file; choose another name", path.display()));
         return;
     }

@@ -1,4 +1,4 @@
-//! Circles of files: which file of a room imports which other, and where that goes round.
+//! Circles of files: which file of an area imports which other, and where that goes round.
 //!
 //! A path is followed through the modules to the file that it ends in. A name that a module's file brings in by a `use`
 //! is followed further, to the file where it is defined, so that `use super::Thing` is an import of the sibling that
@@ -15,15 +15,15 @@ type Ties = BTreeMap<PathBuf, BTreeMap<PathBuf, BTreeSet<String>>>;
 /// Files that import each other in a circle, with what ties them.
 #[derive(Debug)]
 pub struct Circle {
-    /// The room that the files are in.
-    pub room: String,
+    /// The area that the files are in.
+    pub area: String,
     /// The files, in the order of their names.
     pub files: Vec<PathBuf>,
     /// One line an import: `a.rs <- b.rs: Thing, other`, for a that imports from b.
     pub ties: Vec<String>,
 }
 
-/// The circles of files inside rooms among sources with their paths below `src`.
+/// The circles of files inside areas among sources with their paths below `src`.
 pub fn circles(sources: &[(PathBuf, String)]) -> Vec<Circle> {
     let house = House::new(sources);
     let ties = house.ties();
@@ -141,6 +141,6 @@ fn circle(ties: &Ties, files: Vec<PathBuf>) -> Circle {
             lines.push(format!("{} <- {}: {}", file.display(), other.display(), names.join(", ")));
         }
     }
-    let room = module_of(&files[0]).into_iter().next().unwrap_or_default();
-    Circle { room, files, ties: lines }
+    let area = module_of(&files[0]).into_iter().next().unwrap_or_default();
+    Circle { area, files, ties: lines }
 }

@@ -1,4 +1,4 @@
-//! The rooms of the house: who may import whom, how long a file may be, and that no files go round in a circle.
+//! The top-level modules, here called areas: who may import whom, how long a file may be, and that no files go round in a circle.
 
 mod circles;
 mod imports;
@@ -12,7 +12,7 @@ use imports::{Import, imports};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What each room may import: whole rooms, or one module of a room.
+/// What each area may import: whole areas, or one module of an area.
 const TABLE: &[(&str, &[&str])] = &[
     ("text", &[]),
     ("geometry", &[]),
@@ -34,34 +34,34 @@ const TABLE: &[(&str, &[&str])] = &[
 /// A source file may have fewer lines than this.
 const LONGEST: usize = 400;
 
-/// Rooms with files that still import each other in a circle. It only ever gets shorter: a room without a circle may not
+/// Areas with files that still import each other in a circle. It only ever gets shorter: an area without a circle may not
 /// stand here.
 const KNOWN: &[&str] = &[];
 
-/// Why a room may not import something; none if it may.
-fn violation(room: &str, import: &Import) -> Option<String> {
+/// Why an area may not import something; none if it may.
+fn violation(area: &str, import: &Import) -> Option<String> {
     let target = import.path.first()?;
-    // What is no room lies in the file itself: `super::` in a test module leads out of that module only.
-    if target == room || !is_room(target) {
+    // What is no area lies in the file itself: `super::` in a test module leads out of that module only.
+    if target == area || !is_area(target) {
         return None;
     }
-    let Some((_, allowed)) = TABLE.iter().find(|(name, _)| *name == room) else {
-        return Some(format!("room {room} is not in the table"));
+    let Some((_, allowed)) = TABLE.iter().find(|(name, _)| *name == area) else {
+        return Some(format!("area {area} is not in the table"));
     };
     let within = |allowed: &str| allowed.split("::").zip(&import.path).filter(|(a, b)| a == b).count();
     let may = allowed.iter().any(|allowed| within(allowed) == allowed.split("::").count());
-    (!may).then(|| format!("line {}: {room} may not import {}", import.line, import.path.join("::")))
+    (!may).then(|| format!("line {}: {area} may not import {}", import.line, import.path.join("::")))
 }
 
-fn is_room(name: &str) -> bool {
-    TABLE.iter().any(|(room, _)| *room == name)
+fn is_area(name: &str) -> bool {
+    TABLE.iter().any(|(area, _)| *area == name)
 }
 
 /// Every violation in a file, of which `path` is its place under `src`.
 fn violations(path: &Path, text: &str) -> Vec<String> {
     let module = module_of(path);
-    let Some(room) = module.first() else { return Vec::new() };
-    rooted(text, &module).iter().filter_map(|import| violation(room, import)).collect()
+    let Some(area) = module.first() else { return Vec::new() };
+    rooted(text, &module).iter().filter_map(|import| violation(area, import)).collect()
 }
 
 /// The paths of a source that say where in the crate they start.
@@ -93,7 +93,7 @@ fn every_source() -> Vec<(PathBuf, String)> {
 }
 
 #[test]
-fn every_room_imports_what_it_may() {
+fn every_area_imports_what_it_may() {
     let sources = every_source();
     let imports: usize = sources.iter().map(|(path, text)| rooted(text, &module_of(path)).len()).sum();
     assert!(imports > 100, "only {imports} imports were found");
@@ -107,17 +107,17 @@ fn every_room_imports_what_it_may() {
 }
 
 #[test]
-fn every_folder_of_the_source_is_a_room() {
+fn every_folder_of_the_source_is_an_area() {
     for (path, _) in every_source() {
-        if let Some(room) = module_of(&path).first() {
-            assert!(is_room(room), "{room} is not in the table");
+        if let Some(area) = module_of(&path).first() {
+            assert!(is_area(area), "{area} is not in the table");
         }
     }
 }
 
 #[test]
 fn the_table_has_no_circle() {
-    // The rooms stand in an order in which each imports earlier ones only.
+    // The areas stand in an order in which each imports earlier ones only.
     let mut before = Vec::new();
     let mut left: Vec<_> = TABLE.to_vec();
     while !left.is_empty() {
@@ -140,19 +140,19 @@ fn no_file_is_long() {
 }
 
 #[test]
-fn no_files_of_a_room_import_each_other_in_a_circle() {
+fn no_files_of_an_area_import_each_other_in_a_circle() {
     let circles = circles(&every_source());
-    let (known, new): (Vec<_>, Vec<_>) = circles.iter().partition(|circle| KNOWN.contains(&&*circle.room));
+    let (known, new): (Vec<_>, Vec<_>) = circles.iter().partition(|circle| KNOWN.contains(&&*circle.area));
     let told = |circles: &[&Circle]| {
         let told = circles
             .iter()
-            .map(|circle| format!("{}, {} files:\n  {}\n", circle.room, circle.files.len(), circle.ties.join("\n  ")));
+            .map(|circle| format!("{}, {} files:\n  {}\n", circle.area, circle.files.len(), circle.ties.join("\n  ")));
         told.collect::<Vec<_>>().join("\n")
     };
     eprintln!("{}", told(&known));
     assert!(new.is_empty(), "files import each other in a circle (a <- b: what a imports from b)\n{}", told(&new));
-    for room in KNOWN {
-        assert!(circles.iter().any(|circle| circle.room == *room), "{room} has no circle any more: take it off KNOWN");
+    for area in KNOWN {
+        assert!(circles.iter().any(|circle| circle.area == *area), "{area} has no circle any more: take it off KNOWN");
     }
 }
 

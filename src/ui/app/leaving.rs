@@ -1,6 +1,7 @@
 //! Going on to something else: asked about first where that would lose changes.
 
 use super::App;
+use crate::io::missing_files;
 use crate::ui::autosave::Question;
 use crate::ui::context::Severity;
 use crate::ui::dialogs::Dialog;
@@ -44,7 +45,7 @@ impl App {
 
     /// Opens a file of those that were used.
     pub(super) fn open_recent(&mut self, ctx: &egui::Context, path: PathBuf) {
-        if path.is_file() {
+        if missing_files([path.clone()]).is_empty() {
             self.leave(ctx, Next::Open(path));
         } else {
             let said = format!("{} is no longer there; it was taken off the recent files", path.display());

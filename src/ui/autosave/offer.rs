@@ -1,6 +1,7 @@
 //! Documents that a program left behind without saving them.
 
 use crate::io::RecoverableDocument;
+use crate::scene::UNTITLED;
 
 /// A recoverable document, offered to be opened or discarded.
 #[derive(Clone, Debug)]
@@ -19,6 +20,6 @@ impl RecoveryOffer {
 
     /// Its name.
     pub(crate) fn name(&self) -> &str {
-        if self.document.name.is_empty() { "Untitled" } else { &self.document.name }
+        if self.document.name.is_empty() { UNTITLED } else { &self.document.name }
     }
 }

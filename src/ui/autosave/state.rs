@@ -3,7 +3,7 @@
 use super::offer::RecoveryOffer;
 use super::question::{Loss, Question};
 use super::thread::{AutosaveReport, AutosaveRequest, AutosaveThread};
-use crate::io::{FileStamp, FileState, IoError, Origin};
+use crate::io::{FileStamp, FileState, IoError, Origin, is_same, is_there};
 use crate::scene::Scene;
 use crate::ui::context::{Context, OpenDocument, Severity};
 use std::path::{Path, PathBuf};
@@ -63,10 +63,10 @@ impl Autosave {
 
     /// What would be lost by writing to `path`, where the document belongs to `own`; none if nothing would.
     pub(crate) fn loss(&self, path: &Path, own: Option<&Path>) -> Option<Loss> {
-        if !path.exists() {
+        if !is_there(path) {
             return None;
         }
-        let is_own = own.is_some_and(|own| own == path || whole(own).is_some_and(|own| whole(path) == Some(own)));
+        let is_own = own.is_some_and(|own| is_same(own, path));
         match &self.stamp {
             _ if !is_own => Some(Loss::Other),
             Some(stamp) if stamp.state() == FileState::Same => None,
@@ -190,8 +190,4 @@ impl Autosave {
         }
         Some(question)
     }
-}
-
-fn whole(path: &Path) -> Option<PathBuf> {
-    path.canonicalize().ok()
 }

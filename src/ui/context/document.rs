@@ -34,6 +34,6 @@ impl OpenDocument {
 
     /// What people call it.
     pub(crate) fn name(&self) -> &str {
-        if self.scene().name.is_empty() { "Untitled" } else { &self.scene().name }
+        self.scene().title()
     }
 }

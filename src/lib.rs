@@ -101,6 +101,8 @@
 //! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
 //! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact` |
+//! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::easing`; what is said of it: `bake::overlaps` |
+//! | pins that cannot be meant | `bake::pins` |
 //! | the recording, and what asks for it | `sim::recording`; [`sim::SimCommand`] |
 //! | where a force or an integrator is added | [below](#a-force-and-an-integrator-of-your-own) |
 //! | the stable step | `solver::stable_step` of fibre solids, `solver::modes` of two-layer bodies; what sets it: `bake::limits` |
@@ -152,6 +154,8 @@
 //! - *stable step*: the longest step under which a body's small motions do not grow. *Safety*: the share of it in use.
 //! - *body contact*: the push between two bodies. *Grab*: the pull at a point of a body. *Strike*: an impulse on a whole
 //!   body.
+//! - *overlap*: of bodies that start inside one another, the room or a panel. *Allowance*: the depth that contact grants
+//!   such a one. *Easing*: an allowance that fades.
 //! - *divergence*: a motion that can no longer be computed; the body is stopped. *Break*: of a fibre, past its limits.
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of

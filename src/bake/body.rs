@@ -6,6 +6,7 @@ use super::integrator::{integrator, stable_steps};
 use super::limits::{Resistance, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
+use super::pins::{Following, note_pins};
 use super::stage::BakeStage;
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{fibres, room, supports};
@@ -92,7 +93,7 @@ pub(super) fn draft(
     }
 
     progress(name, BakeStage::StableStep);
-    let contact = Contact { planes: room::planes(scene), law: contact_law(scene, body, mass) };
+    let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
     let integrator = integrator(body.integrator);
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
@@ -108,7 +109,6 @@ pub(super) fn draft(
         forces.push(Box::new(contact));
     }
 
-    note_start(scene, &state, law.radius, path, notes);
     let constraints = supports::constraints(&body.pins, &regions, &rest, &state, path)?;
     let parts = BodyParts {
         id: body.id.clone(),
@@ -140,19 +140,8 @@ pub(super) fn draft(
             TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
         },
     };
+    note_pins(scene, &body.pins, &parts, Following::of_solid(body), path, notes);
     Ok(Draft { parts, regions, stable_steps, fractions })
-}
-
-/// A body that starts inside the floor is thrown out of it.
-fn note_start(scene: &Scene, state: &ParticleState, radius: f64, path: &str, notes: &mut Vec<Note>) {
-    let Some(floor) = scene.room.floor else { return };
-    let lowest = state.positions.iter().map(|x| x.y).fold(f64::INFINITY, f64::min) - radius;
-    let depth = floor - lowest;
-    if depth > 0.1 * radius {
-        let text =
-            format!("the body starts {depth:.2e} m inside the floor, which will throw it out; raise it by that much");
-        notes.push(Note { path: format!("{path}/placement/translation"), text, warning: true });
-    }
 }
 
 /// Particles are balls of radius D / 2, as stiff against others as the material.

@@ -9,6 +9,7 @@ use crate::solver::embedding::{Embedder, EmbeddingWeights};
 use crate::solver::forces::fibre::FibreRest;
 use crate::solver::forces::fibre::breaking::BreakLimits;
 use crate::solver::volume_fraction::volume_fractions;
+use crate::text::number::four_figures;
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -40,6 +41,10 @@ const GREATEST_SQUARE_SUM: f64 = 1.0;
 
 /// Structure particles nearer to each other than this share of the spacing D are warned of.
 const CROWDED: f64 = 0.75;
+
+/// Turn [degrees] of a fibre at one vertex beyond which its bending energy is only a continuation of the law (below a
+/// cosine of -1/2), and as drawn less than a sixteenth of its stiffness is left.
+const FOLDED: f64 = 120.5;
 
 /// Where the fibres of one body are put, and where it is said what happened.
 pub(super) struct Placing<'a> {
@@ -136,6 +141,7 @@ impl Placing<'_> {
             );
             self.note(path, true, text);
         }
+        self.warn_if_folded(&vertices[first..=last], path);
         let embedding = vertices.iter().map(|&at| self.embedder.compact_weights(at).unwrap_or_default()).collect();
         let id = self.body.fibres[fibre].id.clone();
         Some(PlacedFibre { fibre, id, vertices, embedding, active: first..last + 1 })
@@ -164,6 +170,24 @@ impl Placing<'_> {
             }
         }
         Some(vertex + inside * inwards)
+    }
+
+    /// Where a fibre turns back on itself, bending has no meaning: as drawn it holds next to nothing, and straight it is
+    /// as content to stay folded as to open.
+    fn warn_if_folded(&mut self, vertices: &[DVec3], path: &str) {
+        let turn = |k: usize| (vertices[k] - vertices[k - 1]).angle_between(vertices[k + 1] - vertices[k]);
+        let inner = 1..vertices.len().saturating_sub(1);
+        let Some(sharpest) = inner.max_by(|&a, &b| turn(a).total_cmp(&turn(b))) else { return };
+        let (turn, at) = (turn(sharpest), vertices[sharpest]);
+        if turn > FOLDED.to_radians() {
+            let text = format!(
+                "the fibre folds back on itself by {:.0} degrees at [{}] m, where it does not resist bending; draw the turn \
+                 as a bow of several points, or as two fibres",
+                turn.to_degrees(),
+                at.to_array().map(four_figures).join(", ")
+            );
+            self.note(path, true, text);
+        }
     }
 
     /// A fibre softer than the material it displaces weakens the solid and reverses what it is meant to do.

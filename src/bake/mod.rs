@@ -10,7 +10,9 @@ mod layer_model;
 mod limits;
 mod measures;
 mod note;
+mod overlaps;
 mod particle_sampling;
+mod pins;
 mod room;
 mod spans;
 mod stage;
@@ -131,5 +133,6 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, B
     let fractions = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.fractions)).collect();
     let (bodies, regions) = drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
     let world = World::new(bodies, room::panels(scene), probes, plan, DVec3::from_array(scene.gravity));
+    overlaps::note_overlaps(scene, &world, &mut notes);
     Ok(Baked { world, notes, regions, fractions, stable_steps })
 }

@@ -40,3 +40,15 @@ fn panel(panel: &crate::scene::Panel, floor: Option<f64>) -> Panel {
         },
     }
 }
+
+/// The side of the room whose plane has this normal into the free side.
+pub(super) fn side(normal: DVec3) -> &'static str {
+    match normal.to_array() {
+        [_, y, _] if y > 0.5 => "floor",
+        [_, y, _] if y < -0.5 => "ceiling",
+        [x, ..] if x > 0.5 => "wall x_min",
+        [x, ..] if x < -0.5 => "wall x_max",
+        [.., z] if z > 0.5 => "wall z_min",
+        _ => "wall z_max",
+    }
+}

@@ -5,6 +5,7 @@ use super::error::BakeError;
 use super::integrator::{integrator, stable_steps};
 use super::layer_model::LayerModel;
 use super::note::Note;
+use super::pins::{Following, note_pins};
 use super::stage::BakeStage;
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{limits, room, supports};
@@ -52,7 +53,7 @@ pub(super) fn draft(
 
     progress(name, BakeStage::StableStep);
     let integrator = integrator(body.integrator);
-    let contact = Contact { planes: room::planes(scene), law: contact_law(scene, body) };
+    let contact = Contact::new(room::planes(scene), contact_law(scene, body));
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
@@ -102,6 +103,7 @@ pub(super) fn draft(
             TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
         },
     };
+    note_pins(scene, &body.pins, &parts, Following::of_two_layer(body, model.radius), path, notes);
     Ok(Draft { parts, regions, stable_steps, fractions: Vec::new() })
 }
 

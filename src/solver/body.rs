@@ -6,10 +6,11 @@ mod parts;
 pub use parts::{BodyParts, FibreLine, RestScale};
 
 use super::dynamics::Dynamics;
+use super::easing::Easing;
 use super::embedding::EmbeddingWeights;
 use super::energy::Energies;
 use super::forces::fibre::breaking::FibreBreak;
-use super::forces::{Force, Grab};
+use super::forces::{Contact, Force, Grab, Plane};
 use super::integrators::Integrator;
 use super::state::ParticleState;
 use glam::DVec3;
@@ -27,6 +28,11 @@ pub struct Divergence {
     pub cause: String,
     /// Which parameter to change.
     pub remedy: String,
+}
+
+/// The contact with the room among some forces.
+fn room_contact(forces: &[Box<dyn Force>]) -> Option<&Contact> {
+    forces.iter().find_map(|force| force.downcast_ref())
 }
 
 /// One body of a world.
@@ -159,6 +165,28 @@ impl Body {
         true
     }
 
+    /// The planes of the room that it touches.
+    pub(super) fn planes(&self) -> &[Plane] {
+        room_contact(&self.parts.forces).map_or(&[], |contact| &contact.planes)
+    }
+
+    /// How it is eased out of a plane of the room, if it is.
+    pub(super) fn easing(&self, plane: usize) -> Option<&Easing> {
+        room_contact(&self.parts.forces)?.easing(plane)
+    }
+
+    /// Eases it out of planes of the room, by their index, from a time [s].
+    pub(super) fn ease_out(&mut self, eased: Vec<(usize, Easing)>, time: f64) {
+        let contacts = self.parts.forces.iter_mut().filter_map(|force| force.downcast_mut::<Contact>());
+        for contact in contacts {
+            if contact.eased != eased {
+                contact.eased.clone_from(&eased);
+                self.current = false;
+            }
+        }
+        self.update_net_forces(time);
+    }
+
     /// Time steps taken.
     pub fn steps(&self) -> u64 {
         self.steps
@@ -249,10 +277,13 @@ impl Body {
                 evaluations: &mut self.evaluations,
             };
             self.parts.integrator.step(&mut dynamics, &mut self.parts.state, start, dt);
-            if self.parts.layers.as_ref().is_some_and(|layers| layers.put_back(&mut self.parts.state)) {
+            let end = start + dt;
+            let BodyParts { forces, layers, state, .. } = &mut self.parts;
+            let granted = |plane: usize| room_contact(forces)?.easing(plane).map(|easing| easing.at(end).0);
+            let granted = |plane| granted(plane).unwrap_or(0.0);
+            if layers.as_ref().is_some_and(|layers| layers.put_back(state, granted)) {
                 self.current = false;
             }
-            let end = start + dt;
             for force in &mut self.parts.forces {
                 if force.end_step(end, &self.parts.state) {
                     self.current = false;
@@ -327,7 +358,8 @@ impl Body {
         if self.divergence.is_some() {
             return true;
         }
-        if self.parts.constraints.iter().any(|constraint| constraint.motion.end() > time) {
+        let is_eased = room_contact(&self.parts.forces).is_some_and(|contact| contact.end() > time);
+        if is_eased || self.parts.constraints.iter().any(|constraint| constraint.motion.end() > time) {
             return false;
         }
         let mut free: Vec<DVec3> = (0..self.net.len()).map(|i| self.net_force(i)).collect();

@@ -37,11 +37,13 @@ impl Layers {
     }
 
     /// Puts particles that are behind a plane of [`Layers::reset`] on it, velocities untouched; whether there were any.
-    pub(super) fn put_back(&self, state: &mut ParticleState) -> bool {
+    /// `allowance` is the depth [m] that is granted behind a plane, by its index.
+    pub(super) fn put_back(&self, state: &mut ParticleState, allowance: impl Fn(usize) -> f64) -> bool {
         let mut moved = false;
-        for plane in &self.reset {
+        for (index, plane) in self.reset.iter().enumerate() {
+            let granted = allowance(index);
             for x in &mut state.positions {
-                let gap = (*x - plane.point).dot(plane.normal);
+                let gap = (*x - plane.point).dot(plane.normal) + granted;
                 if gap < 0.0 {
                     *x -= gap * plane.normal;
                     moved = true;

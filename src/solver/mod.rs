@@ -9,6 +9,7 @@ pub(crate) mod body;
 pub(crate) mod body_contact;
 pub(crate) mod constraint;
 pub(crate) mod dynamics;
+pub(crate) mod easing;
 pub(crate) mod embedding;
 pub(crate) mod energy;
 pub(crate) mod field;
@@ -19,6 +20,7 @@ pub(crate) mod linear_algebra;
 pub(crate) mod measure;
 pub(crate) mod modes;
 pub(crate) mod neighbourhood;
+pub(crate) mod overlap;
 pub(crate) mod panel;
 pub(crate) mod rotation;
 pub(crate) mod scratch;
@@ -27,11 +29,13 @@ pub(crate) mod snapshot;
 pub(crate) mod stable_step;
 pub(crate) mod state;
 pub(crate) mod volume_fraction;
+mod way_out;
 mod wide;
 pub(crate) mod world;
 
 pub use body::{Body, BodyParts, Divergence, FibreLine, RestScale};
 pub use dynamics::Dynamics;
+pub use easing::Easing;
 pub use embedding::EmbeddingWeights;
 pub use energy::Energies;
 pub use field::FieldKind;
@@ -39,6 +43,7 @@ pub use forces::springs::SpringKind;
 pub use forces::{Force, Grab, StepLimit};
 pub use integrators::Integrator;
 pub use measure::MeasureValue;
+pub use overlap::{Against, Overlap};
 pub use panel::Panel;
 pub use snapshot::{
     BodySnapshot, BreakPlace, FibreBreak, FibreSnapshot, FieldSnapshot, LayersSnapshot, SkinEmbedding, Snapshot,

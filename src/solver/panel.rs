@@ -1,6 +1,7 @@
 //! Rigid horizontal panels that move up and down and press on bodies below them.
 
 use super::body::Body;
+use super::easing::Easing;
 use super::forces::ContactLaw;
 use glam::{DVec2, DVec3};
 
@@ -28,20 +29,29 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Adds the panel's push to the external forces of a body; returns the vertical force on the panel [N].
-    pub(super) fn add_contact(&self, body: &mut Body) -> f64 {
+    /// Whether a point lies on a vertical line through the panel.
+    pub(super) fn is_below_or_above(&self, x: DVec3) -> bool {
+        !(DVec2::new(x.x, x.z) - self.center).abs().cmpgt(self.half_size).any()
+    }
+
+    /// Adds the panel's push at `time` [s] to the external forces of a body; returns the vertical force on the panel [N].
+    /// Where the body is eased out of it, the underside counts as that much higher.
+    pub(super) fn add_contact(&self, body: &mut Body, eased: Option<&Easing>, time: f64) -> f64 {
         let law = ContactLaw { friction: self.friction, ..body.parts().contact };
         let reach = body.parts().reach;
+        let (left, rate) = eased.map_or((0.0, 0.0), |easing| easing.at(time));
+        if let Some(easing) = eased {
+            body.add_contact_energy(easing.energy_at(time));
+        }
         let mut lift = 0.0;
         for i in 0..body.state().len() {
             let x = body.state().positions[i];
-            let gap = self.height - x.y;
-            let off = (DVec2::new(x.x, x.z) - self.center).abs();
+            let gap = self.height - x.y + left;
             // What lies further above the underside than a particle's reach is not pressed, it lies on top.
-            if gap > law.radius || gap < -reach || off.cmpgt(self.half_size).any() {
+            if gap > law.radius || gap < -reach || !self.is_below_or_above(x) {
                 continue;
             }
-            let velocity = body.state().velocities[i] - DVec3::new(0.0, self.velocity, 0.0);
+            let velocity = body.state().velocities[i] - DVec3::new(0.0, self.velocity + rate, 0.0);
             let force = law.force(gap, DVec3::NEG_Y, velocity);
             body.add_external_force(i, force);
             body.add_contact_energy(law.energy(gap));

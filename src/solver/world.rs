@@ -7,12 +7,16 @@
 //! energy is among the bodies' energies of contact.
 
 mod checkpoint;
+mod starts;
 
 pub use checkpoint::Checkpoint;
 
+use starts::Eased;
+
 use super::body::{Body, Divergence};
-use super::body_contact::add_body_contact;
+use super::body_contact::{Allowance, add_body_contact};
 use super::measure::{MeasureValue, Quantity};
+use super::overlap::Overlap;
 use super::panel::Panel;
 use glam::DVec3;
 
@@ -59,6 +63,10 @@ pub struct World {
     peaks: Vec<MeasureValue>,
     plan: StepPlan,
     gravity: DVec3,
+    /// What overlapped when the motion began.
+    overlaps: Vec<Overlap>,
+    /// What of that the world eases apart; bodies are eased out of the room on their own.
+    eased: Eased,
     /// Whether the forces between bodies and panels are those of the present state.
     contact_current: bool,
     /// Force on every panel from below [N].
@@ -85,12 +93,20 @@ impl World {
             peaks: Vec::new(),
             plan,
             gravity,
+            overlaps: Vec::new(),
+            eased: Eased::default(),
             contact_current: false,
             since: 0.0,
             frame: 0,
         };
+        world.ease_apart(None);
         world.peaks = world.measures();
         world
+    }
+
+    /// What overlapped when the motion began, and how it is eased apart.
+    pub fn overlaps(&self) -> &[Overlap] {
+        &self.overlaps
     }
 
     /// The bodies in the order of the scene.
@@ -153,10 +169,10 @@ impl World {
         self.since = before.time();
         self.frame = 0;
         self.contact_current = false;
-        for body in &mut self.bodies {
-            if let Some(old) = before.bodies.iter().find(|old| old.parts().id == body.parts().id) {
-                body.adopt(old);
-            }
+        let mut goes_on = vec![None; self.bodies.len()];
+        for (body, goes_on) in self.bodies.iter_mut().zip(&mut goes_on) {
+            let old = before.bodies.iter().position(|old| old.parts().id == body.parts().id);
+            *goes_on = old.filter(|&old| body.adopt(&before.bodies[old]));
         }
         for panel in &mut self.panels {
             if let Some(old) = before.panels.iter().find(|old| old.id == panel.id) {
@@ -164,6 +180,7 @@ impl World {
                 panel.velocity = old.velocity;
             }
         }
+        self.ease_apart(Some((before, &goes_on)));
         let time = self.time();
         for body in &mut self.bodies {
             body.update_net_forces(time);
@@ -171,19 +188,28 @@ impl World {
         self.peaks = self.measures();
     }
 
-    /// Evaluates the contact between bodies and with panels: each pair of things together, equal and opposite.
-    fn evaluate_contact(&mut self) {
+    /// Evaluates the contact between bodies and with panels at `time` [s]: each pair of things together, equal and opposite.
+    fn evaluate_contact(&mut self, time: f64) {
         for body in &mut self.bodies {
             body.clear_external_forces();
         }
         for first in 0..self.bodies.len() {
             let (before, after) = self.bodies.split_at_mut(first + 1);
-            for second in after {
-                add_body_contact(&mut before[first], second);
+            let a = &mut before[first];
+            for (b, second) in after.iter_mut().zip(first + 1..) {
+                let mut allowance = Allowance::default();
+                if let Some(pair) = self.eased.pair(first, second) {
+                    allowance = pair.allowance(time);
+                    let kept = 0.5 * pair.easing.energy_at(time);
+                    a.add_contact_energy(kept);
+                    b.add_contact_energy(kept);
+                }
+                add_body_contact(a, b, &allowance);
             }
         }
-        for (lift, panel) in self.lifts.iter_mut().zip(&self.panels) {
-            *lift = self.bodies.iter_mut().map(|body| panel.add_contact(body)).sum();
+        for (index, (lift, panel)) in self.lifts.iter_mut().zip(&self.panels).enumerate() {
+            let bodies = self.bodies.iter_mut().enumerate();
+            *lift = bodies.map(|(body, of)| panel.add_contact(of, self.eased.panel(body, index), time)).sum();
         }
         self.contact_current = true;
     }
@@ -207,7 +233,7 @@ impl World {
         for outer in 0..self.plan.outer_steps {
             let time = self.time_at(outer);
             if !self.contact_current {
-                self.evaluate_contact();
+                self.evaluate_contact(time);
             }
             // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the contact
             // takes no energy.
@@ -228,7 +254,7 @@ impl World {
                     }
                 });
             }
-            self.evaluate_contact();
+            self.evaluate_contact(self.time_at(outer + 1));
             self.half_kick(outer_dt);
         }
         self.frame += 1;
@@ -268,6 +294,7 @@ impl World {
             peaks: self.peaks.clone(),
             contact_current: self.contact_current,
             lifts: self.lifts.clone(),
+            eased: self.eased.clone(),
             since: self.since,
             frame: self.frame,
         }
@@ -284,6 +311,7 @@ impl World {
         self.peaks.clone_from(&to.peaks);
         self.contact_current = to.contact_current;
         self.lifts.clone_from(&to.lifts);
+        self.eased.clone_from(&to.eased);
         self.since = to.since;
         self.frame = to.frame;
     }
@@ -296,6 +324,9 @@ impl World {
     /// Whether every body is at rest, every prescribed motion has ended and no panel moves.
     pub fn at_rest(&self) -> bool {
         let time = self.time();
+        if self.eased.end() > time {
+            return false;
+        }
         let still = |panel: &Panel| panel.end() <= time && panel.velocity.abs() < 1e-6;
         self.bodies.iter().all(|body| body.at_rest(time)) && self.panels.iter().all(still)
     }

@@ -5,6 +5,7 @@ mod compare;
 mod errors;
 mod pictures;
 mod simulate;
+mod starts;
 mod sweep;
 mod table1;
 mod trace;

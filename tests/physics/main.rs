@@ -21,6 +21,7 @@ mod rods;
 mod ship;
 mod shipped;
 mod stable_step;
+mod starts;
 mod stencil;
 mod step_parameters;
 mod two_layer;

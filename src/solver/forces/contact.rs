@@ -1,6 +1,7 @@
 //! Contact of particles with planes: penalty that only pushes, with Coulomb friction.
 
 use super::force::{Force, StepLimit};
+use crate::solver::easing::Easing;
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
@@ -37,6 +38,11 @@ impl ContactLaw {
         push * normal + tangential
     }
 
+    /// [`Self::force`] where an allowance of `left` [m], which changes at `rate` [m/s], is granted.
+    pub(crate) fn eased_force(&self, gap: f64, normal: DVec3, velocity: DVec3, [left, rate]: [f64; 2]) -> DVec3 {
+        self.force(gap + left, normal, velocity + rate * normal)
+    }
+
     /// Elastic energy [J] at signed distance `gap` [m].
     pub(crate) fn energy(&self, gap: f64) -> f64 {
         let depth = (self.radius - gap).max(0.0);
@@ -60,23 +66,50 @@ pub(crate) struct Contact {
     pub planes: Vec<Plane>,
     /// How they push.
     pub law: ContactLaw,
+    /// Planes, by their index, that the body is eased out of.
+    pub(crate) eased: Vec<(usize, Easing)>,
+}
+
+impl Contact {
+    /// Contact that eases the body out of none of the planes.
+    pub(crate) fn new(planes: Vec<Plane>, law: ContactLaw) -> Self {
+        Self { planes, law, eased: Vec::new() }
+    }
+
+    /// How the body is eased out of a plane, if it is.
+    pub(crate) fn easing(&self, plane: usize) -> Option<&Easing> {
+        self.eased.iter().find(|(index, _)| *index == plane).map(|(_, easing)| easing)
+    }
+
+    /// When the body has been eased out of everything [s].
+    pub(crate) fn end(&self) -> f64 {
+        self.eased.iter().map(|(_, easing)| easing.end()).fold(f64::NEG_INFINITY, f64::max)
+    }
 }
 
 impl Force for Contact {
-    fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        for plane in &self.planes {
+    fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
+        for (index, plane) in self.planes.iter().enumerate() {
+            let allowance = self.easing(index).map(|easing| <[f64; 2]>::from(easing.at(time)));
             for (i, force) in forces.iter_mut().enumerate() {
                 let gap = (state.positions[i] - plane.point).dot(plane.normal);
-                *force += self.law.force(gap, plane.normal, state.velocities[i]);
+                let velocity = state.velocities[i];
+                *force += match allowance {
+                    None => self.law.force(gap, plane.normal, velocity),
+                    Some(allowance) => self.law.eased_force(gap, plane.normal, velocity, allowance),
+                };
             }
         }
     }
 
-    fn add_energy(&self, _time: f64, state: &ParticleState, energies: &mut Energies) {
-        for plane in &self.planes {
+    fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
+        for (index, plane) in self.planes.iter().enumerate() {
+            let (left, kept) =
+                self.easing(index).map_or((0.0, 0.0), |easing| (easing.at(time).0, easing.energy_at(time)));
             for x in &state.positions {
-                energies.contact += self.law.energy((*x - plane.point).dot(plane.normal));
+                energies.contact += self.law.energy((*x - plane.point).dot(plane.normal) + left);
             }
+            energies.contact += kept;
         }
     }
 
@@ -86,6 +119,10 @@ impl Force for Contact {
             frequency_squared: self.law.stiffness / lightest,
             damping_rate: self.law.damping.max(self.law.sticking) / lightest,
         }
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(self) + size_of_val(&*self.planes) + size_of_val(&*self.eased)
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

@@ -77,6 +77,11 @@ impl dyn Force {
     pub fn downcast_ref<T: Force>(&self) -> Option<&T> {
         (self as &dyn Any).downcast_ref()
     }
+
+    /// [`Self::downcast_ref`], to change it.
+    pub(crate) fn downcast_mut<T: Force>(&mut self) -> Option<&mut T> {
+        (self as &mut dyn Any).downcast_mut()
+    }
 }
 
 impl Clone for Box<dyn Force> {

@@ -1,0 +1,188 @@
+//! What overlaps when a motion begins, how far, and how it is eased apart (see [`super::easing`]).
+//!
+//! From a plane or a panel the way out is known. Of two bodies the shorter of the ways out is taken, among some
+//! directions: how far the first has to stand aside until nothing of it lies in the other. A touch that is everywhere
+//! shallow while every way out is long, as of a rod in a tight tube, is granted its depth instead.
+
+use super::body::Body;
+use super::body_contact::{Allowance, stiffness_between, together, touches};
+use super::easing::{Easing, GENTLE};
+use super::forces::Plane;
+use super::panel::Panel;
+use super::way_out::way_out;
+use glam::DVec3;
+
+/// What a body overlaps with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Against {
+    /// A plane of the room, by its unit normal into the free side.
+    Plane(DVec3),
+    /// A panel, by its index.
+    Panel(usize),
+    /// Another body, by its index.
+    Body(usize),
+}
+
+/// An overlap at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overlap {
+    /// Index of the body.
+    pub body: usize,
+    /// What it overlaps with.
+    pub against: Against,
+    /// How the body would have to be moved so that it does not overlap [m].
+    pub out: DVec3,
+    /// Particles of the body that lie inside.
+    pub inside: usize,
+    /// Middle of these [m].
+    pub at: DVec3,
+    /// How it is eased apart; none where contact is too soft to throw anything.
+    pub easing: Option<Easing>,
+}
+
+/// How two bodies are eased apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct EasedPair {
+    pub(super) first: usize,
+    pub(super) second: usize,
+    /// Unit vector along which the first stands aside; none where each touch is granted its depth.
+    pub(super) along: Option<DVec3>,
+    pub(super) easing: Easing,
+}
+
+impl EasedPair {
+    /// What the pair is granted at a time [s].
+    pub(super) fn allowance(&self, time: f64) -> Allowance {
+        let (left, rate) = self.easing.at(time);
+        match self.along {
+            Some(along) => Allowance { aside: left * along, aside_rate: rate * along, ..Allowance::default() },
+            None => Allowance { depth: left, depth_rate: rate, ..Allowance::default() },
+        }
+    }
+}
+
+/// Share of a body's extent that is a doubtful depth however soft the contact is.
+const DEEP: f64 = 0.25;
+
+/// Depth [m] up to which a body counts as touching only: a share of the radius of a particle, or of a two-layer body's.
+fn touching_depth(body: &Body) -> f64 {
+    let parts = body.parts();
+    if parts.layers.is_some() { 0.01 * parts.reach } else { 0.1 * parts.contact.radius }
+}
+
+/// Whether a particle can move along a direction.
+fn movable(body: &Body, along: DVec3) -> Vec<bool> {
+    let mut field = vec![along; body.state().len()];
+    for constraint in &body.parts().constraints {
+        constraint.mask(&mut field);
+    }
+    field.into_iter().map(|left| left.length_squared() > 0.5).collect()
+}
+
+/// Extent of a body along a direction [m].
+fn extent(body: &Body, along: DVec3) -> f64 {
+    let places = body.state().positions.iter().map(|x| x.dot(along));
+    let (least, most) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)));
+    most - least + 2.0 * body.parts().contact.radius
+}
+
+/// The easing of an overlap of `depth` [m] that holds `energy` [J], and whether the overlap is worth a word. A contact
+/// that holds less than the work of easing out `mass` [kg] does not throw it.
+fn eased(depth: f64, energy: f64, mass: f64, gravity: DVec3, extent: f64, time: f64) -> (Option<Easing>, bool) {
+    let payable = energy > mass * (gravity.length() + GENTLE) * depth;
+    (payable.then(|| Easing::new(depth, energy, time)), payable || depth > DEEP * extent)
+}
+
+/// A body behind something flat: `depth_of` gives how far a particle's centre is behind it [m], where it is before it
+/// or beside it nothing. `out` is the way to where it belongs.
+fn behind(
+    body: &Body,
+    out: DVec3,
+    depth_of: impl Fn(DVec3) -> Option<f64>,
+    gravity: DVec3,
+    time: f64,
+) -> Option<(f64, usize, DVec3, Option<Easing>)> {
+    let law = &body.parts().contact;
+    let (mut depth, mut energy, mut inside, mut sum) = (0.0_f64, 0.0, 0, DVec3::ZERO);
+    let movable = movable(body, out);
+    for (&x, _) in body.state().positions.iter().zip(movable).filter(|(_, movable)| *movable) {
+        let Some(behind) = depth_of(x) else { continue };
+        energy += law.energy(-behind);
+        let sunk = behind + law.radius;
+        depth = depth.max(sunk);
+        if sunk > touching_depth(body) {
+            inside += 1;
+            sum += x;
+        }
+    }
+    if inside == 0 || law.stiffness <= 0.0 {
+        return None;
+    }
+    let (easing, doubtful) = eased(depth, energy, body.state().mass(), gravity, extent(body, out), time);
+    doubtful.then(|| (depth, inside, sum / inside as f64, easing))
+}
+
+/// How a body overlaps with a plane of the room at a time [s].
+pub(super) fn with_plane(index: usize, body: &Body, plane: &Plane, gravity: DVec3, time: f64) -> Option<Overlap> {
+    let depth_of = |x: DVec3| Some(-(x - plane.point).dot(plane.normal));
+    let (depth, inside, at, easing) = behind(body, plane.normal, depth_of, gravity, time)?;
+    let against = Against::Plane(plane.normal);
+    Some(Overlap { body: index, against, out: depth * plane.normal, inside, at, easing })
+}
+
+/// How a body overlaps with a panel at a time [s]: some of it is pressed, and all that is above its underside counts.
+pub(super) fn with_panel(
+    index: usize,
+    body: &Body,
+    (number, panel): (usize, &Panel),
+    gravity: DVec3,
+    time: f64,
+) -> Option<Overlap> {
+    let free = touching_depth(body) - body.parts().contact.radius;
+    let pressed =
+        |x: &DVec3| panel.is_below_or_above(*x) && (free..=body.parts().reach).contains(&(x.y - panel.height));
+    if !body.state().positions.iter().any(pressed) {
+        return None;
+    }
+    let depth_of = |x: DVec3| panel.is_below_or_above(x).then_some(x.y - panel.height);
+    let (depth, inside, at, easing) = behind(body, DVec3::NEG_Y, depth_of, gravity, time)?;
+    let out = DVec3::NEG_Y * depth;
+    Some(Overlap { body: index, against: Against::Panel(number), out, inside, at, easing })
+}
+
+/// How two bodies overlap at a time [s], the second's place in the world being what is asked for, and how they are eased
+/// apart.
+pub(super) fn of_bodies(
+    [first, second]: [usize; 2],
+    bodies: &[Body],
+    gravity: DVec3,
+    time: f64,
+) -> Option<(Overlap, Option<EasedPair>)> {
+    let (a, b) = (&bodies[first], &bodies[second]);
+    if stiffness_between(&a.parts().contact, &b.parts().contact) <= 0.0 {
+        return None;
+    }
+    let slack = touching_depth(a).min(touching_depth(b));
+    let way = way_out(a, b, slack)?;
+    let law = together(&a.parts().contact, &b.parts().contact);
+    let energy_aside = |aside: DVec3| -> f64 {
+        touches(a, b, &law, &Allowance { aside, ..Allowance::default() }).iter().map(|t| law.energy(t.gap)).sum()
+    };
+    let (along, depth, energy) = if way.is_shallow {
+        (None, way.depth, energy_aside(DVec3::ZERO))
+    } else {
+        // What has to be overcome to press one into the other from outside is what the overlap holds.
+        const SAMPLES: u32 = 8;
+        let at = |k: u32| energy_aside(way.along * (way.distance * f64::from(k) / f64::from(SAMPLES)));
+        (Some(way.along), way.distance, (0..SAMPLES).map(at).fold(0.0, f64::max))
+    };
+    let least = extent(a, way.along).min(extent(b, way.along));
+    let mass = a.state().mass().min(b.state().mass());
+    let (easing, doubtful) = eased(depth, energy, mass, gravity, least, time);
+    if !doubtful {
+        return None;
+    }
+    let out = -way.along * way.distance;
+    let overlap = Overlap { body: second, against: Against::Body(first), out, inside: way.inside, at: way.at, easing };
+    Some((overlap, easing.map(|easing| EasedPair { first, second, along, easing })))
+}

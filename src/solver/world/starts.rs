@@ -1,0 +1,91 @@
+//! What a world does about what overlaps when its motion begins.
+
+use super::World;
+use crate::solver::easing::Easing;
+use crate::solver::overlap::{EasedPair, of_bodies, with_panel, with_plane};
+
+/// What is being eased apart, from its start on.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Eased {
+    pairs: Vec<EasedPair>,
+    /// Bodies and panels by their indices.
+    panels: Vec<(usize, usize, Easing)>,
+}
+
+impl Eased {
+    /// How two bodies are eased apart, if they are.
+    pub(super) fn pair(&self, first: usize, second: usize) -> Option<&EasedPair> {
+        self.pairs.iter().find(|pair| (pair.first, pair.second) == (first, second))
+    }
+
+    /// How a body is eased out of a panel, if it is.
+    pub(super) fn panel(&self, body: usize, panel: usize) -> Option<&Easing> {
+        self.panels.iter().find(|eased| (eased.0, eased.1) == (body, panel)).map(|(.., easing)| easing)
+    }
+
+    /// When all is apart [s].
+    pub(super) fn end(&self) -> f64 {
+        let ends = self.pairs.iter().map(|pair| pair.easing.end());
+        ends.chain(self.panels.iter().map(|(.., easing)| easing.end())).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Memory that it takes beside itself [bytes].
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.pairs) + size_of_val(&*self.panels)
+    }
+}
+
+impl World {
+    /// Finds what overlaps and eases it apart from now on. After an edit what is known of before goes on: of bodies that
+    /// go on themselves (by the index of each in the world before) a touch is the motion's own.
+    pub(super) fn ease_apart(&mut self, before: Option<(&Self, &[Option<usize>])>) {
+        let time = self.time();
+        let gravity = self.gravity;
+        let old = |body: usize| before.and_then(|(world, goes_on)| Some((world, goes_on[body]?)));
+        let mut overlaps = Vec::new();
+        let mut eased = Eased::default();
+        for index in 0..self.bodies.len() {
+            let body = &self.bodies[index];
+            let mut out_of = Vec::new();
+            for (k, plane) in body.planes().iter().enumerate() {
+                let known = old(index).map(|(world, was)| &world.bodies[was]).and_then(|was| {
+                    let same = was.planes().iter().position(|known| known == plane)?;
+                    Some(was.easing(same).copied())
+                });
+                let easing = known.unwrap_or_else(|| {
+                    let found = with_plane(index, body, plane, gravity, time)?;
+                    overlaps.push(found);
+                    found.easing
+                });
+                out_of.extend(easing.map(|easing| (k, easing)));
+            }
+            for (number, panel) in self.panels.iter().enumerate() {
+                let known = old(index).and_then(|(world, was)| {
+                    let same = world.panels.iter().position(|known| known.id == panel.id)?;
+                    Some(world.eased.panel(was, same).copied())
+                });
+                let easing = known.unwrap_or_else(|| {
+                    let found = with_panel(index, body, (number, panel), gravity, time)?;
+                    overlaps.push(found);
+                    found.easing
+                });
+                eased.panels.extend(easing.map(|easing| (index, number, easing)));
+            }
+            for first in 0..index {
+                if let (Some((world, was)), Some((_, other))) = (old(first), old(index)) {
+                    let pair = world.eased.pair(was.min(other), was.max(other)).filter(|_| was < other);
+                    eased.pairs.extend(pair.map(|&pair| EasedPair { first, second: index, ..pair }));
+                } else if let Some((found, pair)) = of_bodies([first, index], &self.bodies, gravity, time) {
+                    overlaps.push(found);
+                    eased.pairs.extend(pair);
+                }
+            }
+            self.bodies[index].ease_out(out_of, time);
+        }
+        self.overlaps = overlaps;
+        self.eased = eased;
+        if self.eased.end() > time {
+            self.evaluate_contact(time);
+        }
+    }
+}

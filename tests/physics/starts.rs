@@ -235,14 +235,14 @@ fn a_body_put_into_another_by_an_edit_is_eased_out_and_touches_of_the_motion_go_
     for _ in 0..3 {
         moving.advance_frame();
     }
-    let mut same = runner(&scene).world().clone();
-    same.adopt(moving.world());
-    assert_eq!(same.overlaps(), []);
+    let mut same = runner(&scene);
+    same.adopt(&moving);
+    assert_eq!(same.world().overlaps(), []);
     let mut edited = scene.clone();
     edited.bodies[1].placement.translation = [0.0, 0.005, 0.0];
-    let mut world = runner(&edited).world().clone();
-    world.adopt(moving.world());
-    let overlaps = world.overlaps();
+    let mut edited = runner(&edited);
+    edited.adopt(&moving);
+    let overlaps = edited.world().overlaps();
     assert!(overlaps.len() == 1 && overlaps[0].easing.is_some(), "{overlaps:?}");
-    assert!(overlaps[0].easing.unwrap().end() > world.time());
+    assert!(overlaps[0].easing.unwrap().end() > edited.world().time());
 }

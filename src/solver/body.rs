@@ -176,11 +176,11 @@ impl Body {
     }
 
     /// Eases it out of planes of the room, by their index, from a time [s].
-    pub(super) fn ease_out(&mut self, eased: Vec<(usize, Easing)>, time: f64) {
+    pub(super) fn ease_out(&mut self, eased: &[(usize, Easing)], time: f64) {
         let contacts = self.parts.forces.iter_mut().filter_map(|force| force.downcast_mut::<Contact>());
         for contact in contacts {
-            if contact.eased != eased {
-                contact.eased.clone_from(&eased);
+            if contact.eased[..] != *eased {
+                contact.eased = eased.to_vec();
                 self.current = false;
             }
         }

@@ -35,7 +35,7 @@ pub(super) struct Allowance {
 
 impl Allowance {
     /// The same, seen from the second body: it stands aside the other way.
-    fn from_second(self) -> Self {
+    fn seen_by_second(self) -> Self {
         Self { aside: -self.aside, aside_rate: -self.aside_rate, ..self }
     }
 }
@@ -80,7 +80,7 @@ pub(super) fn touches(a: &Body, b: &Body, law: &ContactLaw, allowance: &Allowanc
         points_on_surface(a, b, law, &overlap, allowance, &mut found);
         let first = found.len();
         let beside = Aabb { min: overlap.min - allowance.aside, max: overlap.max - allowance.aside };
-        points_on_surface(b, a, law, &beside, &allowance.from_second(), &mut found);
+        points_on_surface(b, a, law, &beside, &allowance.seen_by_second(), &mut found);
         found[first..].iter_mut().for_each(|touch| touch.of_second = true);
     }
     found

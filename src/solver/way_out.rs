@@ -198,6 +198,9 @@ fn cover_surface(points: &Body, surface: &Body, along: DVec3, grown: f64, stretc
     }
 }
 
+/// A line that passes an edge of a face by no more than this share of it crosses the face.
+const EDGE: f64 = -1e-12;
+
 /// A closed surface, ready to be crossed by lines of one direction.
 struct Crossings {
     along: DVec3,
@@ -256,7 +259,6 @@ impl Crossings {
         let u = to.dot(p) / determinant;
         let q = to.cross(ab);
         let v = self.along.dot(q) / determinant;
-        const EDGE: f64 = -1e-12;
         (u >= EDGE && v >= EDGE && u + v <= 1.0 - EDGE).then(|| ac.dot(q) / determinant)
     }
 }

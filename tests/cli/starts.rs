@@ -83,7 +83,10 @@ fn bodies_in_the_floor_a_wall_or_a_panel_are_said() {
 
 #[test]
 fn pins_that_cannot_be_meant_are_said() {
-    let ramp = |distance: f64, duration: f64, direction: [f64; 3]| json!({"ramp": {"direction": direction, "distance": {"metres": distance}, "duration": duration}});
+    let ramp = |distance: f64, duration: f64, direction: [f64; 3]| {
+        let distance = json!({"metres": distance});
+        json!({"ramp": {"direction": direction, "distance": distance, "duration": duration}})
+    };
     let aside = ramp(0.01, 0.1, [1.0, 0.0, 0.0]);
     let both = json!([{"id": "p", "region": "bottom"}, {"id": "q", "region": "bottom", "motion": aside}]);
     let conflict = ["/bodies/0/pins/1", "\"p\" and \"q\" share 36 particles", "0.01", "along x", "one pin"];
@@ -104,7 +107,8 @@ fn what_can_be_meant_is_not_said() {
     let quiet = |scene: &Value| assert_eq!(Desk::new(scene).run("check scene.json").err, "", "{scene}");
     quiet(&scene(&[block("b", 0.03), block("c", 0.09)], &[ball("t", 3.0)], &floor()));
     let held = json!([{"id": "p", "region": "bottom"}, {"id": "q", "region": "bottom", "axes": ["y"]},
-        {"id": "r", "region": "top", "motion": {"ramp": {"direction": [0, -1, 0], "distance": {"fraction": 0.2}, "duration": 0.3}}}]);
+        {"id": "r", "region": "top", "motion": {"ramp":
+            {"direction": [0, -1, 0], "distance": {"fraction": 0.2}, "duration": 0.3}}}]);
     quiet(&pinned(0.03, held, &floor()));
     // A root that is held in the floor is not pushed out of it.
     quiet(&pinned(0.025, json!([{"id": "p", "region": "bottom"}]), &floor()));
@@ -115,8 +119,8 @@ fn a_fibre_that_folds_back_is_said() {
     let folded = |vertices: Value| {
         let mut body = block("b", 0.1);
         body["shape"]["box"]["size"] = json!([0.06, 0.12, 0.06]);
-        body["fibres"] = json!([{"id": "f", "source": {"vertices": vertices}, "stiffness": {"rigidity": {"ea": 1000, "ei": 1}},
-            "volume_fraction": 0.3, "rest_shape": "as_drawn"}]);
+        body["fibres"] = json!([{"id": "f", "source": {"vertices": vertices},
+            "stiffness": {"rigidity": {"ea": 1000, "ei": 1}}, "volume_fraction": 0.3, "rest_shape": "as_drawn"}]);
         scene(&[body], &[], &floor())
     };
     let sharp = folded(json!([[0, -0.05, 0], [0, 0.05, 0], [0, -0.05, 0]]));

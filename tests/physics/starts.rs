@@ -62,7 +62,7 @@ impl Course {
         let eased = easings.map(|easing| easing.speed()).fold(0.0, f64::max);
         let [start, greatest] = self.energies;
         println!(
-            "{named}: {start:.4e} J, at most {greatest:.4e} J after; {:.3} m/s, eased at {eased:.3} m/s; drift {:.1e}, {:.1e}",
+            "{named}: {start:.4e} J, then at most {greatest:.4e} J; {:.3} m/s, eased at {eased:.3} m/s; drift {:.1e}, {:.1e}",
             self.fastest,
             self.drift.length(),
             self.turned.length() / self.carried()

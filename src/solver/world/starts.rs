@@ -80,7 +80,7 @@ impl World {
                     eased.pairs.extend(pair);
                 }
             }
-            self.bodies[index].ease_out(out_of, time);
+            self.bodies[index].ease_out(&out_of, time);
         }
         self.overlaps = overlaps;
         self.eased = eased;

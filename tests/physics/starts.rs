@@ -68,6 +68,7 @@ impl Course {
             self.turned.length() / self.carried()
         );
         assert!(eased > 0.0, "{named}: it is eased");
+        assert!(self.turned.length() < 0.15 * self.carried(), "{named}: it turned by {}", self.turned);
         assert!(greatest <= start + 0.01 * start.abs(), "{named}: {start} J, then {greatest} J");
         eased
     }

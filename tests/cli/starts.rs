@@ -40,7 +40,8 @@ fn warning(scene: &Value) -> String {
     let [warning] = warnings[..] else { panic!("one warning: {checked:?}") };
     let ran = desk.run("simulate scene.json --seconds 0.01 --report out.json");
     assert!(ran.err.contains(warning), "{ran:?}");
-    let report: Value = serde_json::from_str(&std::fs::read_to_string(desk.path("out.json")).expect("a report")).expect("JSON");
+    let report: Value =
+        serde_json::from_str(&std::fs::read_to_string(desk.path("out.json")).expect("a report")).expect("JSON");
     let notes: Vec<&str> = report["notes"].as_array().expect("notes").iter().filter_map(Value::as_str).collect();
     assert!(notes.contains(&warning), "{notes:?}");
     warning.to_owned()

@@ -7,11 +7,12 @@
 //! energy is among the bodies' energies of contact.
 
 mod checkpoint;
+mod eased;
 mod starts;
 
 pub use checkpoint::Checkpoint;
 
-use starts::Eased;
+use eased::Eased;
 
 use super::body::{Body, Divergence};
 use super::body_contact::{Allowance, add_body_contact};

@@ -1,6 +1,6 @@
 //! What a world goes on from: kept frame by frame, it lets a motion be looked at again and taken up anywhere.
 
-use super::starts::Eased;
+use super::eased::Eased;
 use crate::solver::body::checkpoint::BodyCheckpoint;
 use crate::solver::measure::MeasureValue;
 

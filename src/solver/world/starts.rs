@@ -1,39 +1,8 @@
 //! What a world does about what overlaps when its motion begins.
 
 use super::World;
-use crate::solver::easing::Easing;
+use super::eased::Eased;
 use crate::solver::overlap::{EasedPair, of_bodies, with_panel, with_plane};
-
-/// What is being eased apart, from its start on.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Eased {
-    pairs: Vec<EasedPair>,
-    /// Bodies and panels by their indices.
-    panels: Vec<(usize, usize, Easing)>,
-}
-
-impl Eased {
-    /// How two bodies are eased apart, if they are.
-    pub(super) fn pair(&self, first: usize, second: usize) -> Option<&EasedPair> {
-        self.pairs.iter().find(|pair| (pair.first, pair.second) == (first, second))
-    }
-
-    /// How a body is eased out of a panel, if it is.
-    pub(super) fn panel(&self, body: usize, panel: usize) -> Option<&Easing> {
-        self.panels.iter().find(|eased| (eased.0, eased.1) == (body, panel)).map(|(.., easing)| easing)
-    }
-
-    /// When all is apart [s].
-    pub(super) fn end(&self) -> f64 {
-        let ends = self.pairs.iter().map(|pair| pair.easing.end());
-        ends.chain(self.panels.iter().map(|(.., easing)| easing.end())).fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// Memory that it takes beside itself [bytes].
-    pub(super) fn bytes(&self) -> usize {
-        size_of_val(&*self.pairs) + size_of_val(&*self.panels)
-    }
-}
 
 impl World {
     /// Finds what overlaps and eases it apart from now on. After an edit what is known of before goes on: of bodies that

@@ -44,6 +44,7 @@ pub use integrator::IntegratorKind;
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
 pub use material::{Damping, Falloff, Mass, Material, USUAL_SUPPORT_RADIUS};
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
+#[cfg(feature = "gui")]
 pub(crate) use naming::UNTITLED;
 pub use paint::{Dab, MAX_DABS, add_dab, painted};
 pub use panel::{HeightKey, Panel, PanelMotion};

@@ -2,9 +2,8 @@
 
 use super::CliError;
 use super::error::printable;
-use crate::io::{check_writable, resolved, write_atomically};
+use crate::io::{check_writable, resolved, write_atomically, write_json};
 use serde::Serialize;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Looks whether the files that options name can be written and are all different, the scene included.
@@ -28,13 +27,9 @@ pub(super) fn check(scene: Option<&PathBuf>, targets: &[(&'static str, Option<&P
 /// Writes a report as indented JSON; gives the line that says so.
 ///
 /// # Errors
-/// As [`write_atomically`].
+/// As [`write_json`].
 pub(super) fn write_report(path: &Path, report: &impl Serialize) -> Result<String, CliError> {
-    let write = |out: &mut dyn Write| {
-        serde_json::to_writer_pretty(&mut *out, report)?;
-        out.write_all(b"\n")
-    };
-    write_atomically(path, write)?;
+    write_json(path, report)?;
     Ok(wrote("report", path))
 }
 

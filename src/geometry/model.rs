@@ -1,5 +1,6 @@
 //! Models: what a file of meshes holds, for the picture and as the start of a solid.
 
+use super::model_report::Finding;
 use glam::{DVec3, Vec3};
 use std::ops::Range;
 
@@ -16,6 +17,8 @@ pub struct Model {
     pub triangles: Vec<[u32; 3]>,
     /// Named runs of faces.
     pub parts: Vec<Part>,
+    /// What the reader of the file left out or took another way.
+    pub notes: Vec<Finding>,
 }
 
 /// A named run of a model's faces.
@@ -100,7 +103,7 @@ impl Model {
         for &vertex in self.triangles.iter().filter(|t| keep(t)).flatten() {
             used[vertex as usize] = true;
         }
-        let mut kept = Self::default();
+        let mut kept = Self { notes: self.notes.clone(), ..Self::default() };
         let mut new_index = vec![0; self.positions.len()];
         for (old, _) in used.iter().enumerate().filter(|(_, used)| **used) {
             new_index[old] = kept.positions.len() as u32;

@@ -5,6 +5,8 @@ use std::fmt;
 /// Counts of what is odd about a model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ModelReport {
+    /// What the reader of the file left out or took another way.
+    pub reading: Vec<Finding>,
     /// Vertices of the picture.
     pub vertices: usize,
     /// Different positions of the surface.
@@ -103,8 +105,9 @@ fn lost(faces: usize) -> String {
     if faces == 0 { String::new() } else { format!(" ({faces} were left out: their vertices are no numbers)") }
 }
 
+/// Of the inside no more than all can be in doubt, however much more there is outside of what is counted as inside.
 fn percent(share: f64) -> f64 {
-    (100.0 * share).round()
+    (100.0 * share).round().min(100.0)
 }
 
 fn count_noun(count: usize, noun: &str) -> String {
@@ -119,7 +122,7 @@ fn counted(count: usize, noun: &str) -> String {
 impl ModelReport {
     /// Everything worth saying, in the order in which it was found.
     pub fn findings(&self) -> Vec<Finding> {
-        let mut found = Vec::new();
+        let mut found = self.reading.clone();
         let mut say = |count: usize, warning: bool, text: String| {
             if count > 0 {
                 found.push(Finding { text, warning });

@@ -59,7 +59,7 @@ impl Solid {
     /// # Errors
     /// [`Refusal`] where nothing can be filled.
     pub fn new(model: &Model) -> Result<Self, Refusal> {
-        let mut report = ModelReport::default();
+        let mut report = ModelReport { reading: model.notes.clone(), ..ModelReport::default() };
         let model = without_lost(model, &mut report);
         if model.triangles.is_empty() {
             return Err(Refusal::NoFaces { lost_faces: report.lost_faces });

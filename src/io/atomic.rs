@@ -17,10 +17,11 @@ use tempfile::NamedTempFile;
 ///
 /// # Errors
 /// [`IoError::Write`] within [`IoError::InFile`]: the folder is missing or read-only, the disk is full, the path is a
-/// folder, or `content` failed. The old file is untouched then and no temporary file is left.
+/// folder, or `content` failed; [`IoError::NotFinite`] within it where `content` met a number that is none. The old file is
+/// untouched then and no temporary file is left.
 pub fn write_atomically(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), IoError> {
     let _write = tracing::info_span!("write", file = %path.display()).entered();
-    replace(path, content).map_err(|error| IoError::Write(error).within(path))
+    replace(path, content).map_err(|error| IoError::of_writing(error).within(path))
 }
 
 /// Looks whether [`write_atomically`] could write to a path, before the work whose result is to go there is begun.

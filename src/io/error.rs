@@ -37,6 +37,14 @@ pub enum IoError {
     /// The system refused to write; what was there before is still there.
     #[error("the file cannot be written ({0}); check that its folder exists, has room and may be written to")]
     Write(#[source] io::Error),
+    /// A number that is none, on its way into a file; what was there before is still there.
+    #[error("{what} is {value}, which no file may hold, so nothing was written; if a run gave it, take smaller steps")]
+    NotFinite {
+        /// What the number is of.
+        what: String,
+        /// What it is instead of a number.
+        value: String,
+    },
     /// The system refused to make or use a folder.
     #[error("the folder cannot be written to ({0}); name a folder that can be made or may be written to")]
     Folder(#[source] io::Error),
@@ -50,12 +58,14 @@ pub enum IoError {
     #[error("the name does not end like that of a model; give an OBJ, STL, PLY, glTF or GLB file")]
     UnknownModel,
     /// A model that cannot be understood.
-    #[error("the {format} file cannot be read ({problem}); export it again, or in another format")]
+    #[error("the {format} file cannot be read ({problem}); {remedy}")]
     Model {
         /// Format, as its name ends.
         format: &'static str,
-        /// What is wrong.
+        /// What is wrong, and where.
         problem: String,
+        /// What to do about it.
+        remedy: String,
     },
     /// A model without an inside.
     #[error(transparent)]
@@ -98,6 +108,14 @@ impl IoError {
     /// The same error with the file it is in.
     pub(super) fn within(self, file: &Path) -> Self {
         Self::InFile { file: file.to_owned(), error: Box::new(self) }
+    }
+
+    /// What a writer gave: an error of its own, or one of the system's.
+    pub(super) fn of_writing(error: io::Error) -> Self {
+        match error.downcast::<Self>() {
+            Ok(own) => own,
+            Err(error) => Self::Write(error),
+        }
     }
 
     /// The error without the file it is in.

@@ -1,5 +1,6 @@
 //! Models out, as GLB: one part, one colour.
 
+use super::finite::{check_points, check_single};
 use super::{IoError, write_atomically};
 use crate::geometry::model::Model;
 use glam::Vec3;
@@ -10,10 +11,17 @@ use std::path::Path;
 /// bytes where that is enough. The colour is that of the first vertex.
 ///
 /// # Errors
-/// As [`write_atomically`].
+/// As [`write_atomically`], and [`IoError::NotFinite`] for a vertex, normal or colour that is no numbers.
 pub fn write_glb(path: &Path, model: &Model, name: &str) -> Result<(), IoError> {
-    let bytes = to_glb(model, name);
-    write_atomically(path, |out| out.write_all(&bytes))
+    write_atomically(path, |out| {
+        check_points(&model.positions, || "vertex".to_owned())?;
+        let single: Vec<Vec3> = model.positions.iter().map(|p| p.as_vec3()).collect();
+        check_single(&single, || "vertex".to_owned())?;
+        check_single(&model.normals, || "normal".to_owned())?;
+        let colours: Vec<Vec3> = model.colours.first().map(|&[r, g, b, _]| Vec3::new(r, g, b)).into_iter().collect();
+        check_single(&colours, || "colour".to_owned())?;
+        out.write_all(&to_glb(model, name))
+    })
 }
 
 // The format's numbers for types and uses of data.

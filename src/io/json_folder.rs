@@ -2,6 +2,7 @@
 
 use super::atomic::sweep;
 use super::json::{place_and_problem, pointer_of};
+use super::json_out::write_line;
 use super::read::read_text;
 use super::{IoError, make_folder, write_atomically};
 use serde::Serialize;
@@ -102,10 +103,7 @@ fn read<T: DeserializeOwned>(path: &Path) -> Result<T, IoError> {
 
 fn write(path: &Path, thing: &impl Serialize) -> Result<(), IoError> {
     sweep(path);
-    write_atomically(path, |out| {
-        serde_json::to_writer(&mut *out, thing)?;
-        out.write_all(b"\n")
-    })
+    write_atomically(path, |out| write_line(out, thing))
 }
 
 /// A title as a file may be named on any system.

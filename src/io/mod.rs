@@ -6,11 +6,13 @@ pub(crate) mod atomic;
 #[cfg(feature = "gui")]
 mod beside;
 mod error;
+mod finite;
 mod frames;
 mod glb;
 mod json;
 #[cfg(feature = "gui")]
 mod json_folder;
+mod json_out;
 mod model;
 mod obj;
 mod paths;
@@ -37,6 +39,7 @@ pub use frames::FrameFolder;
 pub use glb::write_glb;
 #[cfg(feature = "gui")]
 pub(crate) use json_folder::{JsonFile, JsonFolder};
+pub(crate) use json_out::write_json;
 pub(crate) use model::is_model;
 pub use model::load_model;
 #[cfg(feature = "gui")]

@@ -1,5 +1,6 @@
 //! Wavefront OBJ: the shape of a world at one time.
 
+use super::finite::check_points;
 use crate::solver::snapshot::{BodySnapshot, Snapshot};
 use glam::DVec3;
 use std::io::{self, Write};
@@ -8,7 +9,7 @@ use std::io::{self, Write};
 /// fibres as polylines, every one an object of its own. Coordinates are in metres, world axes, Y up, to the nanometre.
 ///
 /// # Errors
-/// What `out` gives.
+/// What `out` gives, and [`IoError::NotFinite`](super::IoError::NotFinite) as an [`io::Error`] for a vertex at no place.
 pub fn write_obj(out: &mut dyn Write, snapshot: &Snapshot) -> io::Result<()> {
     writeln!(out, "# sinew, {} s; metres, Y up", snapshot.time)?;
     // OBJ counts the vertices of a file from 1, through all of its objects.
@@ -18,7 +19,8 @@ pub fn write_obj(out: &mut dyn Write, snapshot: &Snapshot) -> io::Result<()> {
         for fibre in &body.fibres {
             let first = next;
             writeln!(out, "o {}.{}", object_name(&body.name), object_name(&fibre.id))?;
-            write_vertices(out, &fibre.vertices, &mut next)?;
+            let what = || format!("body {:?}, fibre {:?}: vertex", body.name, fibre.id);
+            write_vertices(out, &fibre.vertices, &what, &mut next)?;
             write_element(out, "l", first..next)?;
         }
     }
@@ -29,10 +31,10 @@ fn write_body(out: &mut dyn Write, body: &BodySnapshot, next: &mut usize) -> io:
     let first = *next;
     writeln!(out, "o {}", object_name(&body.name))?;
     if body.triangles.is_empty() {
-        write_vertices(out, &body.particles, next)?;
+        write_vertices(out, &body.particles, &|| format!("body {:?}: particle", body.name), next)?;
         return write_element(out, "p", first..*next);
     }
-    write_vertices(out, &body.skin, next)?;
+    write_vertices(out, &body.skin, &|| format!("body {:?}: vertex of the skin", body.name), next)?;
     for triangle in body.triangles.iter() {
         let [a, b, c] = triangle.map(|vertex| first + vertex as usize);
         writeln!(out, "f {a} {b} {c}")?;
@@ -40,7 +42,14 @@ fn write_body(out: &mut dyn Write, body: &BodySnapshot, next: &mut usize) -> io:
     Ok(())
 }
 
-fn write_vertices(out: &mut dyn Write, vertices: &[DVec3], next: &mut usize) -> io::Result<()> {
+/// Writes points; `what` names them where one is at no place.
+fn write_vertices(
+    out: &mut dyn Write,
+    vertices: &[DVec3],
+    what: &dyn Fn() -> String,
+    next: &mut usize,
+) -> io::Result<()> {
+    check_points(vertices, what)?;
     for vertex in vertices {
         writeln!(out, "v {:.9} {:.9} {:.9}", vertex.x, vertex.y, vertex.z)?;
     }
@@ -100,5 +109,29 @@ mod tests {
         ];
         assert_eq!(rest, expected);
         assert_eq!(text.lines().nth(3), Some("v 1.000000000 0.000000000 0.000000000"));
+    }
+
+    #[test]
+    fn a_vertex_at_no_place_is_named_and_not_written() {
+        let body = |skin: [DVec3; 2], fibre: DVec3| BodySnapshot {
+            name: "arm".to_owned(),
+            skin: skin.to_vec(),
+            triangles: [[0, 1, 1]].into(),
+            fibres: vec![FibreSnapshot { id: "f1".to_owned(), vertices: vec![fibre] }],
+            ..BodySnapshot::default()
+        };
+        let lost = DVec3::new(0.0, f64::NAN, 1.0);
+        for (body, what) in [
+            (body([DVec3::ZERO, lost], DVec3::ZERO), "body \"arm\": vertex of the skin 1 is (0, NaN, 1)"),
+            (body([DVec3::ZERO; 2], lost), "body \"arm\", fibre \"f1\": vertex 0 is (0, NaN, 1)"),
+        ] {
+            let snapshot = Snapshot { bodies: vec![body], ..Snapshot::default() };
+            let folder = tempfile::tempdir().expect("a folder");
+            let path = folder.path().join("a.obj");
+            let error =
+                crate::io::write_atomically(&path, |out| write_obj(out, &snapshot)).expect_err("it is at no place");
+            assert!(error.to_string().contains(what), "{error}");
+            assert!(matches!(error.bare(), crate::io::IoError::NotFinite { .. }) && !path.exists());
+        }
     }
 }

@@ -7,6 +7,7 @@
 
 use super::atomic::sweep;
 use super::json::parse;
+use super::json_out::write_line;
 use super::read::read_text;
 use super::scene::{MAX_SCENE_BYTES, checked_scene};
 use super::{IoError, make_folder, write_atomically};
@@ -114,7 +115,7 @@ impl RecoveryFile {
             written: SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default().as_millis() as u64,
             scene,
         };
-        write_atomically(&self.document, |out| Ok(serde_json::to_writer(out, &kept)?))
+        write_atomically(&self.document, |out| write_line(out, &kept))
     }
 
     /// Forgets what was kept: the document was saved, or closed without its changes.

@@ -1,6 +1,7 @@
 //! Scene files: versioned JSON in and out.
 
 use super::atomic::sweep;
+use super::finite::check_numbers;
 use super::json::{parse, pointer_of};
 use super::read::read_text;
 use super::schema::{SchemaNode, closest, node_at, unknown_fields_of};
@@ -57,7 +58,10 @@ pub fn scene_to_json(scene: &Scene) -> String {
 pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), IoError> {
     scene.validate().map_err(|error| IoError::Invalid(error).within(path))?;
     sweep(path);
-    write_atomically(path, |out| out.write_all(scene_to_json(scene).as_bytes()))
+    write_atomically(path, |out| {
+        check_numbers(scene)?;
+        out.write_all(scene_to_json(scene).as_bytes())
+    })
 }
 
 /// The scene that a value tree holds, unchecked.

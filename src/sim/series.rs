@@ -6,6 +6,7 @@ use crate::solver::energy::Energies;
 use crate::solver::measure::MeasureValue;
 use crate::solver::world::World;
 use std::collections::{HashSet, VecDeque};
+use std::io;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -137,11 +138,15 @@ impl TimeSeries {
     /// The table as CSV.
     ///
     /// # Errors
-    /// Where it cannot be formatted.
+    /// A value that is no number, by its column and time, or what cannot be formatted.
     pub fn to_csv(&self) -> Result<Vec<u8>, csv::Error> {
         let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         writer.write_record(self.columns.iter().map(|column| format!("{} [{}]", column.name, column.unit)))?;
         for row in &self.rows {
+            if let Some((column, value)) = self.columns.iter().zip(row).find(|(_, value)| !value.is_finite()) {
+                let problem = format!("{:?} at {} s is {value}, which no table may hold", column.name, row[0]);
+                return Err(io::Error::new(io::ErrorKind::InvalidData, problem).into());
+            }
             writer.serialize(row)?;
         }
         writer.into_inner().map_err(|error| error.into_error().into())

@@ -3,6 +3,7 @@
 mod check;
 mod compare;
 mod errors;
+mod models;
 mod pictures;
 mod simulate;
 mod starts;

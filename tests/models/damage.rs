@@ -112,6 +112,7 @@ fn gltf(glb: &[u8]) -> Vec<u8> {
 
 fn survive(path: &Path) {
     let Ok(model) = load_model(path) else { return };
+    assert!(model.positions.iter().all(|position| position.is_finite()), "{}", path.display());
     let Ok(solid) = Solid::new(&model) else { return };
     assert!(solid.volume > 0.0 && solid.volume.is_finite());
     if let Ok(filling) = fill(&solid, FillResolution::Particles(60), 2.5, 2000) {
@@ -121,14 +122,14 @@ fn survive(path: &Path) {
 
 #[test]
 fn a_thousand_damaged_files_do_no_harm() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = tempfile::tempdir().expect("a folder");
     let ball = {
         let mut ball = sphere(4, 0.05);
         ball.normals = ball.positions.iter().map(|p| p.as_vec3().normalize_or_zero()).collect();
         ball
     };
     let glb_path = folder.path().join("sound.glb");
-    write_glb(&glb_path, &ball, "ball").unwrap();
+    write_glb(&glb_path, &ball, "ball").expect("written");
     let glb = fs::read(&glb_path).unwrap();
     let stl_text =
         b"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n\
@@ -152,9 +153,131 @@ fn a_thousand_damaged_files_do_no_harm() {
                 damage.apply(&mut bytes);
             }
             let path = folder.path().join(name);
-            fs::write(&path, bytes).unwrap();
+            fs::write(&path, bytes).expect("written");
             survive(&path);
             Ok(())
         })
         .unwrap();
 }
+
+/// Sound files of every format, by their names.
+fn sound_files() -> Vec<(&'static str, Vec<u8>)> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let ball = sphere(3, 0.05);
+    let path = folder.path().join("sound.glb");
+    write_glb(&path, &ball, "ball").expect("written");
+    let glb = fs::read(&path).expect("read");
+    let stl_text = "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n\
+        endsolid x\nsolid y\nfacet\nouter loop\nvertex 0 0 1\nvertex 1 0 1\nvertex 0 1 1\nend loop\nend facet\nendsolid y\n";
+    vec![
+        ("a.obj", CUBE.into()),
+        ("b.stl", stl(&ball)),
+        ("c.stl", stl_text.into()),
+        ("d.ply", ply(&ball, false)),
+        ("e.ply", ply(&ball, true)),
+        ("f.gltf", gltf(&glb)),
+        ("g.glb", glb),
+    ]
+}
+
+/// A file is refused in one line, or gives a model whose every number is one and whose every face has its corners.
+fn is_sound_or_refused(folder: &Path, name: &str, bytes: &[u8]) {
+    let path = folder.join(name);
+    fs::write(&path, bytes).expect("written");
+    match load_model(&path) {
+        Ok(model) => {
+            let count = model.positions.len() as u32;
+            assert!(model.positions.iter().all(|position| position.is_finite()), "{name}");
+            assert!(model.normals.iter().all(|normal| normal.is_finite()), "{name}");
+            assert!(model.triangles.iter().flatten().all(|&corner| corner < count), "{name}");
+        }
+        Err(error) => {
+            let said = error.to_string();
+            // What a panic in a reader comes out as: none may.
+            assert!(said.lines().count() == 1 && !said.contains("it is damaged"), "{name}: {said}");
+        }
+    }
+}
+
+#[test]
+fn a_file_cut_off_anywhere_is_refused_or_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, sound) in sound_files() {
+        for length in 0..sound.len() {
+            is_sound_or_refused(folder.path(), name, &sound[..length]);
+        }
+    }
+}
+
+#[test]
+fn any_bytes_at_all_are_refused_or_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let begins = sound_files();
+    let bytes = prop_oneof![
+        vec(any::<u8>(), 0..400),
+        // Words of all the formats in any order.
+        vec(prop::sample::select(WORDS.to_vec()), 0..120).prop_map(|words| words.concat().into_bytes()),
+    ];
+    let cases = (0..begins.len(), 0.0..1.0_f64, bytes, vec(damage(), 0..3));
+    let config = Config { cases: 4000, failure_persistence: None, ..Config::default() };
+    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::default()))
+        .run(&cases, |(file, share, garbage, damages)| {
+            let (name, sound) = &begins[file];
+            is_sound_or_refused(folder.path(), name, &garbage);
+            // Behind a sound beginning, and in place of what was damaged.
+            let mut bytes = sound[..(share * sound.len() as f64) as usize].to_vec();
+            bytes.extend(&garbage);
+            is_sound_or_refused(folder.path(), name, &bytes);
+            let mut bytes = sound.clone();
+            for damage in &damages {
+                damage.apply(&mut bytes);
+            }
+            is_sound_or_refused(folder.path(), name, &bytes);
+            Ok(())
+        })
+        .unwrap();
+}
+
+/// What the formats are written in.
+const WORDS: [&str; 40] = [
+    "\n",
+    "\r",
+    " ",
+    "\t",
+    "v ",
+    "f ",
+    "vn ",
+    "1 ",
+    "-1 ",
+    "2/3/4 ",
+    "1//1 ",
+    "nan ",
+    "inf ",
+    "1e400 ",
+    "0.5 ",
+    "#",
+    "\\\n",
+    "solid ",
+    "endsolid\n",
+    "facet ",
+    "normal ",
+    "outer loop\n",
+    "vertex ",
+    "endloop\n",
+    "endfacet\n",
+    "end ",
+    "ply\n",
+    "format ascii 1.0\n",
+    "element vertex 3\n",
+    "element face 1\n",
+    "property float x\n",
+    "property list uchar int ",
+    "vertex_indices\n",
+    "end_header\n",
+    "{\"asset\":{\"version\":\"2.0\"}}",
+    "[",
+    "}",
+    "\u{feff}",
+    "\u{fffd}",
+    "mtllib .\n",
+];

@@ -1,10 +1,17 @@
 //! Models: import, check, fill, skin.
 
+mod cases;
 mod checks;
 mod damage;
 mod filling;
 mod formats;
+mod gltf;
+mod gltf_document;
+mod obj;
+mod ply;
+mod round_trip;
 mod scenes;
 mod shapes;
 mod shipped;
 mod skin;
+mod stl;

@@ -3,10 +3,14 @@
 mod failure;
 mod gltf;
 mod limits;
+mod mtl;
+mod notes;
 mod obj;
+mod obj_piece;
 mod ply;
 mod polygon;
 mod stl;
+mod text;
 
 use limits::MAX_MODEL_BYTES;
 
@@ -62,7 +66,7 @@ pub(crate) fn is_model(path: &Path) -> bool {
 pub fn load_model(path: &Path) -> Result<Model, IoError> {
     let load = || {
         let format = Format::of(path).ok_or(IoError::UnknownModel)?;
-        read(read_bytes(path, MAX_MODEL_BYTES)?, format, path)
+        read(&read_bytes(path, MAX_MODEL_BYTES)?, format, path)
     };
     load().map_err(|error| error.within(path))
 }
@@ -74,26 +78,35 @@ pub fn load_model(path: &Path) -> Result<Model, IoError> {
 #[cfg(feature = "gui")]
 pub(crate) fn read_model(name: &Path, bytes: &[u8]) -> Result<Model, IoError> {
     let format = Format::of(name).ok_or(IoError::UnknownModel);
-    format.and_then(|format| read(bytes.to_vec(), format, name)).map_err(|error| error.within(name))
+    format.and_then(|format| read(bytes, format, name)).map_err(|error| error.within(name))
 }
 
-fn read(bytes: Vec<u8>, format: Format, path: &Path) -> Result<Model, IoError> {
+fn read(bytes: &[u8], format: Format, path: &Path) -> Result<Model, IoError> {
     let folder = path.parent().unwrap_or(Path::new(""));
     // Importers meet files that nobody has thought of: a panic in one is a file that cannot be read.
     let read = catch_unwind(AssertUnwindSafe(|| match format {
-        Format::Obj => obj::read(&bytes, folder),
+        Format::Obj => obj::read(bytes, folder),
         Format::Stl => stl::read(bytes),
-        Format::Ply => ply::read(&bytes),
-        Format::Gltf => gltf::read(&bytes, folder),
+        Format::Ply => ply::read(bytes),
+        Format::Gltf => gltf::read(bytes, folder),
     }));
-    let understood = |problem: String| IoError::Model { format: format.name(), problem: one_line(&problem) };
-    match read {
+    let failure = match read {
         Ok(Ok(model)) if model.triangles.len().max(model.positions.len()) > MOST => {
-            Err(understood(format!("it has more than {} million faces or vertices", MOST / 1_000_000)))
+            Failure::new(format_args!("it has more than {} million faces or vertices", MOST / 1_000_000))
         }
-        Ok(Ok(model)) => Ok(model),
-        Ok(Err(Failure::Content(problem))) => Err(understood(problem)),
-        Ok(Err(Failure::Other(error))) => Err(error),
-        Err(_) => Err(understood("it is damaged".to_owned())),
-    }
+        Ok(Ok(model)) => return Ok(without_strays(model)),
+        Ok(Err(failure)) => failure,
+        Err(_) => Failure::new("it is damaged"),
+    };
+    Err(match failure {
+        Failure::Content { problem, remedy } => {
+            IoError::Model { format: format.name(), problem: one_line(&problem), remedy: one_line(&remedy) }
+        }
+        Failure::Other(error) => error,
+    })
+}
+
+/// Vertices that are at no place stay only where nothing refers to them: then none that is not referred to does.
+fn without_strays(model: Model) -> Model {
+    if model.positions.iter().all(|position| position.is_finite()) { model } else { model.retain(|_| true) }
 }

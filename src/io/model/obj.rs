@@ -1,53 +1,247 @@
-//! Wavefront OBJ with its MTL: objects are parts, a material's diffuse colour is their colour.
+//! Wavefront OBJ with its MTL: objects, groups and materials are parts, a material's diffuse colour is their colour.
+//!
+//! Read here: the crates that read OBJ in double precision take polylines for faces, know no continued lines, pass over a
+//! first line behind a byte order mark so that every index is off by one, and say of no fault in which line it is.
 
 use super::failure::Failure;
-use super::limits::MAX_MODEL_BYTES;
-use super::polygon::triangulate;
-use crate::geometry::model::{MeshData, Model};
-use crate::io::read::read_bytes;
-use glam::{DVec3, Vec3};
+use super::mtl::{Materials, linear};
+use super::notes::note;
+use super::obj_piece::{Corner, Piece, Vertices};
+use super::text::{Lines, decoded, number, shown, without_mark, words};
+use crate::geometry::model::Model;
+use glam::DVec3;
+use std::borrow::Cow;
 use std::path::Path;
-use tobj::{LoadError, LoadOptions};
 
-pub(super) fn read(mut bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
-    let options = LoadOptions { single_index: true, ignore_lines: true, ignore_points: true, ..LoadOptions::default() };
-    // A model without its colours is still a model.
-    let materials = |path: &Path| match read_bytes(&folder.join(path), MAX_MODEL_BYTES) {
-        Ok(bytes) => tobj::load_mtl_buf(&mut bytes.as_slice()),
-        Err(_) => Err(LoadError::OpenFileFailed),
-    };
-    let (objects, materials) = tobj::load_obj_buf(&mut bytes, &options, materials).map_err(Failure::new)?;
-    let materials = materials.unwrap_or_default();
-    let mut model = Model::default();
-    for object in objects {
-        let mesh = object.mesh;
-        let positions: Vec<DVec3> = mesh.positions.chunks_exact(3).map(DVec3::from_slice).collect();
-        let normals = mesh.normals.chunks_exact(3).map(|n| DVec3::from_slice(n).as_vec3().normalize_or_zero());
-        let normals: Vec<Vec3> = normals.collect();
-        let diffuse = mesh.material_id.and_then(|id| materials.get(id)).and_then(|material| material.diffuse);
-        let colours = if mesh.vertex_color.is_empty() {
-            diffuse.map_or_else(Vec::new, |colour| vec![linear(colour); positions.len()])
-        } else {
-            mesh.vertex_color.chunks_exact(3).map(|c| linear([c[0], c[1], c[2]])).collect()
-        };
-        let mut triangles = Vec::with_capacity(mesh.indices.len() / 3);
-        if mesh.face_arities.is_empty() {
-            triangles.extend(mesh.indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]));
-        } else {
-            let mut rest = mesh.indices.as_slice();
-            for &arity in &mesh.face_arities {
-                let Some((face, behind)) = rest.split_at_checked(arity as usize) else { break };
-                triangulate(face, &positions, &mut triangles);
-                rest = behind;
-            }
-        }
-        model.add(MeshData { name: object.name, positions, normals, colours, triangles });
-    }
-    Ok(model)
+pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
+    let text = without_mark(bytes);
+    // First what faces refer to: some files have the faces before it.
+    let mut vertices = Vertices::default();
+    each_statement(&text, |line| add_vertex(line, &mut vertices))?;
+    let mut reader = Reader::new(folder, &vertices);
+    each_statement(&text, |line| reader.add(line))?;
+    Ok(reader.finish())
 }
 
-/// Colours of OBJ files are meant for the screen; light is computed with linear ones.
-fn linear([r, g, b]: [f64; 3]) -> [f32; 4] {
-    let [r, g, b] = [r, g, b].map(|c| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) } as f32);
-    [r, g, b, 1.0]
+fn each_statement(text: &[u8], mut read: impl FnMut(&Statement<'_>) -> Result<(), Failure>) -> Result<(), Failure> {
+    let mut lines = Lines::new(text);
+    while let Some((number, line)) = lines.next() {
+        let statement = continued(line, &mut lines);
+        read(&Statement { number, text: &statement })?;
+    }
+    Ok(())
+}
+
+/// A line with those that a backslash at its end joins to it.
+fn continued<'a>(line: &'a [u8], lines: &mut Lines<'a>) -> Cow<'a, [u8]> {
+    let mut statement = Cow::Borrowed(line);
+    while let Some(open) = statement.trim_ascii_end().strip_suffix(b"\\").map(<[u8]>::len) {
+        let Some((_, next)) = lines.next() else { break };
+        let statement = statement.to_mut();
+        statement.truncate(open);
+        statement.push(b' ');
+        statement.extend(next);
+    }
+    statement
+}
+
+/// A line and its number.
+struct Statement<'a> {
+    number: usize,
+    text: &'a [u8],
+}
+
+impl<'a> Statement<'a> {
+    fn keyword(&self) -> &'a [u8] {
+        words(self.text).next().unwrap_or_default()
+    }
+
+    fn fail(&self, problem: impl std::fmt::Display) -> Failure {
+        Failure::in_line(self.number, &shown(self.text), problem)
+    }
+
+    /// The words behind the first, up to a comment.
+    fn values(&self) -> impl Iterator<Item = &'a [u8]> {
+        words(self.text).skip(1).take_while(|word| !word.starts_with(b"#"))
+    }
+
+    /// What stands behind the first word.
+    fn name(&self) -> &'a [u8] {
+        let text = self.text.trim_ascii_start();
+        let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
+        text[end..].trim_ascii()
+    }
+
+    /// Numbers, of which a comment may touch the last.
+    fn numbers<const N: usize>(&self, out: &mut [f64; N]) -> Result<usize, Failure> {
+        let mut count = 0;
+        for word in self.values() {
+            let end = word.iter().position(|&byte| byte == b'#').filter(|_| number(word).is_none());
+            let value = number(&word[..end.unwrap_or(word.len())]);
+            let Some(value) = value else {
+                let fault = self.fail(format_args!("`{}` is not a number", shown(word)));
+                let remedy = "export it again, with points and not commas in its numbers";
+                return Err(if word.contains(&b',') { fault.remedied(remedy) } else { fault });
+            };
+            if let Some(place) = out.get_mut(count) {
+                *place = value;
+            }
+            count += 1;
+            if end.is_some() {
+                break;
+            }
+        }
+        Ok(count)
+    }
+}
+
+/// Takes what faces refer to out of a line.
+fn add_vertex(line: &Statement<'_>, vertices: &mut Vertices) -> Result<(), Failure> {
+    match line.keyword() {
+        b"v" => {
+            let mut values = [0.0; 7];
+            let count = line.numbers(&mut values)?;
+            let [x, y, z, w, ..] = values;
+            let mut position = DVec3::new(x, y, z);
+            match count {
+                0..=2 => return Err(line.fail("a vertex has three coordinates")),
+                4 if w == 0.0 => return Err(line.fail("its fourth coordinate is the weight to divide by, and zero")),
+                4 => position /= w,
+                // Red, green and blue behind it, and opacity.
+                6 | 7 => vertices.set_colour(linear([values[3], values[4], values[5]])),
+                _ => {}
+            }
+            vertices.add(position, line.number);
+        }
+        b"vn" => {
+            let mut n = [0.0; 3];
+            // One that is not whole stands for none: faces do without.
+            let whole = line.numbers(&mut n).is_ok_and(|count| count >= 3);
+            let normal = DVec3::from_array(n).as_vec3().normalize_or_zero();
+            vertices.normals.push(whole.then_some(normal));
+        }
+        _ => {}
+    }
+    Ok(())
+}
+
+struct Reader<'a> {
+    folder: &'a Path,
+    vertices: &'a Vertices,
+    /// Vertices, texture coordinates and normals so far, which negative indices count back from.
+    seen: [usize; 3],
+    materials: Materials,
+    material: Option<String>,
+    name: String,
+    piece: Piece,
+    corners: Vec<Corner>,
+    model: Model,
+}
+
+impl<'a> Reader<'a> {
+    fn new(folder: &'a Path, vertices: &'a Vertices) -> Self {
+        Self {
+            folder,
+            vertices,
+            seen: [0; 3],
+            materials: Materials::default(),
+            material: None,
+            name: String::new(),
+            piece: Piece::default(),
+            corners: Vec::new(),
+            model: Model::default(),
+        }
+    }
+
+    fn add(&mut self, line: &Statement<'_>) -> Result<(), Failure> {
+        match line.keyword() {
+            b"v" => self.seen[0] += 1,
+            b"vt" => self.seen[1] += 1,
+            b"vn" => self.seen[2] += 1,
+            // The second is how the first versions of the format name it.
+            b"f" | b"fo" => self.add_face(line)?,
+            b"o" | b"g" => {
+                self.finish_piece();
+                self.name = decoded(line.name());
+            }
+            b"mtllib" => self.materials.load(self.folder, &decoded(line.name())),
+            b"usemtl" => {
+                let material = Some(decoded(line.name())).filter(|name| self.materials.knows(name));
+                if material != self.material {
+                    self.finish_piece();
+                    self.material = material;
+                }
+            }
+            // Lines, points, curves and what else is no surface.
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn add_face(&mut self, line: &Statement<'_>) -> Result<(), Failure> {
+        self.corners.clear();
+        for word in line.values() {
+            let end = word.iter().position(|&byte| byte == b'#');
+            self.corners.push(self.corner(&word[..end.unwrap_or(word.len())], line)?);
+            if end.is_some() {
+                break;
+            }
+        }
+        if self.corners.len() < 3 {
+            return Err(line.fail(format_args!("a face has three corners at least, not {}", self.corners.len())));
+        }
+        self.piece.add_face(&self.corners, self.vertices);
+        Ok(())
+    }
+
+    /// One corner of a face: `vertex`, `vertex/texture`, `vertex//normal` or `vertex/texture/normal`.
+    fn corner(&self, word: &[u8], line: &Statement<'_>) -> Result<Corner, Failure> {
+        let no_corner = || line.fail(format_args!("`{}` is no corner of a face", shown(word)));
+        let mut parts = word.split(|&byte| byte == b'/');
+        let mut index = |seen: usize| match parts.next() {
+            None | Some([]) => Ok(None),
+            Some(digits) => {
+                let given = whole(digits).ok_or_else(no_corner)?;
+                // From 1, or backwards from the last one so far.
+                let from_zero = if given < 0 { given.saturating_add_unsigned(seen as u64) } else { given - 1 };
+                Ok(Some((given, u32::try_from(from_zero).unwrap_or(u32::MAX))))
+            }
+        };
+        let (given, vertex) = index(self.seen[0])?.ok_or_else(no_corner)?;
+        let texture = index(self.seen[1])?.map(|(_, texture)| texture);
+        let normal = index(self.seen[2])?.map(|(_, normal)| normal);
+        if parts.next().is_some() {
+            return Err(no_corner());
+        }
+        let count = self.vertices.positions.len();
+        if vertex as usize >= count {
+            return Err(line.fail(match given {
+                0 => "vertices are counted from 1, and this is 0".to_owned(),
+                _ => format!("it refers to vertex {given}, and {count} are there"),
+            }));
+        }
+        if let Some(at) = self.vertices.lost(vertex) {
+            return Err(line.fail(format_args!("it refers to vertex {given}, which in line {at} is at no place")));
+        }
+        Ok(Corner { vertex, texture, normal })
+    }
+
+    fn finish_piece(&mut self) {
+        let piece = std::mem::take(&mut self.piece);
+        if !piece.is_empty() {
+            let colour = self.material.as_ref().and_then(|name| self.materials.colour(name));
+            self.model.add(piece.finish(self.name.clone(), colour, self.vertices));
+        }
+    }
+
+    fn finish(mut self) -> Model {
+        self.finish_piece();
+        self.model.notes.extend(self.materials.notes.into_iter().map(note));
+        self.model
+    }
+}
+
+/// A whole number, as fast as its digits allow.
+fn whole(digits: &[u8]) -> Option<i64> {
+    str::from_utf8(digits).ok()?.parse().ok()
 }

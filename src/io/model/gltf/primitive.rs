@@ -1,0 +1,207 @@
+//! One drawn piece of a glTF mesh: its vertices in the pose of the file, its faces, its colours.
+
+use super::super::failure::Failure;
+use super::accessor::{Accessors, Rows, Whole};
+use super::buffers::compressed;
+use super::document::{Mesh, Primitive};
+use crate::geometry::model::MeshData;
+use glam::{DMat3, DMat4, DVec3, Vec3};
+
+/// Where vertices go.
+pub(super) enum Pose<'a> {
+    /// All by the place of the node that shows them.
+    Placed(DMat4),
+    /// By the joints that hold them.
+    Skinned(&'a [DMat4]),
+}
+
+/// A piece of a mesh in a list of meshes.
+pub(super) struct Piece<'a, 'b> {
+    pub(super) accessors: &'a Accessors<'b>,
+    pub(super) mesh: &'a Mesh,
+    pub(super) primitive: &'a Primitive,
+    /// What a message calls it.
+    pub(super) name: String,
+    /// How much of each morph target is there.
+    pub(super) weights: &'a [f64],
+}
+
+impl Piece<'_, '_> {
+    /// The piece as a mesh; nothing where it has no faces.
+    pub(super) fn read(&self, pose: &Pose<'_>) -> Result<Option<MeshData>, Failure> {
+        let mode = self.primitive.mode.unwrap_or(TRIANGLES);
+        if !matches!(mode, TRIANGLES | STRIP | FAN) {
+            return Ok(None);
+        }
+        if !self.primitive.attributes.contains_key("POSITION") {
+            return Err(Failure::new(format_args!("{} has no POSITION", self.name)));
+        }
+        self.refuse_compressed()?;
+        let mut positions = self.vectors("POSITION")?;
+        let mut normals = self.vectors("NORMAL")?;
+        normals.resize(if normals.len() == positions.len() { normals.len() } else { 0 }, DVec3::ZERO);
+        let indices = self.indices(positions.len())?;
+        let mut triangles = triangles_of(&indices, mode);
+        self.check(&triangles, &positions)?;
+        let maps = self.maps(pose, positions.len())?;
+        let map = |vertex: usize| &maps[vertex.min(maps.len() - 1)];
+        for (vertex, position) in positions.iter_mut().enumerate() {
+            *position = map(vertex).transform_point3(*position);
+        }
+        // A mirroring map turns faces inside out.
+        let mirrors = |t: &[u32; 3]| DMat3::from_mat4(*map(t[0] as usize)).determinant() < 0.0;
+        triangles.iter_mut().filter(|t| mirrors(t)).for_each(|t| t.swap(1, 2));
+        let mut turn = (usize::MAX, DMat3::IDENTITY);
+        let normals = normals.iter().enumerate().map(|(vertex, normal)| {
+            let which = vertex.min(maps.len() - 1);
+            if turn.0 != which {
+                turn = (which, DMat3::from_mat4(maps[which]).inverse().transpose());
+            }
+            (turn.1 * *normal).as_vec3().normalize_or_zero()
+        });
+        let normals: Vec<Vec3> = normals.collect();
+        self.check(&triangles, &positions)?;
+        let colours = self.colours(positions.len())?;
+        let name = self.mesh.name.clone().unwrap_or_default();
+        Ok(Some(MeshData { name, positions, normals, colours, triangles }).filter(|mesh| !mesh.triangles.is_empty()))
+    }
+
+    /// Refuses data that stands in the file only in a form that is not read.
+    fn refuse_compressed(&self) -> Result<(), Failure> {
+        let draco = self.primitive.extensions.keys().find(|name| name.contains("draco"));
+        let plain = |index: &usize| {
+            let accessor = self.accessors.document.accessors.get(*index);
+            accessor.is_none_or(|accessor| accessor.buffer_view.is_some() || accessor.sparse.is_some())
+        };
+        match draco {
+            Some(name) if !self.primitive.attributes.get("POSITION").is_some_and(plain) => Err(compressed(name)),
+            _ => Ok(()),
+        }
+    }
+
+    /// An attribute of vectors with what the morph targets add to it; nothing where it is missing.
+    fn vectors(&self, name: &str) -> Result<Vec<DVec3>, Failure> {
+        let Some(&index) = self.primitive.attributes.get(name) else { return Ok(Vec::new()) };
+        let purpose = format!("{name} of {}", self.name);
+        let rows = self.accessors.read(index, &["VEC3"], Whole::AsSaid, &purpose)?;
+        let mut vectors: Vec<DVec3> = rows.rows().map(DVec3::from_slice).collect();
+        for (target, (attributes, &weight)) in self.primitive.targets.iter().zip(self.weights).enumerate() {
+            let Some(&index) = attributes.get(name).filter(|_| weight != 0.0) else { continue };
+            let purpose = format!("{name} of morph target {target} of {}", self.name);
+            let rows = self.accessors.read(index, &["VEC3"], Whole::AsSaid, &purpose)?;
+            for (vector, added) in vectors.iter_mut().zip(rows.rows()) {
+                *vector += weight * DVec3::from_slice(added);
+            }
+        }
+        Ok(vectors)
+    }
+
+    fn indices(&self, vertices: usize) -> Result<Vec<u32>, Failure> {
+        let Some(index) = self.primitive.indices else { return Ok((0..vertices as u32).collect()) };
+        let purpose = format!("indices of {}", self.name);
+        let rows = self.accessors.read(index, &["SCALAR"], Whole::Themselves, &purpose)?;
+        Ok(rows.values.iter().map(|&index| index as u32).collect())
+    }
+
+    /// Refuses faces at vertices that are not there, or nowhere.
+    fn check(&self, triangles: &[[u32; 3]], positions: &[DVec3]) -> Result<(), Failure> {
+        let count = positions.len();
+        let missing = |index: &u32| *index as usize >= count;
+        if let Some(vertex) = triangles.iter().flatten().find(|index| missing(index)) {
+            let faces = triangles.iter().filter(|t| t.iter().any(missing)).count();
+            return Err(Failure::new(format_args!(
+                "{}: {faces} of {} faces refer to vertices that are not there, such as {vertex} of {count}, from 0",
+                self.name,
+                triangles.len()
+            )));
+        }
+        let lost = triangles.iter().flatten().find(|&&index| !positions[index as usize].is_finite());
+        lost.map_or(Ok(()), |vertex| {
+            Err(Failure::new(format_args!("{}: vertex {vertex} (POSITION, from 0) is at no place", self.name)))
+        })
+    }
+
+    /// What maps each vertex, or one map for all of them.
+    fn maps(&self, pose: &Pose<'_>, vertices: usize) -> Result<Vec<DMat4>, Failure> {
+        let joints = match pose {
+            Pose::Placed(place) => return Ok(vec![*place]),
+            Pose::Skinned(joints) => joints,
+        };
+        let mut maps = vec![(DMat4::ZERO, 0.0); vertices];
+        for set in 0.. {
+            let (held, by) = (format!("JOINTS_{set}"), format!("WEIGHTS_{set}"));
+            let attributes = &self.primitive.attributes;
+            let (Some(&held_at), Some(&by_at)) = (attributes.get(&held), attributes.get(&by)) else { break };
+            let read = |index, whole, name: &str| {
+                self.accessors.read(index, &["VEC4"], whole, &format!("{name} of {}", self.name))
+            };
+            let (held, by) = (read(held_at, Whole::Themselves, &held)?, read(by_at, Whole::Shares, &by)?);
+            self.blend(&mut maps, (&held, &by), joints)?;
+        }
+        // Shares make one; a vertex that nothing holds goes with the first joint.
+        let first = joints.first().copied().unwrap_or(DMat4::IDENTITY);
+        let whole = |(map, sum): (DMat4, f64)| match sum {
+            0.0 => first,
+            1.0 => map,
+            _ => map * (1.0 / sum),
+        };
+        Ok(if vertices == 0 { vec![first] } else { maps.into_iter().map(whole).collect() })
+    }
+
+    fn blend(&self, maps: &mut [(DMat4, f64)], rows: (&Rows, &Rows), joints: &[DMat4]) -> Result<(), Failure> {
+        for ((map, sum), (held, by)) in maps.iter_mut().zip(rows.0.rows().zip(rows.1.rows())) {
+            for (&joint, &weight) in held.iter().zip(by) {
+                if weight == 0.0 {
+                    continue;
+                }
+                let Some(joint_map) = joints.get(joint as usize) else {
+                    let count = joints.len();
+                    return Err(Failure::new(format_args!("{} is held by joint {joint} of {count}", self.name)));
+                };
+                *map += *joint_map * weight;
+                *sum += weight;
+            }
+        }
+        Ok(())
+    }
+
+    /// Colours of the vertices, tinted by the material.
+    fn colours(&self, vertices: usize) -> Result<Vec<[f32; 4]>, Failure> {
+        let material = self.primitive.material.and_then(|index| self.accessors.document.materials.get(index));
+        let base = material.map_or([1.0; 4], |material| material.pbr_metallic_roughness.base_color_factor);
+        let Some(&index) = self.primitive.attributes.get("COLOR_0") else { return Ok(vec![base; vertices]) };
+        let purpose = format!("COLOR_0 of {}", self.name);
+        let rows = self.accessors.read(index, &["VEC3", "VEC4"], Whole::Shares, &purpose)?;
+        let colour = |row: &[f64]| [0, 1, 2, 3].map(|k| row.get(k).map_or(1.0, |&share| share as f32) * base[k]);
+        Ok(rows.rows().map(colour).collect())
+    }
+}
+
+// The format's numbers for how vertices make faces.
+const TRIANGLES: u32 = 4;
+const STRIP: u32 = 5;
+const FAN: u32 = 6;
+
+fn triangles_of(indices: &[u32], mode: u32) -> Vec<[u32; 3]> {
+    match mode {
+        TRIANGLES => indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect(),
+        STRIP => {
+            // Every second one is wound the other way.
+            let strip = indices.windows(3).enumerate();
+            strip.map(|(k, t)| if k % 2 == 0 { [t[0], t[1], t[2]] } else { [t[1], t[0], t[2]] }).collect()
+        }
+        _ => indices.get(1..).unwrap_or_default().windows(2).map(|t| [indices[0], t[0], t[1]]).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strips_and_fans_keep_their_sense() {
+        assert_eq!(triangles_of(&[0, 1, 2, 3], STRIP), [[0, 1, 2], [2, 1, 3]]);
+        assert_eq!(triangles_of(&[0, 1, 2, 3], FAN), [[0, 1, 2], [0, 2, 3]]);
+        assert!(triangles_of(&[], FAN).is_empty());
+    }
+}

@@ -4,6 +4,7 @@ use super::error::printable;
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome};
 use crate::geometry::fill::{FillError, FillResolution, fill};
+use crate::geometry::fineness::{BY_ITSELF, fineness};
 use crate::geometry::solid::Solid;
 use crate::io::{IoError, load_model};
 use crate::scene::{Axis, MAX_PARTICLES, ModelFile, one_line};
@@ -45,8 +46,8 @@ fn positive(text: &str) -> Result<f64, String> {
 /// Support radius over spacing, as in the fibre paper.
 const REACH: f64 = 2.5;
 
-/// Numbers of particles that are tried when none is asked for.
-const USUAL: [u32; 3] = [500, 2000, 8000];
+/// Numbers of particles that are tried when none is asked for, beside the one with which the model opens by itself.
+const USUAL: [u32; 2] = [2000, 8000];
 
 /// Reads a model, checks it and fills it.
 ///
@@ -67,15 +68,21 @@ pub(super) fn check_model(path: &Path, options: &ModelOptions, console: &mut Con
     let refused = |refusal| IoError::InFile { file: path.to_owned(), error: Box::new(IoError::Refused(refusal)) };
     let solid = Solid::new(&model).map_err(refused)?;
     console.stage(&"filling it with particles");
+    let by_itself = fineness(&solid, BY_ITSELF);
     let asked = match (options.support_radius, options.particles) {
         (Some(radius), _) => vec![FillResolution::Spacing(radius / REACH)],
         (None, Some(count)) => vec![FillResolution::Particles(count)],
-        (None, None) => USUAL.map(FillResolution::Particles).to_vec(),
+        (None, None) => {
+            [&[by_itself.particles], &USUAL[..]].concat().into_iter().map(FillResolution::Particles).collect()
+        }
     };
     let particles = particles(&solid, &asked);
     console.end();
     for finding in solid.report.findings() {
         console.say(if finding.warning { "warning" } else { "note" }, &finding);
+    }
+    if let Some(thin) = &by_itself.given_up {
+        console.say("warning", &format!("opened by itself it gets {} particles; {thin}", by_itself.particles));
     }
     console.print(&format!("{}\n{}\n{}", contents(&solid, path), parts(&solid).render(), particles.render()))?;
     Ok(Outcome::Done)

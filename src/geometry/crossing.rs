@@ -8,21 +8,14 @@ use rayon::prelude::*;
 ///
 /// Neighbours that only touch do not count, nor do faces that lie in one plane: what matters is whether the surface
 /// has an inside, and touching leaves it one.
-#[allow(clippy::disallowed_methods, reason = "a sum of whole numbers is the same in any order")]
-pub(crate) fn crossing_pairs(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> usize {
-    bvh.overlapping_leaves()
-        .par_iter()
-        .map(|&[m, n]| {
-            let (left, right) = (bvh.triangles(m as usize), bvh.triangles(n as usize));
-            let mut count = 0;
-            for (k, &a) in left.iter().enumerate() {
-                let from = if m == n { k + 1 } else { 0 };
-                count +=
-                    right[from..].iter().filter(|&&b| crosses(points, faces[a as usize], faces[b as usize])).count();
-            }
-            count
-        })
-        .sum()
+pub(crate) fn crossing_pairs(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> Vec<[u32; 2]> {
+    let of_leaves = |&[m, n]: &[u32; 2]| {
+        let (left, right) = (bvh.triangles(m as usize), bvh.triangles(n as usize));
+        let from = move |k: usize| if m == n { k + 1 } else { 0 };
+        let pairs = left.iter().enumerate().flat_map(move |(k, &a)| right[from(k)..].iter().map(move |&b| [a, b]));
+        pairs.filter(|&[a, b]| crosses(points, faces[a as usize], faces[b as usize]))
+    };
+    bvh.overlapping_leaves().par_iter().flat_map_iter(of_leaves).collect()
 }
 
 /// Whether an edge of one passes through the inside of the other. Edges that share a point with the other cannot.
@@ -70,7 +63,7 @@ mod tests {
 
     fn pairs(mesh: &TriangleMesh) -> usize {
         let bvh = Bvh::new(&mesh.positions, &mesh.triangles);
-        crossing_pairs(&mesh.positions, &mesh.triangles, &bvh)
+        crossing_pairs(&mesh.positions, &mesh.triangles, &bvh).len()
     }
 
     #[test]
@@ -83,7 +76,7 @@ mod tests {
         mesh.positions.extend(other.positions);
         mesh.triangles.extend(other.triangles.iter().map(|t| t.map(|i| i + base)));
         let bvh = Bvh::new(&mesh.positions, &mesh.triangles);
-        let found = crossing_pairs(&mesh.positions, &mesh.triangles, &bvh);
+        let found = crossing_pairs(&mesh.positions, &mesh.triangles, &bvh).len();
         let faces = &mesh.triangles;
         let all = (0..faces.len())
             .flat_map(|a| (a + 1..faces.len()).map(move |b| (a, b)))

@@ -70,16 +70,20 @@ impl Edges {
     }
 
     /// Edges of more than two faces.
-    pub(crate) fn crowded(&self) -> usize {
-        self.iter().filter(|edge| edge.len() > 2).count()
+    pub(crate) fn crowded(&self) -> impl Iterator<Item = &[HalfEdge]> {
+        self.iter().filter(|edge| edge.len() > 2)
     }
 
     /// Edges that are not run along as often one way as the other, where `flipped` tells which faces are turned round
     /// first. Without any the surface is closed: it turns around every point a whole number of times.
-    pub(crate) fn unbalanced(&self, flipped: &[bool]) -> usize {
-        let sign = |half: &HalfEdge| if half.forward == flipped[half.face as usize] { -1_i64 } else { 1 };
-        self.iter().filter(|edge| edge.iter().map(sign).sum::<i64>() != 0).count()
+    pub(crate) fn unbalanced<'a>(&'a self, flipped: &'a [bool]) -> impl Iterator<Item = &'a [HalfEdge]> {
+        self.iter().filter(|edge| balance(edge, flipped) != 0)
     }
+}
+
+/// How often more an edge is run along forwards than backwards, where `flipped` tells which faces are turned round first.
+pub(crate) fn balance(edge: &[HalfEdge], flipped: &[bool]) -> i64 {
+    edge.iter().map(|half| if half.forward == flipped[half.face as usize] { -1 } else { 1 }).sum()
 }
 
 /// Loops and chains that edges form: the number of holes that open edges surround.
@@ -145,8 +149,8 @@ mod tests {
     fn a_tetrahedron_is_closed_and_an_open_one_is_not() {
         let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
         let edges = Edges::new(&faces);
-        assert_eq!(edges.unbalanced(&[false; 4]), 0);
-        assert_eq!(edges.unbalanced(&[true, false, false, false]), 3);
+        assert_eq!(edges.unbalanced(&[false; 4]).count(), 0);
+        assert_eq!(edges.unbalanced(&[true, false, false, false]).count(), 3);
         assert!(edges.neighbours().all(|(_, opposite)| opposite));
         let edges = Edges::new(&faces[1..]);
         let open: Vec<_> = edges.open().collect();

@@ -6,9 +6,11 @@
 
 use super::lattice::LatticeSample;
 use super::solid::Solid;
+use super::thickness::Thickness;
 use super::thinness::{Thinness, thinness};
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
+use std::ops::RangeInclusive;
 use thiserror::Error;
 
 /// How fine to fill.
@@ -56,8 +58,7 @@ pub enum FillError {
         total: usize,
         /// Spacing [m].
         spacing: f64,
-        /// Spacing at which every part has two layers or nearly so [m], as was tried; none where that would take too
-        /// many particles.
+        /// Spacing at which every part has two layers or nearly so [m]; none where that would take too many particles.
         suggested: Option<f64>,
     },
 }
@@ -99,9 +100,14 @@ const MOST_PRUNED: f64 = 0.05;
 /// Share of the particles that may lie in single layers without a word: rims and tips.
 pub(crate) const FEW: f64 = 0.01;
 
-/// Steps in which finer spacings are tried, and how many.
+/// Steps in which finer spacings are tried, how many, and the particles up to which they are.
 const FINER: f64 = 0.9;
-const FINER_TRIES: i32 = 24;
+const FINER_TRIES: i32 = 6;
+const TRIED: f64 = 60_000.0;
+
+/// Rows after which no further spacing is tried, for a closed surface and for one with holes, of which each takes far longer.
+const MOST_ROWS: usize = 1_000_000;
+const MOST_OPEN_ROWS: usize = 40_000;
 
 /// A lattice: its spacing [m] and the position of one of its points [m].
 #[derive(Clone, Copy, Debug)]
@@ -116,14 +122,28 @@ struct LatticePlacement {
 /// # Errors
 /// [`FillError`].
 pub fn fill(solid: &Solid, resolution: FillResolution, reach: f64, limit: usize) -> Result<Filling, FillError> {
+    fill_with_progress(solid, resolution, reach, limit, &mut |_, _| {})
+}
+
+/// [`fill`], and `progress` hears how many of how many spacings have been tried at most.
+///
+/// # Errors
+/// [`FillError`].
+pub(crate) fn fill_with_progress(
+    solid: &Solid,
+    resolution: FillResolution,
+    reach: f64,
+    limit: usize,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<Filling, FillError> {
     let spacing = match resolution {
         FillResolution::Spacing(spacing) => spacing,
         FillResolution::Particles(count) => (solid.volume / f64::from(count.max(1))).cbrt(),
     };
     let particles = solid.volume / spacing.powi(3);
-    let in_box = (solid.size() / spacing + 1.0).element_product();
+    let in_boxes = looked_at(solid, spacing);
     let limit = limit as f64;
-    for (wanted, limit) in [(particles, limit), (in_box, BOX_SHARE * limit)] {
+    for (wanted, limit) in [(particles, limit), (in_boxes, BOX_SHARE * limit)] {
         if wanted.is_nan() || wanted > limit {
             return Err(FillError::TooMany { wanted, limit });
         }
@@ -137,21 +157,24 @@ pub fn fill(solid: &Solid, resolution: FillResolution, reach: f64, limit: usize)
         volume_error.abs() + off.abs()
     };
     let mut candidates: Vec<(f64, LatticePlacement)> = Vec::new();
+    let mut rows = 0;
+    let (good, most_rows) = if solid.report.closed { (GOOD, MOST_ROWS) } else { (GOOD_ENOUGH, MOST_OPEN_ROWS) };
     for k in 0..=2 * STEPS {
+        progress(k as usize, 2 * STEPS as usize + 1);
         // 0, +1, -1, +2, -2, ... steps away.
         let steps = if k % 2 == 0 { -(k / 2) } else { k / 2 + 1 };
         if steps > STEPS {
             continue;
         }
-        let found = placements(solid, spacing * (1.0 + STEP * f64::from(steps)));
+        let (found, looked_through) = placements(solid, spacing * (1.0 + STEP * f64::from(steps)));
+        rows += looked_through;
         candidates.extend(
             found
                 .into_iter()
                 .filter(|(count, ..)| *count > 0)
                 .map(|(count, askew, lattice)| (cost(count, &lattice) + ASKEW * f64::from(askew), lattice)),
         );
-        let good = if solid.report.closed { GOOD } else { GOOD_ENOUGH };
-        if candidates.iter().any(|(cost, _)| *cost < good) {
+        if rows > most_rows || candidates.iter().any(|(cost, _)| *cost < good) {
             break;
         }
     }
@@ -188,24 +211,38 @@ fn is_flat(filling: &Filling) -> bool {
     filling.sample.points.is_empty() || filling.pruned as f64 > MOST_PRUNED * total as f64
 }
 
-/// The first of ever finer spacings at which hardly a particle lies in a single layer; none if that would take more than
-/// `limit` particles.
+/// Lattice points in the boxes around the pieces of a solid: a float, for it may be more than any integer holds.
+fn looked_at(solid: &Solid, spacing: f64) -> f64 {
+    solid.boxes().map(|[min, max]| ((max - min) / spacing + 1.0).element_product()).sum()
+}
+
+/// The spacing that the solid's thickness asks for, and the first of ever finer ones at which hardly a particle lies in a
+/// single layer, as far as that is soon found out; none if it would take more than `limit` particles.
 pub(crate) fn two_layer_spacing(solid: &Solid, spacing: f64, reach: f64, limit: f64) -> Option<f64> {
-    let finer = (1..=FINER_TRIES).map(|k| spacing * FINER.powi(k));
-    let affordable = finer.take_while(|spacing| {
-        let in_box = (solid.size() / *spacing + 1.0).element_product();
-        solid.volume / spacing.powi(3) <= limit && in_box <= BOX_SHARE * limit
-    });
-    affordable.into_iter().find(|&spacing| {
-        let lattices = placements(solid, spacing);
+    let thin = Thickness::of(solid).of_all_but(FEW).map_or(spacing, |thickness| 0.5 * thickness);
+    let first = thin.min(FINER * spacing);
+    let particles = |spacing: f64| solid.volume / spacing.powi(3);
+    let affordable = |spacing: &f64| particles(*spacing) <= limit && looked_at(solid, *spacing) <= BOX_SHARE * limit;
+    let finer = (0..FINER_TRIES).map(|k| first * FINER.powi(k)).take_while(affordable);
+    let mut last = None;
+    for spacing in finer {
+        last = Some(spacing);
+        if particles(spacing) > TRIED {
+            break;
+        }
+        let (lattices, _) = placements(solid, spacing);
         let error = |count: usize| (count as f64 * spacing.powi(3) / solid.volume - 1.0).abs();
         let best = lattices.into_iter().min_by(|a, b| error(a.0).total_cmp(&error(b.0)));
-        best.is_some_and(|(_, _, lattice)| {
+        let does = best.is_some_and(|(_, _, lattice)| {
             let filling = prune(solid, collect(solid, lattice), reach);
             let thin = filling.pruned + filling.thinness.single;
             !filling.sample.points.is_empty() && thin as f64 <= FEW * filling.sample.points.len() as f64
-        })
-    })
+        });
+        if does {
+            break;
+        }
+    }
+    last
 }
 
 fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (u32, LatticePlacement) {
@@ -214,18 +251,36 @@ fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (u32, LatticeP
     (askew, LatticePlacement { spacing, origin: 0.5 * (solid.min + solid.max) + spacing * shift })
 }
 
-/// Layers of the lattice that can touch a solid, along each axis.
-fn layers(solid: &Solid, lattice: &LatticePlacement) -> [IVec3; 2] {
-    let first = ((solid.min - lattice.origin) / lattice.spacing).floor().as_ivec3();
-    let last = ((solid.max - lattice.origin) / lattice.spacing).ceil().as_ivec3();
-    [first, last]
+/// Rows of the lattice that come near a solid: runs of layers along y, by the layer along z, in order.
+fn rows_near(solid: &Solid, lattice: &LatticePlacement) -> Vec<(i32, Vec<RangeInclusive<i32>>)> {
+    let boxes: Vec<[IVec3; 2]> = solid
+        .boxes()
+        .map(|[min, max]| {
+            let [first, last] = [min, max].map(|corner| (corner - lattice.origin) / lattice.spacing);
+            [first.floor().as_ivec3(), last.ceil().as_ivec3()]
+        })
+        .collect();
+    let mut layers: Vec<i32> = boxes.iter().flat_map(|[first, last]| first.z..=last.z).collect();
+    layers.sort_unstable();
+    layers.dedup();
+    let runs = |z: i32| {
+        let mut runs: Vec<[i32; 2]> =
+            boxes.iter().filter(|[first, last]| first.z <= z && z <= last.z).map(|[f, l]| [f.y, l.y]).collect();
+        runs.sort_unstable();
+        let mut joined: Vec<[i32; 2]> = Vec::new();
+        for [from, to] in runs {
+            match joined.last_mut() {
+                Some(last) if last[1] >= from => last[1] = last[1].max(to),
+                _ => joined.push([from, to]),
+            }
+        }
+        joined.into_iter().map(|[from, to]| from..=to).collect()
+    };
+    layers.into_iter().map(|z| (z, runs(z))).collect()
 }
 
 /// Points of a row's stretches, as lattice indices along x.
-fn cells_along(
-    stretches: &[[f64; 2]],
-    lattice: &LatticePlacement,
-) -> impl Iterator<Item = std::ops::RangeInclusive<i32>> {
+fn cells_along(stretches: &[[f64; 2]], lattice: &LatticePlacement) -> impl Iterator<Item = RangeInclusive<i32>> {
     let LatticePlacement { spacing, origin } = *lattice;
     stretches.iter().map(move |[from, to]| {
         let at = |cell: i32| origin.x + spacing * f64::from(cell);
@@ -238,40 +293,47 @@ fn cells_along(
     })
 }
 
-/// Positions of a lattice of this spacing: how many points fall inside, along how many axes it lies askew, the lattice.
-fn placements(solid: &Solid, spacing: f64) -> Vec<(usize, u32, LatticePlacement)> {
+/// A lattice with how many of its points fall inside, and along how many axes it lies askew.
+type Counted = (usize, u32, LatticePlacement);
+
+/// Positions of a lattice of this spacing, and how many rows were looked at.
+fn placements(solid: &Solid, spacing: f64) -> (Vec<Counted>, usize) {
     // Rows through a surface with holes cost more: they are tried at half spacings only.
     let (shifts, quarters) = if solid.report.closed { (SHIFTS, 1) } else { (SHIFTS / 2, 2) };
-    (0..shifts * shifts)
+    let found: Vec<(Vec<Counted>, usize)> = (0..shifts * shifts)
         .into_par_iter()
-        .flat_map_iter(|k| {
+        .map(|k| {
             let (y, z) = (quarters * (k % shifts), quarters * (k / shifts));
             let lattices: Vec<_> = (0..SHIFTS).map(|x| lattice_at(solid, spacing, [x, y, z])).collect();
-            let mut counts = vec![0; lattices.len()];
             // Rows are shared by the lattices that differ along x only.
-            let [first, last] = layers(solid, &lattices[0].1);
             let origin = lattices[0].1.origin;
-            for z in first.z..=last.z {
-                for y in first.y..=last.y {
+            let rows: Vec<(i32, i32)> = rows_near(solid, &lattices[0].1)
+                .into_iter()
+                .flat_map(|(z, runs)| runs.into_iter().flatten().map(move |y| (y, z)))
+                .collect();
+            let counts: Vec<[usize; SHIFTS as usize]> = rows
+                .par_iter()
+                .map(|&(y, z)| {
                     let row = solid.scanline(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
-                    for (count, (_, lattice)) in counts.iter_mut().zip(&lattices) {
-                        *count += cells_along(&row, lattice).map(Iterator::count).sum::<usize>();
-                    }
-                }
-            }
-            counts.into_iter().zip(lattices).map(|(count, (askew, lattice))| (count, askew, lattice))
+                    std::array::from_fn(|x| cells_along(&row, &lattices[x].1).map(Iterator::count).sum())
+                })
+                .collect();
+            let count = |x: usize| counts.iter().map(|row| row[x]).sum();
+            let lattices = lattices.into_iter().enumerate().map(|(x, (askew, lattice))| (count(x), askew, lattice));
+            (lattices.collect(), rows.len())
         })
-        .collect()
+        .collect();
+    let rows = found.iter().map(|(_, rows)| rows).sum();
+    (found.into_iter().flat_map(|(found, _)| found).collect(), rows)
 }
 
 fn collect(solid: &Solid, lattice: LatticePlacement) -> LatticeSample {
-    let [first, last] = layers(solid, &lattice);
     let LatticePlacement { spacing, origin } = lattice;
-    let rows: Vec<Vec<IVec3>> = (first.z..=last.z)
+    let rows: Vec<Vec<IVec3>> = rows_near(solid, &lattice)
         .into_par_iter()
-        .map(|z| {
+        .map(|(z, runs)| {
             let mut cells = Vec::new();
-            for y in first.y..=last.y {
+            for y in runs.into_iter().flatten() {
                 let row = solid.scanline(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
                 cells.extend(cells_along(&row, &lattice).flatten().map(|x| IVec3::new(x, y, z)));
             }

@@ -49,7 +49,52 @@ pub struct ModelReport {
     pub closed: bool,
     /// Share of the filled points that lie where inside and outside are not clearly told apart; zero when closed.
     pub doubtful: f64,
+    /// What parts share, over the volume inside, where it counts once.
+    pub shared: f64,
+    /// Pieces that enclose nothing, left out.
+    pub left_out: LeftOut,
 }
+
+/// Sheets and strays that were left out, for they enclose nothing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LeftOut {
+    /// How many pieces.
+    pub pieces: usize,
+    /// Their faces.
+    pub faces: usize,
+    /// Names of the parts of the model that they are of, where they have one.
+    pub parts: Vec<String>,
+    /// The middle of the first [m].
+    pub at: [f64; 3],
+}
+
+impl LeftOut {
+    /// Together with what was left out later.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        let at = if self.pieces > 0 { self.at } else { other.at };
+        let mut parts = self.parts;
+        parts.extend(other.parts);
+        parts.dedup();
+        Self { pieces: self.pieces + other.pieces, faces: self.faces + other.faces, parts, at }
+    }
+
+    /// The first few names, in brackets.
+    fn names(&self) -> String {
+        if self.parts.is_empty() {
+            return String::new();
+        }
+        let names: Vec<String> = self.parts.iter().take(NAMES).map(|name| format!("{name:?}")).collect();
+        let more = if self.parts.len() > NAMES { ", ..." } else { "" };
+        format!(" ({}{more})", names.join(", "))
+    }
+}
+
+/// Names of parts that are written out.
+const NAMES: usize = 3;
+
+/// Share of the volume that parts may have in common without a word.
+const SHARED: f64 = 1e-4;
 
 /// One thing that was found.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -141,6 +186,20 @@ impl ModelReport {
         say(self.flat_faces, false, format!("{} without area kept", counted(self.flat_faces, "face")));
         say(self.duplicate_faces, false, format!("{} left out as duplicates", counted(self.duplicate_faces, "face")));
         say(self.welded_points, false, format!("{} welded to close gaps", counted(self.welded_points, "point")));
+        let left_out = &self.left_out;
+        say(
+            left_out.pieces,
+            true,
+            format!(
+                "{}{} of {} {} nothing and {} left out, the first around {:.4?} m",
+                counted(left_out.pieces, "piece"),
+                left_out.names(),
+                counted(left_out.faces, "face"),
+                if left_out.pieces == 1 { "encloses" } else { "enclose" },
+                if left_out.pieces == 1 { "is" } else { "are" },
+                left_out.at
+            ),
+        );
         say(
             self.turned_faces,
             true,
@@ -169,6 +228,11 @@ impl ModelReport {
                 "{} of faces pass through each other: what is inside any part is filled once",
                 counted(self.crossings, "pair")
             ),
+        );
+        say(
+            usize::from(self.shared.abs() > SHARED && self.nested_pieces == 0),
+            false,
+            format!("parts share {:.2} % of the volume inside, which is filled once", 100.0 * self.shared),
         );
         say(
             self.cavities,

@@ -42,7 +42,7 @@ pub(crate) struct InsideOut {
 pub(crate) fn moved_inwards(points: &[DVec3], faces: &[[u32; 3]], distance: f64) -> Result<Vec<DVec3>, InsideOut> {
     let normals = point_normals(points, faces);
     let at = |distance: f64| -> Vec<DVec3> { points.iter().zip(&normals).map(|(&x, n)| x - distance * n).collect() };
-    let crossings = |points: &[DVec3]| crossing_pairs(points, faces, &Bvh::new(points, faces));
+    let crossings = |points: &[DVec3]| crossing_pairs(points, faces, &Bvh::new(points, faces)).len();
     let (crossed, pieces) = (crossings(points), pieces(points.len(), faces));
     let before = volumes(points, faces, &pieces);
     let sound = |moved: &[DVec3]| {

@@ -1,12 +1,15 @@
 //! Turning the faces of a surface outwards.
 
+use super::bvh::Bvh;
 use super::edges::{Edges, Groups};
+use super::scanline::visit_crossings;
 use super::winding::solid_angle;
 use glam::DVec3;
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 /// Which faces to turn round, and what was found on the way.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Orientation {
     /// Whether each face is to be turned round.
     pub flipped: Vec<bool>,
@@ -14,53 +17,115 @@ pub(crate) struct Orientation {
     pub disagreeing: usize,
     /// Edges across which no turning brings the faces to agree (a Möbius strip has one at least).
     pub twisted: usize,
-    /// Pieces of surface that are connected through edges.
-    pub pieces: usize,
     /// Pieces that were inside out.
     pub inverted: usize,
     /// Pieces inside another that turn the other way: its cavities.
     pub cavities: usize,
     /// Pieces inside another that turn the same way, which fills nothing anew.
     pub nested: usize,
+    /// Pieces of surface that are connected through edges.
+    pub pieces: Vec<Piece>,
+    /// Number of the piece of every face.
+    pub piece_of: Vec<u32>,
 }
 
 /// One connected piece of surface.
-#[derive(Clone, Debug)]
-struct Component {
-    faces: Vec<u32>,
-    min: DVec3,
-    max: DVec3,
-    volume: f64,
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Piece {
+    /// Its faces, in order.
+    pub faces: Vec<u32>,
+    /// Least corner [m].
+    pub min: DVec3,
+    /// Greatest corner [m].
+    pub max: DVec3,
+    /// Signed volume once its faces are turned [m³]; of an open piece about its centre.
+    pub volume: f64,
+    /// Whether it has no open edge: every point lies inside it or outside.
+    pub closed: bool,
 }
 
-/// Solid angles that may be summed to find out which piece lies in which; beyond that pieces count as separate.
-const BUDGET: usize = 200_000_000;
+/// Solid angles that may be summed to find out which piece lies in an open one; beyond that pieces count as separate.
+const BUDGET: usize = 10_000_000;
+
+/// Points of a piece that are looked at to find out what it lies in: where it touches another one the answer is a matter
+/// of round-off, so most of them decide.
+const PROBES: usize = 7;
 
 /// Finds out how to turn the faces so that neighbours agree and every piece has its outside outside. A piece within
-/// another keeps its sense relative to that, so that a cavity remains one.
-pub(crate) fn orientation(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges) -> Orientation {
+/// another keeps its sense relative to the outermost, so that a cavity remains one. `bvh` holds the faces.
+pub(crate) fn orientation(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, bvh: &Bvh) -> Orientation {
     let mut found = agree(points, faces, edges);
-    let pieces = pieces(points, faces, edges, &found.flipped);
-    found.pieces = pieces.len();
-    let mut budget = BUDGET;
-    let outermost: Vec<Option<usize>> = (0..pieces.len())
-        .map(|inner| (0..pieces.len()).find(|&outer| contains(points, faces, &pieces, outer, inner, &mut budget)))
-        .map(|outer| outer.filter(|&k| pieces[k].volume != 0.0))
-        .collect();
-    let is_inverted = |piece: usize| pieces[outermost[piece].unwrap_or(piece)].volume < 0.0;
-    for (index, piece) in pieces.iter().enumerate() {
-        if is_inverted(index) {
+    (found.pieces, found.piece_of) = pieces(points, faces, edges, &found.flipped);
+    let outermost = outermost(points, faces, bvh, &found);
+    let volume = |piece: usize| found.pieces[piece].volume;
+    let is_inverted: Vec<bool> = (0..found.pieces.len()).map(|k| volume(outermost[k].unwrap_or(k)) < 0.0).collect();
+    for (index, piece) in found.pieces.iter_mut().enumerate() {
+        if is_inverted[index] {
             found.inverted += 1;
+            piece.volume = -piece.volume;
             for &face in &piece.faces {
                 found.flipped[face as usize] ^= true;
             }
         }
         if outermost[index].is_some() {
-            let cavity = (piece.volume < 0.0) != is_inverted(index);
-            if cavity { found.cavities += 1 } else { found.nested += 1 }
+            if piece.volume < 0.0 { found.cavities += 1 } else { found.nested += 1 }
         }
     }
     found
+}
+
+/// Of every piece the largest one that it lies in, if it lies in any.
+fn outermost(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, found: &Orientation) -> Vec<Option<usize>> {
+    let pieces = &found.pieces;
+    let mut budget = BUDGET;
+    let fits = |outer: usize, inner: usize| {
+        let [around, within] = [&pieces[outer], &pieces[inner]];
+        let [large, small] = [around, within].map(|piece| piece.volume.abs());
+        let is_larger = large > small || (large == small && outer < inner);
+        is_larger && around.min.cmple(within.min).all() && within.max.cmple(around.max).all()
+    };
+    let open: Vec<usize> = (0..pieces.len()).filter(|&k| !pieces[k].closed).collect();
+    let around = (0..pieces.len()).map(|inner| {
+        if pieces.len() == 1 {
+            return None;
+        }
+        let own = &pieces[inner].faces;
+        let probes: Vec<DVec3> = (0..PROBES.min(own.len()))
+            .map(|k| own[k * own.len() / PROBES.min(own.len())])
+            .map(|face| faces[face as usize].map(|i| points[i as usize]))
+            .map(|[a, b, c]| (a + b + c) / 3.0)
+            .collect();
+        let mut votes: BTreeMap<usize, usize> = BTreeMap::new();
+        for &probe in &probes {
+            // How often each closed piece turns around the point: what a row from it crosses in the end.
+            let mut turns: BTreeMap<usize, i32> = BTreeMap::new();
+            visit_crossings(points, faces, bvh, [probe.y, probe.z], |face, x, step| {
+                let piece = found.piece_of[face as usize] as usize;
+                if x > probe.x && pieces[piece].closed {
+                    *turns.entry(piece).or_default() += if found.flipped[face as usize] { -step } else { step };
+                }
+            });
+            for (piece, _) in turns.into_iter().filter(|(_, turns)| *turns != 0) {
+                *votes.entry(piece).or_default() += 1;
+            }
+            for &outer in open.iter().filter(|&&outer| fits(outer, inner)) {
+                let around = &pieces[outer];
+                if around.faces.len() <= budget {
+                    budget -= around.faces.len();
+                    let corners = |&face: &u32| faces[face as usize].map(|i| points[i as usize] - probe);
+                    let angle: f64 = around.faces.iter().map(|face| solid_angle(corners(face))).sum();
+                    *votes.entry(outer).or_default() += usize::from(angle.abs() > 2.0 * PI);
+                }
+            }
+        }
+        votes
+            .into_iter()
+            .filter(|&(outer, votes)| 2 * votes > probes.len() && fits(outer, inner))
+            .map(|(outer, _)| outer)
+            .filter(|&outer| pieces[outer].volume != 0.0)
+            .reduce(|a, b| if pieces[b].volume.abs() > pieces[a].volume.abs() { b } else { a })
+    });
+    around.collect()
 }
 
 /// Makes neighbours agree with most of their piece, by area.
@@ -109,7 +174,7 @@ fn agree(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges) -> Orientation {
     found
 }
 
-fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool]) -> Vec<Component> {
+fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool]) -> (Vec<Piece>, Vec<u32>) {
     let mut groups = Groups::new(faces.len());
     for edge in edges.iter() {
         for half in &edge[1..] {
@@ -117,7 +182,7 @@ fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool])
         }
     }
     let (labels, count) = groups.labels();
-    let empty = Component { faces: Vec::new(), min: DVec3::INFINITY, max: DVec3::NEG_INFINITY, volume: 0.0 };
+    let empty = Piece { faces: Vec::new(), min: DVec3::INFINITY, max: DVec3::NEG_INFINITY, volume: 0.0, closed: true };
     let mut pieces = vec![empty; count];
     for (face, &label) in labels.iter().enumerate() {
         let piece = &mut pieces[label as usize];
@@ -126,6 +191,9 @@ fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool])
             piece.min = piece.min.min(points[i as usize]);
             piece.max = piece.max.max(points[i as usize]);
         }
+    }
+    for edge in edges.unbalanced(flipped) {
+        pieces[labels[edge[0].face as usize] as usize].closed = false;
     }
     for piece in &mut pieces {
         // About its centre: what an open piece lacks weighs least there.
@@ -139,28 +207,7 @@ fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool])
             })
             .sum();
     }
-    pieces
-}
-
-/// Whether a piece surrounds another.
-fn contains(
-    points: &[DVec3],
-    faces: &[[u32; 3]],
-    pieces: &[Component],
-    outer: usize,
-    inner: usize,
-    budget: &mut usize,
-) -> bool {
-    let [around, within] = [&pieces[outer], &pieces[inner]];
-    let fits = around.min.cmplt(within.min).all() && within.max.cmplt(around.max).all();
-    if outer == inner || !fits || around.faces.len() > *budget {
-        return false;
-    }
-    *budget -= around.faces.len();
-    let at = points[faces[within.faces[0] as usize][0] as usize];
-    let angle: f64 =
-        around.faces.iter().map(|&face| solid_angle(faces[face as usize].map(|i| points[i as usize] - at))).sum();
-    angle.abs() > 2.0 * PI
+    (pieces, labels)
 }
 
 /// Area of a face [m²].

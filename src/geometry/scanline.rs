@@ -6,28 +6,43 @@
 //! even along its edges and through its corners.
 
 use super::bvh::Bvh;
-use super::winding::Winding;
 use glam::DVec3;
+
+/// Calls `found` with every face that the row through (y, z) along x passes through, where, and +1 where it enters there or
+/// -1 where it leaves; in no order.
+pub(crate) fn visit_crossings(
+    points: &[DVec3],
+    faces: &[[u32; 3]],
+    bvh: &Bvh,
+    [y, z]: [f64; 2],
+    mut found: impl FnMut(u32, f64, i32),
+) {
+    bvh.visit(
+        |node| node.min.y <= y && y <= node.max.y && node.min.z <= z && z <= node.max.z,
+        |face| {
+            if let Some((x, step)) = crossing(points, faces[face as usize], y, z) {
+                found(face, x, step);
+            }
+        },
+    );
+}
 
 /// Places where the row through (y, z) along x passes through faces, in order, each with +1 where it enters and -1
 /// where it leaves. Points are those of an oriented surface, sorted as [`super::weld::Welded`] sorts them.
-fn crossings(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64, z: f64) -> Vec<(f64, i32)> {
+pub(crate) fn crossings(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, row: [f64; 2]) -> Vec<(f64, i32)> {
     let mut found = Vec::new();
-    bvh.visit(
-        |node| node.min.y <= y && y <= node.max.y && node.min.z <= z && z <= node.max.z,
-        |face| found.extend(crossing(points, faces[face as usize], y, z)),
-    );
+    visit_crossings(points, faces, bvh, row, |_, x, step| found.push((x, step)));
     // Entries before exits at the same place, so that faces which touch leave no gap.
     found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     found
 }
 
-/// The stretches of the row through (y, z) along x that lie inside a closed surface, in order: where it turns around
-/// the row at least once.
-pub(crate) fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, y: f64, z: f64) -> Vec<[f64; 2]> {
+/// The stretches of a row with these crossings that lie inside a closed surface, in order: where it turns around the row
+/// at least once.
+pub(crate) fn inside_stretches(crossings: &[(f64, i32)]) -> Vec<[f64; 2]> {
     let mut stretches: Vec<[f64; 2]> = Vec::new();
     let mut depth = 0;
-    for (x, step) in crossings(points, faces, bvh, y, z) {
+    for &(x, step) in crossings {
         if depth <= 0 && depth + step > 0 {
             stretches.push([x, x]);
         }
@@ -44,76 +59,21 @@ pub(crate) fn inside_stretches(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, 
     stretches
 }
 
-/// A scanline through a surface with holes.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct OpenScanline {
-    /// Stretches where the winding number is above one half, in order [m].
-    pub inside: Vec<[f64; 2]>,
-    /// Length where it is within a quarter of one half [m]: there the surface does not say clearly.
-    pub doubtful: f64,
-}
-
-impl OpenScanline {
-    /// Adds a stretch behind the others, or to the last where they touch: no place is inside twice.
-    fn fill(&mut self, [from, to]: [f64; 2]) {
-        match self.inside.last_mut() {
-            Some(last) if last[1] >= from => last[1] = to,
-            _ => self.inside.push([from, to]),
+/// What lies in either of two rows of stretches, in order.
+pub(crate) fn joined(a: Vec<[f64; 2]>, b: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    if a.is_empty() || b.is_empty() {
+        return if a.is_empty() { b } else { a };
+    }
+    let mut all = [a, b].concat();
+    all.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let mut stretches: Vec<[f64; 2]> = Vec::with_capacity(all.len());
+    for [from, to] in all {
+        match stretches.last_mut() {
+            Some(last) if last[1] >= from => last[1] = last[1].max(to),
+            _ => stretches.push([from, to]),
         }
     }
-}
-
-/// Halvings that find where a winding number passes one half.
-const HALVINGS: usize = 24;
-
-/// Winding numbers this close to one half are doubtful.
-const DOUBT: f64 = 0.25;
-
-/// The row through (y, z) along x, from `from` to `to` [m], through a surface with holes.
-///
-/// Between two faces the winding number changes smoothly. It is looked at thrice there and, where the way is long,
-/// every `step` [m]; where it passes one half the place is found by halving.
-pub(crate) fn open_scanline(
-    (points, faces, bvh): (&[DVec3], &[[u32; 3]], &Bvh),
-    winding: &Winding<'_>,
-    [from, to]: [f64; 2],
-    step: f64,
-    [y, z]: [f64; 2],
-) -> OpenScanline {
-    let mut places = vec![from];
-    places.extend(crossings(points, faces, bvh, y, z).into_iter().map(|(x, _)| x.clamp(from, to)));
-    places.push(to);
-    let at = |x: f64| winding.at(DVec3::new(x, y, z));
-    let mut row = OpenScanline::default();
-    for ends in places.windows(2) {
-        let length = ends[1] - ends[0];
-        if length <= 0.0 {
-            continue;
-        }
-        let count = 3.0_f64.max((length / step).ceil());
-        let samples: Vec<(f64, f64)> =
-            (0..count as usize).map(|k| ends[0] + length * (k as f64 + 0.5) / count).map(|x| (x, at(x))).collect();
-        row.doubtful += samples.iter().filter(|(_, w)| (w - 0.5).abs() < DOUBT).count() as f64 * length / count;
-        let mut begin = (samples[0].1 > 0.5).then_some(ends[0]);
-        for pair in samples.windows(2) {
-            let [(mut low, before), (mut high, after)] = [pair[0], pair[1]];
-            if (before > 0.5) == (after > 0.5) {
-                continue;
-            }
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if (at(middle) > 0.5) == (before > 0.5) { low = middle } else { high = middle }
-            }
-            match begin.take() {
-                Some(start) => row.fill([start, low]),
-                None => begin = Some(high),
-            }
-        }
-        if let Some(start) = begin {
-            row.fill([start, ends[1]]);
-        }
-    }
-    row
+    stretches
 }
 
 /// Where a row enters (+1) or leaves (-1) through a face.
@@ -163,12 +123,18 @@ mod tests {
         for k in 0..=8 {
             for l in 0..=8 {
                 let (y, z) = (f64::from(k) / 8.0, f64::from(l) / 8.0);
-                let found = inside_stretches(&mesh.positions, &mesh.triangles, &bvh, y, z);
+                let found = inside_stretches(&crossings(&mesh.positions, &mesh.triangles, &bvh, [y, z]));
                 assert!(found.is_empty() || found == [[0.0, 1.0]], "{y} {z}: {found:?}");
                 inside += found.len();
             }
         }
         // Rows on the hull are in on one side of the box and out on the other.
         assert_eq!(inside, 64);
+    }
+
+    #[test]
+    fn rows_of_stretches_are_joined() {
+        assert_eq!(joined(vec![[0.0, 1.0], [4.0, 5.0]], vec![[0.5, 2.0], [5.0, 6.0]]), [[0.0, 2.0], [4.0, 6.0]]);
+        assert_eq!(joined(Vec::new(), vec![[0.0, 1.0]]), [[0.0, 1.0]]);
     }
 }

@@ -1,14 +1,16 @@
 //! A model made ready to be filled: checked, repaired where that is possible, and asked what is inside.
 
 use super::bvh::Bvh;
+use super::cluster::{Cluster, clusters};
 use super::crossing::crossing_pairs;
 use super::edges::{Edges, count_loops};
+use super::holes::OpenSurface;
+use super::inside::Inside;
 use super::model::Model;
-use super::model_report::{ModelReport, Refusal};
-use super::orient::{area, orientation};
-use super::scanline::{OpenScanline, inside_stretches, open_scanline};
+use super::model_report::{LeftOut, ModelReport, Refusal};
+use super::orient::{Orientation, area, orientation};
+use super::sheets::{NO_VOLUME, Sorted, sort};
 use super::weld::Welded;
-use super::winding::{Far, Winding, far_fields};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -27,9 +29,9 @@ pub struct Solid {
     pub max: DVec3,
     /// Volume inside [m³]; what lies in several pieces counts once.
     pub volume: f64,
-    bvh: Bvh,
-    /// Far fields of the tree's nodes; none for a closed surface, which needs none.
-    far: Vec<Far>,
+    /// Groups of pieces whose boxes touch.
+    clusters: Vec<Cluster>,
+    inside: Inside,
 }
 
 /// Coordinates beyond this are taken for damage [m]: their cubes, and sums of those, must stay far from the greatest
@@ -39,19 +41,11 @@ const LARGEST: f64 = 1e9;
 /// Open edges closer than this share of the diagonal are gaps that were never meant.
 const GAP: f64 = 1e-5;
 
-/// Volume below this share of what a surface could enclose counts as none.
-const NO_VOLUME: f64 = 1e-9;
-
-/// Rows along each axis where the volume is counted instead of computed: of a surface with holes, and of one whose
-/// pieces overlap.
-const SAMPLES: usize = 48;
-const FINE_SAMPLES: usize = 384;
-
-/// Steps along the diagonal in which the rows through a surface with holes are looked at.
-const LOOKS: f64 = 24.0;
-
-/// Share of doubtful points from which on an open surface is refused.
-const TOO_DOUBTFUL: f64 = 0.2;
+/// Rows along which what pieces share is measured, in all; for each face of a group that is measured, and the least for a
+/// group.
+const ROWS: f64 = 100_000.0;
+const ROWS_EACH: f64 = 64.0;
+const LEAST_ROWS: f64 = 4096.0;
 
 impl Solid {
     /// Checks a model whose positions are in metres, repairs what it can and measures what is inside.
@@ -61,65 +55,84 @@ impl Solid {
     pub fn new(model: &Model) -> Result<Self, Refusal> {
         let mut report = ModelReport { reading: model.notes.clone(), ..ModelReport::default() };
         let model = without_lost(model, &mut report);
+        Self::of_usable(model, report)
+    }
+
+    /// Leaves out the pieces that enclose nothing and begins again without them: they are not to count for the extents
+    /// either.
+    fn of_usable(model: Model, mut report: ModelReport) -> Result<Self, Refusal> {
         if model.triangles.is_empty() {
             return Err(Refusal::NoFaces { lost_faces: report.lost_faces });
         }
         let mut surface = Welded::new(&model);
+        let as_given = report.clone();
         drop_duplicates(&mut surface, &mut report);
         let (min, max) = bounds(&surface.points);
         close_gaps(&mut surface, GAP * (max - min).length(), &mut report);
 
         let edges = Edges::new(&surface.faces);
-        let oriented = orientation(&surface.points, &surface.faces, &edges);
+        let bvh = Bvh::new(&surface.points, &surface.faces);
+        let oriented = orientation(&surface.points, &surface.faces, &edges, &bvh);
         let open: Vec<_> = edges.open().collect();
         report.open_edges = open.len();
         report.holes = count_loops(&open);
-        report.crowded_edges = edges.crowded();
-        report.closed = !surface.faces.is_empty() && edges.unbalanced(&oriented.flipped) == 0;
+        report.crowded_edges = edges.crowded().count();
         for (face, &flipped) in surface.faces.iter_mut().zip(&oriented.flipped) {
             if flipped {
                 // The first stays the least.
                 face.swap(1, 2);
             }
         }
+        let sorted = sort(&surface, &oriented.pieces);
+        if sorted.nothing.len() == oriented.pieces.len() {
+            return Err(sorted.refusal(report.open_edges, report.holes));
+        }
+        if !sorted.nothing.is_empty() {
+            return Self::of_usable(
+                without(&model, &surface, &oriented, &sorted),
+                ModelReport {
+                    left_out: as_given.left_out.with(left_out(&model, &surface, &oriented, &sorted)),
+                    ..as_given
+                },
+            );
+        }
+        report.closed = sorted.open.is_empty();
         report.turned_faces = oriented.disagreeing;
         report.twisted_edges = oriented.twisted;
-        report.pieces = oriented.pieces;
+        report.pieces = oriented.pieces.len();
         report.inverted_pieces = oriented.inverted;
         report.cavities = oriented.cavities;
         report.nested_pieces = oriented.nested;
-
-        let bvh = Bvh::new(&surface.points, &surface.faces);
-        report.crossings = crossing_pairs(&surface.points, &surface.faces, &bvh);
         report.flat_faces = surface.faces.par_iter().filter(|&&face| area(&surface.points, face) == 0.0).count();
         report.vertices = model.positions.len();
         report.points = surface.points.len();
         report.faces = surface.faces.len();
         report.collapsed_faces = surface.collapsed;
-        let far = if report.closed { Vec::new() } else { far_fields(&surface.points, &surface.faces, &bvh) };
-        let mut this = Self { model, surface, report, min, max, volume: 0.0, bvh, far };
-        this.measure()?;
-        Ok(this)
+        if sorted.volume > 0.0 {
+            report.doubtful = sorted.doubtful / sorted.volume;
+        }
+        let crossings = crossing_pairs(&surface.points, &surface.faces, &bvh);
+        report.crossings = crossings.len();
+        // Pieces that may share places with themselves.
+        let mut crowded = vec![false; oriented.pieces.len()];
+        let crossed = crossings.iter().flatten().copied();
+        for face in crossed.chain(edges.crowded().flatten().map(|half| half.face)) {
+            crowded[oriented.piece_of[face as usize] as usize] = true;
+        }
+        let clusters = clusters(&oriented.pieces, |_| true);
+        let inside = inside(&surface, &oriented, sorted.open);
+        let mut this = Self { model, surface, report, min, max, volume: 0.0, clusters, inside };
+        this.measure(&oriented, &crowded);
+        let room: f64 = this.boxes().map(|[min, max]| (max - min).length().powi(3)).sum();
+        if this.volume > NO_VOLUME * room {
+            return Ok(this);
+        }
+        Err(Refusal::NothingInside { open_edges: this.report.open_edges, holes: this.report.holes })
     }
 
     /// Stretches of the row through (y, z) along x that lie inside [m].
     pub(crate) fn scanline(&self, y: f64, z: f64) -> Vec<[f64; 2]> {
-        if self.report.closed {
-            inside_stretches(&self.surface.points, &self.surface.faces, &self.bvh, y, z)
-        } else {
-            self.open_scanline(y, z).inside
-        }
-    }
-
-    fn open_scanline(&self, y: f64, z: f64) -> OpenScanline {
-        let surface = (self.surface.points.as_slice(), self.surface.faces.as_slice(), &self.bvh);
-        let step = self.size().length() / LOOKS;
-        open_scanline(surface, &self.winding(), [self.min.x, self.max.x], step, [y, z])
-    }
-
-    /// Queries of the winding number of a surface with holes. That of a closed surface follows from its rows.
-    fn winding(&self) -> Winding<'_> {
-        Winding::new(&self.surface.points, &self.surface.faces, &self.bvh, &self.far)
+        self.inside.row(&self.surface.points, y, z)
     }
 
     /// Whether a point lies inside.
@@ -127,50 +140,92 @@ impl Solid {
         self.scanline(point.y, point.z).iter().any(|[from, to]| (*from..=*to).contains(&point.x))
     }
 
+    /// Boxes outside of which nothing is inside: least and greatest corners [m].
+    pub(crate) fn boxes(&self) -> impl Iterator<Item = [DVec3; 2]> {
+        self.clusters.iter().map(|cluster| [cluster.min, cluster.max])
+    }
+
     /// Extents [m].
     pub fn size(&self) -> DVec3 {
         self.max - self.min
     }
 
-    fn measure(&mut self) -> Result<(), Refusal> {
-        let ModelReport { open_edges, holes, .. } = self.report;
-        let diagonal = self.size().length();
-        if !self.report.closed {
-            let [volume, doubtful] = self.count_rows(SAMPLES, |y, z| {
-                let row = self.open_scanline(y, z);
-                [row.inside.iter().map(|[from, to]| to - from).sum(), row.doubtful]
-            });
-            let doubtful = if volume > 0.0 { doubtful / volume } else { 1.0 };
-            (self.volume, self.report.doubtful) = (volume, doubtful);
-            if volume > 0.0 && doubtful > TOO_DOUBTFUL {
-                return Err(Refusal::TooOpen { open_edges, holes, doubtful });
+    /// What the faces enclose follows from their corners; what several pieces share counts once, and is measured along rows
+    /// wherever pieces may.
+    fn measure(&mut self, oriented: &Orientation, crowded: &[bool]) {
+        let pieces = &oriented.pieces;
+        let points = &self.surface.points;
+        let may_share = |cluster: &Cluster| {
+            cluster.pieces.len() > 1 || cluster.pieces.iter().any(|&index| crowded[index] || !pieces[index].closed)
+        };
+        let faces =
+            |cluster: &Cluster| cluster.pieces.iter().map(|&index| pieces[index].faces.len() as f64).sum::<f64>();
+        let measured: f64 = self.clusters.iter().filter(|cluster| may_share(cluster)).map(faces).sum();
+        let (mut volume, mut shared) = (0.0, 0.0);
+        for cluster in &self.clusters {
+            let bounds = [cluster.min, cluster.max];
+            let closed = cluster.pieces.iter().filter(|&&index| pieces[index].closed);
+            let mut all: f64 = closed.map(|&index| pieces[index].volume).sum();
+            if self.clusters.len() == 1 && self.report.closed {
+                all = signed_volume(points, &self.surface.faces, self.min);
             }
-        } else if self.report.crossings + self.report.nested_pieces + self.report.crowded_edges > 0 {
-            let length = |y, z| [self.scanline(y, z).iter().map(|[from, to]| to - from).sum(), 0.0];
-            [self.volume, _] = self.count_rows(FINE_SAMPLES, length);
-        } else {
-            self.volume = signed_volume(&self.surface, self.min);
+            if may_share(cluster) {
+                let rows = (ROWS_EACH * faces(cluster)).min(ROWS * faces(cluster) / measured).max(LEAST_ROWS);
+                let found = self.inside.measure(points, bounds, rows as usize);
+                let caps = self.inside.capped_volume(bounds);
+                if found.shared != 0.0 || caps != 0.0 {
+                    all = (all + caps - found.shared).min((cluster.max - cluster.min).element_product());
+                    shared += found.shared;
+                }
+            }
+            volume += all;
         }
-        if self.volume > NO_VOLUME * diagonal.powi(3) {
-            return Ok(());
+        self.volume = volume;
+        if self.report.closed {
+            self.report.shared = shared / volume;
         }
-        Err(Refusal::NothingInside { open_edges, holes })
     }
+}
 
-    /// Volumes by two lengths of each of many rows.
-    fn count_rows(&self, count: usize, lengths: impl Fn(f64, f64) -> [f64; 2] + Sync) -> [f64; 2] {
-        let size = self.size();
-        let step = [size.y / count as f64, size.z / count as f64];
-        let lengths: Vec<[f64; 2]> = (0..count * count)
-            .into_par_iter()
-            .map(|k| {
-                let y = self.min.y + step[0] * ((k % count) as f64 + 0.5);
-                let z = self.min.z + step[1] * ((k / count) as f64 + 0.5);
-                lengths(y, z)
-            })
-            .collect();
-        let sum = lengths.iter().fold([0.0, 0.0], |sum, row| [sum[0] + row[0], sum[1] + row[1]]);
-        sum.map(|sum| sum * step[0] * step[1])
+fn inside(surface: &Welded, oriented: &Orientation, open: Vec<OpenSurface>) -> Inside {
+    let closed = |&(face, _): &(usize, &[u32; 3])| oriented.pieces[oriented.piece_of[face] as usize].closed;
+    let faces = surface.faces.iter().enumerate().filter(closed).map(|(_, face)| *face).collect();
+    Inside::new(&surface.points, faces, open)
+}
+
+/// The corners of a face, whichever way it looks.
+fn corners([a, b, c]: [u32; 3]) -> [u32; 3] {
+    let mut corners = [a, b, c];
+    corners.sort_unstable();
+    corners
+}
+
+/// Corners of the faces of pieces that enclose nothing, in order.
+fn of_nothing(surface: &Welded, oriented: &Orientation, sorted: &Sorted) -> Vec<[u32; 3]> {
+    let pieces = sorted.nothing.iter().map(|&index| &oriented.pieces[index]);
+    let faces = pieces.flat_map(|piece| &piece.faces).map(|&face| surface.faces[face as usize]);
+    let mut faces: Vec<[u32; 3]> = faces.map(corners).collect();
+    faces.sort_unstable();
+    faces
+}
+
+/// A model without the pieces that enclose nothing.
+fn without(model: &Model, surface: &Welded, oriented: &Orientation, sorted: &Sorted) -> Model {
+    let gone = of_nothing(surface, oriented, sorted);
+    model.retain(|t| gone.binary_search(&corners(t.map(|i| surface.point_of[i as usize]))).is_err())
+}
+
+/// What is said of them.
+fn left_out(model: &Model, surface: &Welded, oriented: &Orientation, sorted: &Sorted) -> LeftOut {
+    let gone = of_nothing(surface, oriented, sorted);
+    let is_gone = |t: &[u32; 3]| gone.binary_search(&corners(t.map(|i| surface.point_of[i as usize]))).is_ok();
+    let parts = model.parts.iter().filter(|part| model.triangles[part.triangles.clone()].iter().any(is_gone));
+    let at = sorted.nothing.first().map(|&index| 0.5 * (oriented.pieces[index].min + oriented.pieces[index].max));
+    LeftOut {
+        pieces: sorted.nothing.len(),
+        faces: gone.len(),
+        parts: parts.map(|part| part.name.clone()).filter(|name| !name.is_empty()).collect(),
+        at: at.unwrap_or_default().to_array(),
     }
 }
 
@@ -183,10 +238,12 @@ fn without_lost(model: &Model, report: &mut ModelReport) -> Model {
 }
 
 /// Leaves one of faces that are there several times. Faces on the same corners that look opposite ways cancel, unless
-/// the whole model is made of such pairs: then it is one surface, drawn from both sides.
+/// the whole model is made of such pairs: then it is one surface, drawn from both sides. Where that opens more edges than
+/// it closes the faces are those of parts that have a side in common, and all stay.
 fn drop_duplicates(surface: &mut Welded, report: &mut ModelReport) {
     let before = surface.faces.len();
-    let mut faces = std::mem::take(&mut surface.faces);
+    let mut faces = surface.faces.clone();
+    let all = std::mem::take(&mut surface.faces);
     let key = |&[a, b, c]: &[u32; 3]| [a, b.min(c), b.max(c)];
     faces.sort_by_key(|face| (key(face), *face));
     let groups = || faces.chunk_by(|a, b| key(a) == key(b));
@@ -200,6 +257,10 @@ fn drop_duplicates(surface: &mut Welded, report: &mut ModelReport) {
         }
     }
     surface.faces.sort_unstable();
+    let odd = |faces: &[[u32; 3]]| Edges::new(faces).iter().filter(|edge| edge.len() % 2 != 0).count();
+    if surface.faces.len() < before && odd(&surface.faces) > odd(&all) {
+        surface.faces = all;
+    }
     report.duplicate_faces = before - surface.faces.len();
 }
 
@@ -225,9 +286,9 @@ fn bounds(points: &[DVec3]) -> (DVec3, DVec3) {
     points.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(min, max), &p| (min.min(p), max.max(p)))
 }
 
-fn signed_volume(surface: &Welded, reference: DVec3) -> f64 {
-    let volumes = surface.faces.iter().map(|face| {
-        let [a, b, c] = face.map(|i| surface.points[i as usize] - reference);
+fn signed_volume(points: &[DVec3], faces: &[[u32; 3]], reference: DVec3) -> f64 {
+    let volumes = faces.iter().map(|face| {
+        let [a, b, c] = face.map(|i| points[i as usize] - reference);
         a.dot(b.cross(c)) / 6.0
     });
     volumes.sum()

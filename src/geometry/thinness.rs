@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::f64::consts::PI;
 
 /// Particles in thin parts.
@@ -65,37 +66,80 @@ fn steps_within(reach: f64) -> Vec<(IVec3, DVec3)> {
         .collect()
 }
 
-/// Which cells of the bounding box hold a particle.
+/// Which cells hold a particle: blocks of the bounding box, of which only those that hold any are kept.
 struct Occupied {
     first: IVec3,
+    /// Blocks along each axis.
     size: IVec3,
-    cells: Vec<bool>,
+    /// For every block the number of those before it that hold a particle, plus one; zero for one that holds none.
+    number: Numbers,
+    blocks: Vec<[u64; 8]>,
 }
+
+/// Numbers of blocks: in a table, or sorted where that would be too large, as with pieces far apart.
+enum Numbers {
+    Table(Vec<u32>),
+    Sorted(HashMap<IVec3, u32>),
+}
+
+/// Cells along the edge of a block, as a power of two.
+const BLOCK: i32 = 3;
+
+/// Blocks of the bounding box up to which they have a table.
+const TABLE: f64 = 4e6;
 
 impl Occupied {
     fn new(cells: &[IVec3]) -> Self {
         let first = cells.iter().copied().reduce(IVec3::min).unwrap_or_default();
         let last = cells.iter().copied().reduce(IVec3::max).unwrap_or_default();
-        let size = last - first + 1;
-        let length = size.x as usize * size.y as usize * size.z as usize;
-        let mut this = Self { first, size, cells: vec![false; length] };
+        let size = ((last - first) >> BLOCK) + 1;
+        let number = if size.as_dvec3().element_product() <= TABLE {
+            Numbers::Table(vec![0; size.x as usize * size.y as usize * size.z as usize])
+        } else {
+            Numbers::Sorted(HashMap::new())
+        };
+        let mut this = Self { first, size, number, blocks: Vec::new() };
         for &cell in cells {
-            if let Some(index) = this.index(cell) {
-                this.cells[index] = true;
+            let at = cell - first;
+            let block = at >> BLOCK;
+            let table_index = this.table_index(block);
+            let number = match &mut this.number {
+                Numbers::Table(table) => &mut table[table_index],
+                Numbers::Sorted(map) => map.entry(block).or_default(),
+            };
+            if *number == 0 {
+                this.blocks.push([0; 8]);
+                *number = this.blocks.len() as u32;
             }
+            let [layer, bit] = within(at);
+            this.blocks[*number as usize - 1][layer] |= 1 << bit;
         }
         this
     }
 
-    fn index(&self, cell: IVec3) -> Option<usize> {
-        let at = cell - self.first;
-        let within = at.cmpge(IVec3::ZERO).all() && at.cmplt(self.size).all();
-        within.then(|| (at.z as usize * self.size.y as usize + at.y as usize) * self.size.x as usize + at.x as usize)
+    fn table_index(&self, block: IVec3) -> usize {
+        ((block.z * self.size.y + block.y) * self.size.x + block.x) as usize
     }
 
     fn contains(&self, cell: IVec3) -> bool {
-        self.index(cell).is_some_and(|index| self.cells[index])
+        let at = cell - self.first;
+        let block = at >> BLOCK;
+        let number = match &self.number {
+            Numbers::Table(table) => {
+                let within = block.cmpge(IVec3::ZERO).all() && block.cmplt(self.size).all();
+                if within { table[self.table_index(block)] } else { 0 }
+            }
+            Numbers::Sorted(map) => map.get(&block).copied().unwrap_or(0),
+        };
+        let [layer, bit] = within(at);
+        number > 0 && self.blocks[number as usize - 1][layer] >> bit & 1 != 0
     }
+}
+
+/// Layer of a block and place in it of a cell.
+fn within(at: IVec3) -> [usize; 2] {
+    let at = at & ((1 << BLOCK) - 1);
+    [at.z as usize, (at.y << BLOCK | at.x) as usize]
 }
 
 /// Least eigenvalue of a symmetric matrix (Smith 1961).

@@ -1,5 +1,6 @@
 //! What the window opens: a scene and the models that it names, or a model alone.
 
+use crate::geometry::fineness::{BY_ITSELF, Fineness, fineness};
 use crate::geometry::solid::Solid;
 use crate::io::{IoError, is_model, load_assets, load_scene, resolved, scene_from_json, unknown_fields};
 use crate::scene::{Assets, Body, Material, MeshShape, Scene};
@@ -9,8 +10,6 @@ use std::sync::Arc;
 /// The built-in scene.
 const BUILT_IN: &str = include_str!("../../scenes/short_bar_soft.json");
 
-/// Particles that a model is filled with unless told otherwise: enough for its shape, few enough to play.
-const MODEL_PARTICLES: u32 = 800;
 /// A model is taken as it is when its greatest extent lies in this range [m], and brought to a hand's size otherwise.
 const USUAL_EXTENT: (f64, f64) = (0.02, 5.0);
 const HAND: f64 = 0.12;
@@ -57,7 +56,7 @@ impl Document {
     fn of_model(path: &Path) -> Result<Self, IoError> {
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let mut shape = MeshShape::new(file).with_particles(MODEL_PARTICLES);
+        let mut shape = MeshShape::new(file).with_particles(BY_ITSELF[0]);
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let mut scene = model_scene(&name, &shape);
         let mut assets = load_assets(&scene, &folder, &mut |_| {})?;
@@ -72,14 +71,19 @@ impl Document {
             assets = load_assets(&scene, &folder, &mut |_| {})?;
             scaled = format!(", scaled by {:.3e} to {HAND} m: the file measures {found:.3e} units", shape.scale);
         }
+        let mut filled = Fineness { particles: BY_ITSELF[0], given_up: None };
         if let Some(solid) = assets.solid(&shape) {
+            filled = fineness(solid, BY_ITSELF);
+            shape.particles = Some(filled.particles);
+            scene = model_scene(&name, &shape);
             let body = &mut scene.bodies[0];
             let low = solid.model.positions.iter().map(|point| point.y).fold(f64::INFINITY, f64::min);
             body.placement.translation[1] = DROP * solid.size().y - low;
             // What is not used is still to make sense: a fortieth of the size is about what the particles give.
             body.material.support_radius = 0.1 * solid.size().max_element();
         }
-        let note = format!("Opened {name} as a soft solid of about {MODEL_PARTICLES} particles{scaled}");
+        let thin = filled.given_up.map_or(String::new(), |thin| format!("; {thin}"));
+        let note = format!("Opened {name} as a soft solid of about {} particles{scaled}{thin}", filled.particles);
         Ok(Self { scene, assets: Arc::new(assets), path: None, folder, note: Some(note) })
     }
 }

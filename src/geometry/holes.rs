@@ -1,0 +1,318 @@
+//! A surface with holes: what its winding number calls inside, row by row.
+//!
+//! Why. The winding number at a point costs a walk through a tree of far fields, and a row through a model asks for dozens.
+//! Hardly any has to be computed: with every hole closed by a cap the surface turns around each point a whole number of
+//! times, which is found by counting what the row crosses, and what the holes take from it is at most the share of the
+//! sky that the caps fill. Where that is too little to matter nothing else is looked at.
+
+use super::bvh::Bvh;
+use super::edges::{Edges, balance};
+use super::scanline::crossings;
+use super::winding::{Far, Winding, far_fields};
+use glam::DVec3;
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+/// A surface with holes, and the caps that would close them.
+#[derive(Clone, Debug)]
+pub(crate) struct OpenSurface {
+    /// Points of the surface, then one for each cap.
+    points: Vec<DVec3>,
+    faces: Vec<[u32; 3]>,
+    bvh: Bvh,
+    far: Vec<Far>,
+    capped: Vec<[u32; 3]>,
+    capped_bvh: Bvh,
+    caps: Vec<[u32; 3]>,
+    caps_bvh: Bvh,
+    /// Area of the caps in each node of their tree [m²].
+    cap_areas: Vec<f64>,
+    /// Least and greatest corner [m].
+    bounds: [DVec3; 2],
+    /// Steps in which a row is looked at where it has to be [m].
+    step: f64,
+}
+
+/// A row through a surface with holes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct OpenRow {
+    /// Stretches where the winding number is above one half, in order [m].
+    pub inside: Vec<[f64; 2]>,
+    /// Length where it is within a quarter of one half [m]: there the surface does not say clearly.
+    pub doubtful: f64,
+    /// Crossings of the surface with its caps, in order.
+    pub crossings: Vec<(f64, i32)>,
+}
+
+/// Steps along the diagonal in which the rows are looked at.
+const LOOKS: f64 = 24.0;
+
+/// Steps that find where a winding number passes one half, and how near they come, in steps of the look.
+const TRIES: usize = 24;
+const NEAR: f64 = 1e-3;
+
+/// Winding numbers this close to one half are doubtful.
+const DOUBT: f64 = 0.25;
+
+/// Winding number of a single face that the point may lie on, at most.
+const TOUCHING: f64 = 0.5;
+
+/// Part of the certainty that one node of the tree of caps may take before its children are looked at.
+const COARSE: f64 = 0.02;
+
+impl OpenSurface {
+    /// Closes the holes of oriented faces.
+    pub(crate) fn new(points: &[DVec3], faces: Vec<[u32; 3]>) -> Self {
+        let mut points = points.to_vec();
+        let caps = caps(&mut points, &faces);
+        let capped = [faces.as_slice(), &caps].concat();
+        let [bvh, capped_bvh, caps_bvh] = [&faces, &capped, &caps].map(|faces| Bvh::new(&points, faces));
+        let far = far_fields(&points, &faces, &bvh);
+        let area = |&face: &u32| {
+            let [a, b, c] = caps[face as usize].map(|i| points[i as usize]);
+            0.5 * (b - a).cross(c - a).length()
+        };
+        let cap_areas =
+            (0..caps_bvh.nodes().len()).map(|node| caps_bvh.triangles(node).iter().map(area).sum()).collect();
+        let root = bvh.nodes().first();
+        let bounds = root.map_or([DVec3::ZERO; 2], |root| [root.min, root.max]);
+        let step = root.map_or(1.0, |root| (root.max - root.min).length() / LOOKS);
+        Self { points, faces, bvh, far, capped, capped_bvh, caps, caps_bvh, cap_areas, bounds, step }
+    }
+
+    /// Signed volume of the surface with its caps, about `origin` [m³].
+    pub(crate) fn capped_volume(&self, origin: DVec3) -> f64 {
+        let corners = self.capped.iter().map(|face| face.map(|i| self.points[i as usize] - origin));
+        corners.map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()
+    }
+
+    /// Whether the row through (y, z) along x comes near: outside of the box around it a surface turns around nothing more
+    /// than half a time.
+    pub(crate) fn is_near(&self, [y, z]: [f64; 2]) -> bool {
+        let [min, max] = self.bounds;
+        min.y <= y && y <= max.y && min.z <= z && z <= max.z
+    }
+
+    /// Whether it shares a place with a box.
+    pub(crate) fn meets(&self, [min, max]: [DVec3; 2]) -> bool {
+        self.bounds[0].cmple(max).all() && min.cmple(self.bounds[1]).all()
+    }
+
+    /// The row through (y, z) along x.
+    pub(crate) fn row(&self, row: [f64; 2]) -> OpenRow {
+        let crossings = crossings(&self.points, &self.capped, &self.capped_bvh, row);
+        let mut found = OpenRow { inside: Vec::new(), doubtful: 0.0, crossings };
+        let [from, to] = self.bounds.map(|corner| corner.x);
+        let mut ends = vec![(from, 0)];
+        ends.extend(found.crossings.iter().map(|&(x, step)| (x.clamp(from, to), step)));
+        ends.push((to, 0));
+        let mut depth = 0;
+        for pair in ends.windows(2) {
+            depth += pair[0].1;
+            if pair[0].0 < pair[1].0 {
+                self.stretch(&mut found, [pair[0].0, pair[1].0], row, depth);
+            }
+        }
+        found
+    }
+
+    /// A stretch that crosses nothing and around which the surface with its caps turns `depth` times.
+    fn stretch(&self, found: &mut OpenRow, [from, to]: [f64; 2], [y, z]: [f64; 2], depth: i32) {
+        if self.holes_take([from, to], [y, z]) < DOUBT {
+            if depth > 0 {
+                found.fill([from, to]);
+            }
+            return;
+        }
+        let winding = Winding::new(&self.points, &self.faces, &self.bvh, &self.far);
+        let at = |x: f64| winding.at(DVec3::new(x, y, z)) - 0.5;
+        let count = 3.0_f64.max(((to - from) / self.step).ceil());
+        let length = (to - from) / count;
+        let mut before: Option<(f64, f64)> = None;
+        let mut begin = None;
+        for k in 0..count as usize {
+            let x = from + length * (k as f64 + 0.5);
+            let value = if count > 3.0 && self.holes_take([x - 0.5 * length, x + 0.5 * length], [y, z]) < DOUBT {
+                f64::from(depth) - 0.5
+            } else {
+                at(x)
+            };
+            found.doubtful += if value.abs() < DOUBT { length } else { 0.0 };
+            match before {
+                None => begin = (value > 0.0).then_some(from),
+                Some((_, last)) if (last > 0.0) == (value > 0.0) => {}
+                Some(before) => {
+                    let place = passes(&at, before, (x, value), NEAR * self.step);
+                    match begin.take() {
+                        Some(start) => found.fill([start, place]),
+                        None => begin = Some(place),
+                    }
+                }
+            }
+            before = Some((x, value));
+        }
+        if let Some(start) = begin {
+            found.fill([start, to]);
+        }
+    }
+
+    /// By how much the winding number on a stretch may differ from a whole one, at most: the share of the sky that the caps
+    /// fill if they all face the row, at their nearest.
+    fn holes_take(&self, [from, to]: [f64; 2], [y, z]: [f64; 2]) -> f64 {
+        let mut sum = 0.0;
+        let mut open = Vec::with_capacity(32);
+        open.extend((!self.caps.is_empty()).then_some(0));
+        while let Some(index) = open.pop() {
+            let node = &self.caps_bvh.nodes()[index];
+            let away = |least: f64, greatest: f64, [from, to]: [f64; 2]| (least - to).max(from - greatest).max(0.0);
+            let distance = DVec3::new(
+                away(node.min.x, node.max.x, [from, to]),
+                away(node.min.y, node.max.y, [y, y]),
+                away(node.min.z, node.max.z, [z, z]),
+            );
+            let share = self.cap_areas[index] / (4.0 * PI * distance.length_squared());
+            if share < COARSE {
+                sum += share;
+            } else if node.is_leaf() {
+                sum += share.min(TOUCHING * self.caps_bvh.triangles(index).len() as f64);
+            } else {
+                open.extend(self.caps_bvh.children(index));
+            }
+            if sum >= DOUBT {
+                break;
+            }
+        }
+        sum
+    }
+}
+
+impl OpenRow {
+    /// Adds a stretch behind the others, or to the last where they touch: no place is inside twice.
+    fn fill(&mut self, [from, to]: [f64; 2]) {
+        match self.inside.last_mut() {
+            Some(last) if last[1] >= from => last[1] = to,
+            _ => self.inside.push([from, to]),
+        }
+    }
+}
+
+/// Where a value passes zero between two places with different signs, by the false position with the Illinois rule.
+fn passes(at: &impl Fn(f64) -> f64, (mut a, mut fa): (f64, f64), (mut b, mut fb): (f64, f64), near: f64) -> f64 {
+    for _ in 0..TRIES {
+        if (b - a).abs() < near {
+            break;
+        }
+        let x = (a - fa * (b - a) / (fb - fa)).clamp(a.min(b), a.max(b));
+        let value = at(x);
+        if value == 0.0 {
+            return x;
+        }
+        if (value > 0.0) == (fb > 0.0) {
+            fa *= 0.5;
+        } else {
+            (a, fa) = (b, fb);
+        }
+        let close = (x - b).abs() < near;
+        (b, fb) = (x, value);
+        if close {
+            break;
+        }
+    }
+    b
+}
+
+/// Faces that close every hole, fans around the middles of the loops that its edges form; the middles are added to the
+/// points.
+fn caps(points: &mut Vec<DVec3>, faces: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    // The ends of the edges that are missing at each point: those that would run against the open ones.
+    let mut missing: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    let edges = Edges::new(faces);
+    let as_they_are = vec![false; faces.len()];
+    for edge in edges.unbalanced(&as_they_are) {
+        let balance = balance(edge, &as_they_are);
+        let [a, b] = edge[0].ends;
+        let [from, to] = if balance > 0 { [b, a] } else { [a, b] };
+        missing.entry(from).or_default().extend(std::iter::repeat_n(to, balance.unsigned_abs() as usize));
+    }
+    let starts: Vec<u32> = missing.keys().copied().collect();
+    let mut caps = Vec::new();
+    // The way so far, and where on it each point lies.
+    let (mut way, mut place_of): (Vec<u32>, BTreeMap<u32, usize>) = (Vec::new(), BTreeMap::new());
+    for start in starts {
+        way.push(start);
+        place_of.insert(start, 0);
+        // As many edges leave a point as arrive at it, so that every way comes back to a point that it went through.
+        while let Some(next) = way.last().and_then(|last| missing.get_mut(last)).and_then(Vec::pop) {
+            if let Some(&place) = place_of.get(&next) {
+                let ring: Vec<u32> = way.drain(place + 1..).collect();
+                for point in &ring {
+                    place_of.remove(point);
+                }
+                close(points, &[&[next], ring.as_slice()].concat(), &mut caps);
+            } else {
+                place_of.insert(next, way.len());
+                way.push(next);
+            }
+        }
+        way.clear();
+        place_of.clear();
+    }
+    caps
+}
+
+/// Adds a fan that closes a ring of edges.
+fn close(points: &mut Vec<DVec3>, ring: &[u32], caps: &mut Vec<[u32; 3]>) {
+    if ring.len() <= 3 {
+        // Two edges that run along each other leave no hole.
+        caps.extend(<[u32; 3]>::try_from(ring));
+        return;
+    }
+    let middle = points.len() as u32;
+    points.push(ring.iter().map(|&i| points[i as usize]).sum::<DVec3>() / ring.len() as f64);
+    caps.extend((0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()], middle]));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::model::Model;
+    use crate::geometry::octahedron::sphere;
+    use crate::geometry::weld::Welded;
+
+    fn with_holes() -> (Vec<DVec3>, Vec<[u32; 3]>) {
+        let mesh = sphere(3);
+        // Two holes that touch in a point, and one apart.
+        let far = |t: &&[u32; 3]| {
+            let middle = t.iter().map(|&i| mesh.positions[i as usize]).sum::<DVec3>() / 3.0;
+            middle.distance(DVec3::Y) > 0.4 && !t.contains(&1)
+        };
+        let triangles = mesh.triangles.iter().filter(far).copied().collect();
+        let welded = Welded::new(&Model { positions: mesh.positions.clone(), triangles, ..Model::default() });
+        (welded.points, welded.faces)
+    }
+
+    #[test]
+    fn caps_close_every_hole() {
+        let (mut points, faces) = with_holes();
+        let caps = caps(&mut points, &faces);
+        assert!(caps.len() > 8);
+        let all = [faces.as_slice(), &caps].concat();
+        assert_eq!(Edges::new(&all).unbalanced(&vec![false; all.len()]).count(), 0);
+    }
+
+    #[test]
+    fn a_row_runs_inside_where_the_winding_number_is_above_one_half() {
+        let (points, faces) = with_holes();
+        let surface = OpenSurface::new(&points, faces);
+        let winding = Winding::new(&surface.points, &surface.faces, &surface.bvh, &surface.far);
+        for k in 0..400_u32 {
+            let (y, z) = (1.1 * f64::from(k % 20) / 10.0 - 1.07, 1.1 * f64::from(k / 20) / 10.0 - 1.03);
+            let row = surface.row([y, z]).inside;
+            for x in (0..50).map(|k| 0.0437 * f64::from(k) - 1.1) {
+                let value = winding.at(DVec3::new(x, y, z));
+                let inside = row.iter().any(|[from, to]| (*from..=*to).contains(&x));
+                assert!((value - 0.5).abs() < 0.02 || inside == (value > 0.5), "{x} {y} {z}: {value} {inside}");
+            }
+        }
+    }
+}

@@ -15,19 +15,47 @@ pub(crate) struct Cluster {
     pub max: DVec3,
 }
 
-/// Groups those of the pieces that `keep` accepts, by the first piece of each group. The boxes of two groups may touch, but
-/// no piece of one touches one of the other.
+/// Share of its diagonal by which the box of a piece with holes is widened: patches that leave gaps between them may
+/// enclose something together.
+const GAPS: f64 = 0.25;
+
+/// Groups those of the pieces that `keep` accepts, by the first piece of each group. The boxes of two groups touch nowhere.
 pub(crate) fn clusters(pieces: &[Piece], keep: impl Fn(usize) -> bool) -> Vec<Cluster> {
-    let mut order: Vec<usize> = (0..pieces.len()).filter(|&index| keep(index)).collect();
-    order.sort_by(|&a, &b| pieces[a].min.x.total_cmp(&pieces[b].min.x).then(a.cmp(&b)));
-    let mut groups = Groups::new(pieces.len());
+    let alone = |index: usize| {
+        let Piece { min, max, closed, .. } = pieces[index];
+        let wider = DVec3::splat(if closed { 0.0 } else { GAPS * (max - min).length() });
+        Cluster { pieces: vec![index], min: min - wider, max: max + wider }
+    };
+    let mut found: Vec<Cluster> = (0..pieces.len()).filter(|&index| keep(index)).map(alone).collect();
+    loop {
+        let before = found.len();
+        found = joined(&found);
+        // The box around two of them may touch a third one.
+        if found.len() == before {
+            break;
+        }
+    }
+    for cluster in &mut found {
+        cluster.pieces.sort_unstable();
+        let boxes = || cluster.pieces.iter().map(|&index| &pieces[index]);
+        cluster.min = boxes().map(|piece| piece.min).fold(DVec3::INFINITY, DVec3::min);
+        cluster.max = boxes().map(|piece| piece.max).fold(DVec3::NEG_INFINITY, DVec3::max);
+    }
+    found
+}
+
+/// Joins those whose boxes touch.
+fn joined(boxes: &[Cluster]) -> Vec<Cluster> {
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_by(|&a, &b| boxes[a].min.x.total_cmp(&boxes[b].min.x).then(a.cmp(&b)));
+    let mut groups = Groups::new(boxes.len());
     let mut near: Vec<usize> = Vec::new();
     for &index in &order {
-        let piece = &pieces[index];
-        near.retain(|&other| pieces[other].max.x >= piece.min.x);
+        let own = &boxes[index];
+        near.retain(|&other| boxes[other].max.x >= own.min.x);
         for &other in &near {
-            let other_piece = &pieces[other];
-            if piece.min.cmple(other_piece.max).all() && other_piece.min.cmple(piece.max).all() {
+            let beside = &boxes[other];
+            if own.min.cmple(beside.max).all() && beside.min.cmple(own.max).all() {
                 groups.join(index, other);
             }
         }
@@ -36,14 +64,12 @@ pub(crate) fn clusters(pieces: &[Piece], keep: impl Fn(usize) -> bool) -> Vec<Cl
     let (labels, count) = groups.labels();
     let empty = Cluster { pieces: Vec::new(), min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
     let mut found = vec![empty; count];
-    order.sort_unstable();
-    for index in order {
-        let cluster = &mut found[labels[index] as usize];
-        cluster.pieces.push(index);
-        cluster.min = cluster.min.min(pieces[index].min);
-        cluster.max = cluster.max.max(pieces[index].max);
+    for (one, &label) in boxes.iter().zip(&labels) {
+        let cluster = &mut found[label as usize];
+        cluster.pieces.extend(&one.pieces);
+        cluster.min = cluster.min.min(one.min);
+        cluster.max = cluster.max.max(one.max);
     }
-    found.retain(|cluster| !cluster.pieces.is_empty());
     found
 }
 
@@ -59,6 +85,7 @@ mod tests {
             max: DVec3::new(x + 1.0, 1.0, 1.0),
             volume: 1.0,
             closed: true,
+            sheet: false,
         };
         let pieces = [piece(5.0), piece(0.0), piece(2.0), piece(1.0), piece(9.0)];
         let groups: Vec<_> = clusters(&pieces, |index| index != 4).into_iter().map(|group| group.pieces).collect();

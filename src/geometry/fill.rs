@@ -85,8 +85,9 @@ const ASKEW: f64 = 5e-4;
 const GOOD: f64 = 1.5e-3;
 const GOOD_ENOUGH: f64 = 1e-2;
 
-/// Candidates whose thin parts are compared.
+/// Candidates whose thin parts are compared, for a closed surface and for one with holes.
 const FINALISTS: usize = 6;
+const OPEN_FINALISTS: usize = 2;
 
 /// Weight of the share of particles in single layers.
 const THIN: f64 = 1.0;
@@ -107,7 +108,10 @@ const TRIED: f64 = 60_000.0;
 
 /// Rows after which no further spacing is tried, for a closed surface and for one with holes, of which each takes far longer.
 const MOST_ROWS: usize = 1_000_000;
-const MOST_OPEN_ROWS: usize = 40_000;
+const MOST_OPEN_ROWS: usize = 20_000;
+
+/// Rows through a surface with holes from which on the lattice is moved along them only.
+const MANY_OPEN_ROWS: f64 = 3000.0;
 
 /// A lattice: its spacing [m] and the position of one of its points [m].
 #[derive(Clone, Copy, Debug)]
@@ -179,12 +183,13 @@ pub(crate) fn fill_with_progress(
         }
     }
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let finalists = candidates.iter().take(FINALISTS).map(|&(cost, lattice)| {
-        let filling = prune(solid, collect(solid, lattice), reach);
-        let thin = filling.thinness.single as f64 + filling.pruned as f64;
-        let lost = filling.sample.points.is_empty();
-        (cost + THIN * thin / filling.sample.points.len().max(1) as f64, lost, filling)
-    });
+    let finalists =
+        candidates.iter().take(if solid.report.closed { FINALISTS } else { OPEN_FINALISTS }).map(|&(cost, lattice)| {
+            let filling = prune(solid, collect(solid, lattice), reach);
+            let thin = filling.thinness.single as f64 + filling.pruned as f64;
+            let lost = filling.sample.points.is_empty();
+            (cost + THIN * thin / filling.sample.points.len().max(1) as f64, lost, filling)
+        });
     let mut best: Option<(f64, Filling)> = None;
     for (cost, lost, filling) in finalists {
         let perfect = filling.thinness.single + filling.pruned == 0;
@@ -298,8 +303,13 @@ type Counted = (usize, u32, LatticePlacement);
 
 /// Positions of a lattice of this spacing, and how many rows were looked at.
 fn placements(solid: &Solid, spacing: f64) -> (Vec<Counted>, usize) {
-    // Rows through a surface with holes cost more: they are tried at half spacings only.
-    let (shifts, quarters) = if solid.report.closed { (SHIFTS, 1) } else { (SHIFTS / 2, 2) };
+    // Rows through a surface with holes cost more: they are tried at half spacings only, or in the middle.
+    let rows: f64 = solid.boxes().map(|[min, max]| (max - min) / spacing + 1.0).map(|rows| rows.y * rows.z).sum();
+    let (shifts, quarters) = match solid.report.closed {
+        true => (SHIFTS, 1),
+        false if rows < MANY_OPEN_ROWS => (SHIFTS / 2, 2),
+        false => (1, 0),
+    };
     let found: Vec<(Vec<Counted>, usize)> = (0..shifts * shifts)
         .into_par_iter()
         .map(|k| {

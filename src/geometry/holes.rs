@@ -2,8 +2,9 @@
 //!
 //! Why. The winding number at a point costs a walk through a tree of far fields, and a row through a model asks for dozens.
 //! Hardly any has to be computed: with every hole closed by a cap the surface turns around each point a whole number of
-//! times, which is found by counting what the row crosses, and what the holes take from it is at most the share of the
-//! sky that the caps fill. Where that is too little to matter nothing else is looked at.
+//! times, which is found by counting what the row crosses. What the caps turn around the point has to be taken from that
+//! again; it is at most the share of the sky that they fill. Where that is too little to matter nothing else is looked at,
+//! and elsewhere only the caps are, of which there are mostly few.
 
 use super::bvh::Bvh;
 use super::edges::{Edges, balance};
@@ -18,13 +19,11 @@ use std::f64::consts::PI;
 pub(crate) struct OpenSurface {
     /// Points of the surface, then one for each cap.
     points: Vec<DVec3>,
-    faces: Vec<[u32; 3]>,
-    bvh: Bvh,
-    far: Vec<Far>,
     capped: Vec<[u32; 3]>,
     capped_bvh: Bvh,
     caps: Vec<[u32; 3]>,
     caps_bvh: Bvh,
+    caps_far: Vec<Far>,
     /// Area of the caps in each node of their tree [m²].
     cap_areas: Vec<f64>,
     /// Least and greatest corner [m].
@@ -48,8 +47,8 @@ pub(crate) struct OpenRow {
 const LOOKS: f64 = 24.0;
 
 /// Steps that find where a winding number passes one half, and how near they come, in steps of the look.
-const TRIES: usize = 24;
-const NEAR: f64 = 1e-3;
+const TRIES: usize = 12;
+const NEAR: f64 = 5e-3;
 
 /// Winding numbers this close to one half are doubtful.
 const DOUBT: f64 = 0.25;
@@ -66,18 +65,19 @@ impl OpenSurface {
         let mut points = points.to_vec();
         let caps = caps(&mut points, &faces);
         let capped = [faces.as_slice(), &caps].concat();
-        let [bvh, capped_bvh, caps_bvh] = [&faces, &capped, &caps].map(|faces| Bvh::new(&points, faces));
-        let far = far_fields(&points, &faces, &bvh);
+        let [capped_bvh, caps_bvh] = [&capped, &caps].map(|faces| Bvh::new(&points, faces));
+        let caps_far = far_fields(&points, &caps, &caps_bvh);
         let area = |&face: &u32| {
             let [a, b, c] = caps[face as usize].map(|i| points[i as usize]);
             0.5 * (b - a).cross(c - a).length()
         };
         let cap_areas =
             (0..caps_bvh.nodes().len()).map(|node| caps_bvh.triangles(node).iter().map(area).sum()).collect();
-        let root = bvh.nodes().first();
+        // Caps lie between the points of the surface.
+        let root = capped_bvh.nodes().first();
         let bounds = root.map_or([DVec3::ZERO; 2], |root| [root.min, root.max]);
         let step = root.map_or(1.0, |root| (root.max - root.min).length() / LOOKS);
-        Self { points, faces, bvh, far, capped, capped_bvh, caps, caps_bvh, cap_areas, bounds, step }
+        Self { points, capped, capped_bvh, caps, caps_bvh, caps_far, cap_areas, bounds, step }
     }
 
     /// Signed volume of the surface with its caps, about `origin` [m³].
@@ -124,8 +124,9 @@ impl OpenSurface {
             }
             return;
         }
-        let winding = Winding::new(&self.points, &self.faces, &self.bvh, &self.far);
-        let at = |x: f64| winding.at(DVec3::new(x, y, z)) - 0.5;
+        // What the caps turn around a point is missing from what the surface does.
+        let holes = Winding::new(&self.points, &self.caps, &self.caps_bvh, &self.caps_far);
+        let at = |x: f64| f64::from(depth) - holes.at(DVec3::new(x, y, z)) - 0.5;
         let count = 3.0_f64.max(((to - from) / self.step).ceil());
         let length = (to - from) / count;
         let mut before: Option<(f64, f64)> = None;
@@ -303,8 +304,10 @@ mod tests {
     #[test]
     fn a_row_runs_inside_where_the_winding_number_is_above_one_half() {
         let (points, faces) = with_holes();
-        let surface = OpenSurface::new(&points, faces);
-        let winding = Winding::new(&surface.points, &surface.faces, &surface.bvh, &surface.far);
+        let surface = OpenSurface::new(&points, faces.clone());
+        let bvh = Bvh::new(&points, &faces);
+        let far = far_fields(&points, &faces, &bvh);
+        let winding = Winding::new(&points, &faces, &bvh, &far);
         for k in 0..400_u32 {
             let (y, z) = (1.1 * f64::from(k % 20) / 10.0 - 1.07, 1.1 * f64::from(k / 20) / 10.0 - 1.03);
             let row = surface.row([y, z]).inside;

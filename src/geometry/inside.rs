@@ -46,11 +46,6 @@ impl Inside {
         Self { faces: closed, bvh, open }
     }
 
-    /// Whether every place is clearly inside or outside.
-    pub(crate) fn is_closed(&self) -> bool {
-        self.open.is_empty()
-    }
-
     /// Stretches of the row through (y, z) along x that lie inside [m], in order; the points are those of the surface.
     pub(crate) fn row(&self, points: &[DVec3], y: f64, z: f64) -> Vec<[f64; 2]> {
         let closed = inside_stretches(&crossings(points, &self.faces, &self.bvh, [y, z]));

@@ -42,10 +42,15 @@ pub(crate) struct Piece {
     pub volume: f64,
     /// Whether it has no open edge: every point lies inside it or outside.
     pub closed: bool,
+    /// Whether it is a sheet with edges, whose faces look all but one way.
+    pub sheet: bool,
 }
 
 /// Solid angles that may be summed to find out which piece lies in an open one; beyond that pieces count as separate.
 const BUDGET: usize = 10_000_000;
+
+/// Sum of the area vectors over the area, from which on an open piece is a sheet: one for a flat one.
+const FLAT: f64 = 0.9;
 
 /// Points of a piece that are looked at to find out what it lies in: where it touches another one the answer is a matter
 /// of round-off, so most of them decide.
@@ -182,7 +187,14 @@ fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool])
         }
     }
     let (labels, count) = groups.labels();
-    let empty = Piece { faces: Vec::new(), min: DVec3::INFINITY, max: DVec3::NEG_INFINITY, volume: 0.0, closed: true };
+    let empty = Piece {
+        faces: Vec::new(),
+        min: DVec3::INFINITY,
+        max: DVec3::NEG_INFINITY,
+        volume: 0.0,
+        closed: true,
+        sheet: false,
+    };
     let mut pieces = vec![empty; count];
     for (face, &label) in labels.iter().enumerate() {
         let piece = &mut pieces[label as usize];
@@ -206,6 +218,18 @@ fn pieces(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, flipped: &[bool])
                 a.dot(b.cross(c)) / if flipped[face as usize] { -6.0 } else { 6.0 }
             })
             .sum();
+        let (mut sum, mut size) = (DVec3::ZERO, 0.0);
+        for &face in &piece.faces {
+            let [a, b, c] = faces[face as usize].map(|i| points[i as usize]);
+            let vector = (b - a).cross(c - a);
+            size += vector.length();
+            sum += if flipped[face as usize] { -vector } else { vector };
+        }
+        piece.sheet = !piece.closed && sum.length() >= FLAT * size;
+        if piece.sheet {
+            // Which side of a sheet is outside only the file knows.
+            piece.volume = 0.0;
+        }
     }
     (pieces, labels)
 }

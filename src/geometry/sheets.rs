@@ -14,9 +14,6 @@ pub(crate) const NO_VOLUME: f64 = 1e-9;
 /// Share of doubtful points from which on an open surface is refused: a cube without its lid has a fifth.
 const TOO_DOUBTFUL: f64 = 0.19;
 
-/// Sum of the area vectors over the area, from which on a piece is a sheet: one for a flat one.
-const FLAT: f64 = 0.9;
-
 /// Rows through pieces with holes: at least, for each face, at most.
 const ROWS: [usize; 3] = [400, 8, 2500];
 
@@ -80,8 +77,7 @@ impl Sorted {
 /// The pieces of a group that tell inside from outside most clearly: all of them, or those that are no sheets.
 fn best(surface: &Welded, pieces: &[Piece], group: &Cluster) -> Tried {
     let all = tried(surface, pieces, group.pieces.clone());
-    let bent: Vec<usize> =
-        group.pieces.iter().copied().filter(|&index| flatness(surface, &pieces[index]) < FLAT).collect();
+    let bent: Vec<usize> = group.pieces.iter().copied().filter(|&index| !pieces[index].sheet).collect();
     if bent.is_empty() || bent.len() == group.pieces.len() || all.doubt == 0.0 {
         return all;
     }
@@ -105,14 +101,4 @@ fn tried(surface: &Welded, pieces: &[Piece], chosen: Vec<usize>) -> Tried {
     let encloses = volume > NO_VOLUME * (max - min).length().powi(3);
     let doubt = if encloses { (measured.doubtful / volume).min(1.0) } else { 1.0 };
     Tried { pieces: chosen, surface, volume, measured, doubt }
-}
-
-/// How far the faces of a piece look one way.
-fn flatness(surface: &Welded, piece: &Piece) -> f64 {
-    let vectors = piece.faces.iter().map(|&face| {
-        let [a, b, c] = surface.faces[face as usize].map(|i| surface.points[i as usize]);
-        (b - a).cross(c - a)
-    });
-    let (sum, size) = vectors.fold((DVec3::ZERO, 0.0), |(sum, size), vector| (sum + vector, size + vector.length()));
-    if size > 0.0 { sum.length() / size } else { 1.0 }
 }

@@ -170,7 +170,9 @@ impl Solid {
                 all = signed_volume(points, &self.surface.faces, self.min);
             }
             if may_share(cluster) {
-                let rows = (ROWS_EACH * faces(cluster)).min(ROWS * faces(cluster) / measured).max(LEAST_ROWS);
+                let is_open = cluster.pieces.iter().any(|&index| !pieces[index].closed);
+                let most = if is_open { LEAST_ROWS } else { ROWS * faces(cluster) / measured };
+                let rows = (ROWS_EACH * faces(cluster)).min(most).max(LEAST_ROWS);
                 let found = self.inside.measure(points, bounds, rows as usize);
                 let caps = self.inside.capped_volume(bounds);
                 if found.shared != 0.0 || caps != 0.0 {

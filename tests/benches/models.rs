@@ -4,9 +4,9 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::DVec3;
 use sinew::geometry::Kernel;
-use sinew::geometry::Model;
 use sinew::geometry::Solid;
-use sinew::geometry::{FillResolution, fill};
+use sinew::geometry::{FillError, FillResolution, fill};
+use sinew::geometry::{MeshData, Model};
 use sinew::io::{load_model, write_glb};
 use sinew::test_support::geometry::isosurface;
 use sinew::test_support::solver::{Skin, SkinShape};
@@ -75,5 +75,50 @@ fn skin_a_frame(bencher: Bencher<'_, '_>) {
         let positions = skin.positions(&particles);
         let normals = skin.normals(&positions);
         (positions, normals)
+    });
+}
+
+/// A tube of 256 faces around the y axis, at 50 000 particles about as thick as they are apart; its ends are open at will.
+fn tube(is_open: bool) -> Model {
+    let (sides, rings) = (32_u32, [(0.5, -1.0), (0.5, 1.0), (0.49, 1.0), (0.49, -1.0)]);
+    let at = |k: u32| {
+        let (sine, cosine) = (std::f64::consts::TAU * f64::from(k / 4) / f64::from(sides)).sin_cos();
+        let (radius, y): (f64, f64) = rings[k as usize % 4];
+        DVec3::new(radius * sine, y, radius * cosine)
+    };
+    let quads = (0..4 * sides).filter(|k| !is_open || k % 2 == 0).map(|k| {
+        let [next, above] = [(k + 4) % (4 * sides), k / 4 * 4 + (k + 1) % 4];
+        [k, next, (next / 4 * 4) + (next + 1) % 4, above]
+    });
+    let triangles = quads.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let mut model = Model::default();
+    model.add(MeshData { positions: (0..4 * sides).map(at).collect(), triangles, ..MeshData::default() });
+    model
+}
+
+/// From a model to its particles, or to the spacing that it is too thin for.
+#[divan::bench(args = [false, true], sample_count = 3)]
+fn thin_tube_check_fill(is_open: bool) -> f64 {
+    let solid = Solid::new(&tube(is_open)).expect("an inside");
+    match fill(&solid, FillResolution::Particles(50_000), 2.5, 2_000_000) {
+        Ok(filling) => filling.volume_error,
+        Err(FillError::TooThin { suggested, .. }) => suggested.unwrap_or_default(),
+        Err(other) => panic!("{other}"),
+    }
+}
+
+/// 100k faces, 3 % of them missing, 50 000 particles.
+#[divan::bench(sample_count = 3)]
+fn holes_everywhere_check_fill(bencher: Bencher<'_, '_>) {
+    let mut model = ball(100_000.0);
+    let mut number = 0_u32;
+    model.triangles.retain(|_| {
+        number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        number >> 16 > 1966
+    });
+    model.parts.clear();
+    bencher.bench_local(|| {
+        let solid = Solid::new(&model).expect("an inside");
+        fill(&solid, FillResolution::Particles(50_000), 2.5, 2_000_000).expect("a filling").sample.points.len()
     });
 }

@@ -10,6 +10,7 @@ mod gltf_document;
 mod obj;
 mod ply;
 mod round_trip;
+mod overlaps;
 mod random;
 mod random_meshes;
 mod scenes;

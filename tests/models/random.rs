@@ -10,8 +10,9 @@ use sinew::scene::{Assets, Body, MeshShape, Scene};
 use std::collections::BTreeMap;
 
 /// Tells every seed that fails, not only the first.
-fn for_every(seeds: impl IntoParallelIterator<Item = u64>, check: impl Fn(u64) -> Result<(), String> + Sync) {
+fn for_every(seeds: impl Iterator<Item = u64>, check: impl Fn(u64) -> Result<(), String> + Sync) {
     let wrong: Vec<String> = seeds
+        .collect::<Vec<_>>()
         .into_par_iter()
         .filter_map(|seed| check(seed).err().map(|text| format!("seed {seed}, {}: {text}", mesh(seed).2)))
         .collect();
@@ -43,7 +44,7 @@ fn volumes_are_within_two_per_cent_of_an_independent_measure() {
 
 #[test]
 fn particles_lie_inside_and_fill_as_much() {
-    for_every((0..2000).into_par_iter().step_by(7), |seed| {
+    for_every((0..2000).step_by(7), |seed| {
         let solid = solid(seed)?;
         let filling = match fill(&solid, FillResolution::Particles(120), 2.5, 100_000) {
             // Blades and walls may be too thin for so few.
@@ -55,13 +56,19 @@ fn particles_lie_inside_and_fill_as_much() {
         }
         let held = filling.sample.points.len() as f64 * filling.sample.spacing.powi(3);
         let error = (held / volume(seed) - 1.0).abs();
-        if error < 0.08 { Ok(()) } else { Err(format!("the particles hold {held:.4e} m³ of {:.4e}", volume(seed))) }
+        // A wall of one or two layers holds by a fifth more or less, depending on where they fall.
+        let is_thin = filling.thinness.single + filling.thinness.double > 0;
+        if error < if is_thin { 0.25 } else { 0.08 } {
+            Ok(())
+        } else {
+            Err(format!("the particles hold {held:.4e} m³ of {:.4e}", volume(seed)))
+        }
     });
 }
 
 #[test]
 fn the_mass_is_the_density_times_the_volume() {
-    for_every((0..2000).into_par_iter().step_by(61), |seed| {
+    for_every((0..2000).step_by(61), |seed| {
         let mut assets = Assets::default();
         assets.insert_mesh("mesh", &model(seed)).map_err(|refusal| refusal.to_string())?;
         let body = Body::from_mesh("body", MeshShape::new("mesh").with_particles(150));

@@ -61,10 +61,10 @@ const COARSE: f64 = 0.02;
 
 impl OpenSurface {
     /// Closes the holes of oriented faces.
-    pub(crate) fn new(points: &[DVec3], faces: Vec<[u32; 3]>) -> Self {
+    pub(crate) fn new(points: &[DVec3], faces: &[[u32; 3]]) -> Self {
         let mut points = points.to_vec();
-        let caps = caps(&mut points, &faces);
-        let capped = [faces.as_slice(), &caps].concat();
+        let caps = caps(&mut points, faces);
+        let capped = [faces, &caps].concat();
         let [capped_bvh, caps_bvh] = [&capped, &caps].map(|faces| Bvh::new(&points, faces));
         let caps_far = far_fields(&points, &caps, &caps_bvh);
         let area = |&face: &u32| {
@@ -304,7 +304,7 @@ mod tests {
     #[test]
     fn a_row_runs_inside_where_the_winding_number_is_above_one_half() {
         let (points, faces) = with_holes();
-        let surface = OpenSurface::new(&points, faces.clone());
+        let surface = OpenSurface::new(&points, &faces);
         let bvh = Bvh::new(&points, &faces);
         let far = far_fields(&points, &faces, &bvh);
         let winding = Winding::new(&points, &faces, &bvh, &far);

@@ -94,7 +94,7 @@ fn tried(surface: &Welded, pieces: &[Piece], chosen: Vec<usize>) -> Tried {
     let max = every().map(|piece| piece.max).fold(DVec3::NEG_INFINITY, DVec3::max);
     let [least, each, most] = ROWS;
     let rows = (each * faces.len()).clamp(least, most);
-    let surface = OpenSurface::new(points, faces);
+    let surface = OpenSurface::new(points, &faces);
     let alone = Inside::new(points, Vec::new(), vec![surface.clone()]);
     let measured = alone.measure(points, [min, max], rows);
     let volume = (surface.capped_volume(min) - measured.shared).min((max - min).element_product());

@@ -35,10 +35,10 @@ fn volumes_are_within_two_per_cent_of_an_independent_measure() {
         let solid = solid(seed)?;
         let (found, expected) = (solid.volume, volume(seed));
         let bounds = solid.size().element_product();
-        match (found / expected - 1.0).abs() < 0.02 && found <= bounds * (1.0 + 1e-12) && solid.report.closed {
-            true => Ok(()),
-            false => Err(format!("{found:.5e} m³ instead of {expected:.5e}: {:?}", solid.report)),
+        if (found / expected - 1.0).abs() < 0.02 && found <= bounds * (1.0 + 1e-12) && solid.report.closed {
+            return Ok(());
         }
+        Err(format!("{found:.5e} m³ instead of {expected:.5e}: {:?}", solid.report))
     });
 }
 

@@ -12,8 +12,8 @@ pub const KINDS: u64 = 10;
 /// them lie along the axes; the greatest extent is between 0.02 and 2 m.
 pub fn mesh(seed: u64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>, &'static str) {
     let made = made(seed);
-    let whole = made.shells.iter().fold(Shell::default(), |all, shell| all.joined(shell));
-    (whole.points.iter().map(|point| point.to_array()).collect(), whole.faces, made.kind)
+    let whole = made.shells.iter().fold(Shell::default(), Shell::joined);
+    (whole.points.iter().map(DVec3::to_array).collect(), whole.faces, made.kind)
 }
 
 /// What [`mesh`] encloses [m³]: the sum of signed tetrahedra, or of shells that overlap the length of many rows through
@@ -216,7 +216,7 @@ fn blocks(random: &mut Random) -> Shell {
     while cells.len() < 14 {
         let mut next = cells[random.below(cells.len() as u64) as usize];
         // Now and then a step along two axes, so that only an edge is shared.
-        for _ in 0..1 + random.below(5) / 4 {
+        for _ in 0..=random.below(5) / 4 {
             next[random.below(3) as usize] += 2 * random.below(2) - 1;
         }
         if !cells.contains(&next) {

@@ -8,7 +8,7 @@ use super::surroundings;
 use super::{Bounds, Colour, Theme, colour_map};
 use crate::scene::{AnyBody, Fibre, Scene};
 use crate::solver::snapshot::{BodySnapshot, Snapshot};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use std::sync::Arc;
 
 /// What is drawn.
@@ -76,7 +76,9 @@ fn skin_mesh(list: &DrawList, body: &BodySnapshot, surface: SurfaceStyle) -> Opt
     if rig.triangles.is_empty() || body.particles.iter().any(|point| !point.is_finite()) {
         return None;
     }
-    let particles = body.particles.iter().map(|&point| list.local(point)).collect();
+    let mut particles: Vec<Vec3> = body.particles.iter().map(|&point| list.local(point)).collect();
+    // They have no place that the list's origin could be taken from.
+    particles.extend(body.directions().into_iter().map(DVec3::as_vec3));
     let faces = Faces::Skinned(SkinnedFaces { rig: Arc::clone(rig), particles });
     Some(Mesh { faces, colour: list.theme.skin, tints: Vec::new(), surface, casts_shadow: true, pick: 0 })
 }

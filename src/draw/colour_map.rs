@@ -8,6 +8,7 @@
 
 use super::Colour;
 use crate::geometry::rig::Rig;
+use std::iter::repeat_n;
 use std::sync::OnceLock;
 
 /// Colours in the table.
@@ -92,7 +93,9 @@ pub(super) fn of(values: &[f64], [low, high]: [f64; 2]) -> Vec<[u8; 3]> {
 pub(super) fn over(rig: &Rig, values: &[f64], [low, high]: [f64; 2]) -> Vec<[u8; 3]> {
     let table = colours().map(bytes);
     let width = if high > low { high - low } else { 1.0 };
-    let places: Vec<f32> = values.iter().map(|value| ((value - low) / width) as f32).collect();
+    // Directions have no value.
+    let directions = repeat_n(0.0, rig.directions);
+    let places: Vec<f32> = values.iter().map(|value| ((value - low) / width) as f32).chain(directions).collect();
     let places = rig.vertices.apply_to_values(&rig.points.apply_to_values(&places));
     places.iter().map(|place| table[entry(*place)]).collect()
 }

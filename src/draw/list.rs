@@ -45,7 +45,7 @@ pub struct Vertex {
 pub struct SkinnedFaces {
     /// How it is skinned to them.
     pub(crate) rig: Arc<Rig>,
-    /// Where they are [m], about the list's origin.
+    /// Where they are [m], about the list's origin; behind them the rig's directions.
     pub particles: Vec<Vec3>,
 }
 

@@ -23,6 +23,7 @@ pub(crate) mod neighbours;
 pub(crate) mod octahedron;
 pub(crate) mod offset;
 pub(crate) mod orient;
+pub(crate) mod point_tree;
 #[cfg(feature = "gui")]
 pub(crate) mod ray;
 pub(crate) mod rig;

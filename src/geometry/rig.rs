@@ -10,8 +10,10 @@ const SAME_NORMAL: f32 = 1e-3;
 /// A surface over the particles of a body.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rig {
-    /// The skin's points from the particles.
+    /// The skin's points from the particles and the directions behind them.
     pub points: LinearMap,
+    /// How many of what the points are sums of have no place: unit vectors that turn with the body.
+    pub directions: usize,
     /// The picture's vertices from the skin's points; finer than these where the skin is coarse.
     pub vertices: LinearMap,
     /// Vertex indices of the picture's faces.
@@ -38,7 +40,7 @@ impl Rig {
             }
             corner_starts.push(corners.len() as u32);
         }
-        Self { points, vertices, triangles, corners, corner_starts }
+        Self { points, directions: 0, vertices, triangles, corners, corner_starts }
     }
 
     /// Normals of the picture's vertices.

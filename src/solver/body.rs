@@ -139,12 +139,18 @@ impl Body {
         &self.grabs
     }
 
-    /// The point of the skin's vertex, or of the particle where there is no skin; none if there is no such vertex.
+    /// The point of the skin's vertex, or of the particle where there is no skin; none if there is no such vertex. Of a
+    /// vertex too far outside for particles to carry it there, the point that they do carry.
     pub fn point(&self, vertex: usize) -> Option<EmbeddingWeights> {
         match &self.parts.skin {
             Some(skin) => skin.weights(vertex),
             None => (vertex < self.parts.state.len()).then(|| EmbeddingWeights::of_particle(vertex as u32)),
         }
+    }
+
+    /// From [`Body::point`] to the skin's vertex itself [m]; zero where that is carried there, as nearly all are.
+    pub(crate) fn arm(&self, vertex: usize) -> DVec3 {
+        self.parts.skin.as_ref().map_or(DVec3::ZERO, |skin| skin.arm(vertex, &self.parts.state.positions))
     }
 
     /// Takes over the motion of `other`, the same body before an edit, with what has broken in it; false if the two do not

@@ -93,14 +93,10 @@ impl<'a> Embedder<'a> {
         self.points.iter().map(|point| point.distance_squared(at)).fold(f64::INFINITY, f64::min).sqrt()
     }
 
-    /// Linear-reproducing weights at a point; none where the particles in reach lie on a plane or a line, or are too few.
-    pub(crate) fn weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
-        self.weighted(at, &self.in_reach(at))
-    }
-
-    /// The same over the particles that count there alone: those of more than a negligible share of the heaviest weight.
-    /// They are half of all in reach, which is what a fibre vertex costs at every step; linear fields are reproduced all
-    /// the same. It changes abruptly from one point to the next, as a skin must not.
+    /// Linear-reproducing weights at a point, over the particles that count there: those of more than a negligible share of
+    /// the heaviest kernel weight. They are half of all in reach, which is what a fibre vertex costs at every step; linear
+    /// fields are reproduced all the same. The weights change abruptly from one point to the next, as a skin must not
+    /// ([`super::skin_weights`]). None where those particles lie on a plane or a line, or are too few.
     pub(crate) fn compact_weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
         self.weighted(at, &self.that_count(at))
     }
@@ -189,6 +185,11 @@ mod tests {
     use super::*;
     use crate::geometry::lattice::{Cuboid, fill_box};
 
+    /// Over all particles in reach.
+    fn weights(embedder: &Embedder<'_>, at: DVec3) -> Option<EmbeddingWeights> {
+        embedder.weighted(at, &embedder.in_reach(at))
+    }
+
     fn particles() -> Vec<DVec3> {
         let shape = Cuboid { center: DVec3::ZERO, size: DVec3::new(0.042, 0.072, 0.042) };
         fill_box(&shape, 0.006, DMat3::IDENTITY).points
@@ -201,7 +202,7 @@ mod tests {
         let gradient = DMat3::from_cols_array(&[1.1, 0.2, -0.3, 0.05, 0.9, 0.4, -0.2, 0.1, 1.3]);
         let moved: Vec<DVec3> = points.iter().map(|&x| gradient * x + DVec3::new(0.3, -0.2, 0.1)).collect();
         for at in [DVec3::ZERO, DVec3::new(0.021, 0.036, 0.021), DVec3::new(0.003, -0.036, 0.011)] {
-            let weights = embedder.weights(at).unwrap();
+            let weights = weights(&embedder, at).unwrap();
             assert!(weights.gather(&points).distance(at) < 1e-15);
             let expected = gradient * at + DVec3::new(0.3, -0.2, 0.1);
             assert!(weights.gather(&moved).distance(expected) < 1e-14);
@@ -212,7 +213,7 @@ mod tests {
     fn square_sums_grow_outside_the_hull_as_designed() {
         let points = particles();
         let embedder = Embedder::new(&points, Kernel::new(0.015));
-        let square_sum = |x: f64, y: f64, z: f64| embedder.weights(DVec3::new(x, y, z)).unwrap().square_sum();
+        let square_sum = |x: f64, y: f64, z: f64| weights(&embedder, DVec3::new(x, y, z)).unwrap().square_sum();
         // At the hull's corner, and half a spacing beyond it along one, two and three axes.
         let found = [
             square_sum(0.018, 0.033, 0.018),
@@ -249,7 +250,7 @@ mod tests {
         let embedder = Embedder::new(&points, Kernel::new(0.015));
         assert!(embedder.is_embedded(DVec3::new(0.0, 0.036, 0.0)));
         assert!(!embedder.is_embedded(DVec3::new(0.0, 0.06, 0.0)));
-        assert!(embedder.weights(DVec3::new(0.0, 0.06, 0.0)).is_none());
+        assert!(weights(&embedder, DVec3::new(0.0, 0.06, 0.0)).is_none());
         assert!((embedder.distance(DVec3::new(0.0, 0.06, 0.0)) - 0.027).abs() < 1e-12);
     }
 }

@@ -25,6 +25,8 @@ pub(crate) mod panel;
 pub(crate) mod rotation;
 pub(crate) mod scratch;
 pub(crate) mod skin;
+mod skin_arms;
+mod skin_weights;
 pub(crate) mod snapshot;
 pub(crate) mod stable_step;
 pub(crate) mod state;

@@ -37,6 +37,20 @@ pub(crate) fn nearest_rotation(f: DMat3, start: DQuat) -> DQuat {
     q
 }
 
+/// The rotation R that maximises `tr(R^T F)` wherever it lies: of `near` and its half turns, the one that F is turned by
+/// less than 120 degrees from is where the search begins. What F leaves open (a line's turn about itself) stays as in there.
+pub(super) fn rotation_of(f: DMat3, near: DQuat) -> DQuat {
+    let half_turns = [DQuat::IDENTITY, DQuat::from_xyzw(1.0, 0.0, 0.0, 0.0), DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0)];
+    let starts = half_turns.into_iter().chain([DQuat::from_xyzw(0.0, 0.0, 1.0, 0.0)]).map(|half| near * half);
+    let alike = |q: &DQuat| {
+        let s = DMat3::from_quat(*q).transpose() * f;
+        s.x_axis.x + s.y_axis.y + s.z_axis.z
+    };
+    // The first of equals, so that nothing that does not turn jumps.
+    let best = starts.reduce(|best, other| if alike(&other) > alike(&best) { other } else { best });
+    nearest_rotation(f, best.unwrap_or(near))
+}
+
 /// `tr(S) I - S` of the symmetric part of `s`: how the energy of a turn grows around R.
 pub(crate) fn turn_stiffness(s: DMat3) -> DMat3 {
     let sym = 0.5 * (s + s.transpose());
@@ -98,6 +112,20 @@ mod tests {
         let cold = nearest_rotation(f, DQuat::IDENTITY);
         let warm = nearest_rotation(f, DQuat::from_rotation_x(0.2) * cold);
         assert!((cold - warm).length().min((cold + warm).length()) < 1e-15);
+    }
+
+    #[test]
+    fn a_turn_is_found_from_its_opposite_too() {
+        let stretch = DMat3::from_cols_array(&[1.3, 0.1, -0.2, 0.1, 0.8, 0.05, -0.2, 0.05, 1.1]);
+        let opposite = DQuat::from_rotation_z(std::f64::consts::PI);
+        for turn in [DQuat::IDENTITY, DQuat::from_rotation_x(0.3), DQuat::from_rotation_y(std::f64::consts::PI)] {
+            let found = rotation_of(DMat3::from_quat(turn) * stretch, turn * opposite);
+            assert!((DMat3::from_quat(found) - DMat3::from_quat(turn)).abs_diff_eq(DMat3::ZERO, 1e-14), "{turn}");
+            // A line does not say how it is turned about itself.
+            let line = DMat3::from_cols(turn * DVec3::X, DVec3::ZERO, DVec3::ZERO);
+            let found = rotation_of(line, turn);
+            assert!((found * DVec3::Y).distance(turn * DVec3::Y) < 1e-14, "{turn}");
+        }
     }
 
     #[test]

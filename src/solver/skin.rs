@@ -1,25 +1,34 @@
 //! The surface that is drawn: it rides on the material particles, embedded once at rest.
 //!
-//! Weights are those of [`super::embedding`]: they reproduce linear fields, so the skin lies where it was modelled and
-//! follows every affine motion of the particles exactly. Lists are flat: 50 000 vertices are moved in a few
+//! Weights are those of [`super::skin_weights`]: the skin lies where it was modelled and follows every affine motion of
+//! the particles exactly, as far as they span space beside its distance; what lies further out turns with them, as on an
+//! arm. The absolute weights of a vertex sum to at most [`Skin::GREATEST_SUM`]: it moves by no more than so many times the
+//! greatest displacement of a particle, and by the turn of its arm. Lists are flat: 50 000 vertices are moved in a few
 //! milliseconds.
 
-use super::embedding::{Embedder, EmbeddingWeights};
+use super::embedding::EmbeddingWeights;
+use super::skin_arms::{Arms, DIRECTIONS};
+use super::skin_weights::{Carried, FARTHEST, SkinEmbedder};
 use crate::geometry::kernel::Kernel;
 use crate::geometry::linear_map::LinearMap;
 use crate::geometry::rig::{Rig, Shading};
 use crate::geometry::subdivide::rounded;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 /// A render surface that rides on the particles.
 #[derive(Clone, Debug, Default)]
 pub struct Skin {
-    /// Particles and weights of every point: those of point `p` are `starts[p]..starts[p + 1]`.
+    /// Sources and weights of every point: those of point `p` are `starts[p]..starts[p + 1]`. A source is a particle or,
+    /// behind the `particles` of them, a direction of an arm.
     starts: Vec<u32>,
-    particles: Vec<u32>,
+    sources: Vec<u32>,
     weights: Vec<f64>,
+    /// Number of particles.
+    particles: u32,
+    arms: Arms,
     /// Point of every vertex; vertices split for the picture share one.
     point_of: Vec<u32>,
     /// Which vertices share a normal, and the faces that it is the mean of.
@@ -46,30 +55,26 @@ pub struct SkinShape<'a> {
     pub triangles: &'a [[u32; 3]],
 }
 
-/// How far outside the particles a point may lie: its weights' sum of squares. Beyond it, and where the particles in
-/// reach do not span space, a larger support radius is tried.
-const WILD: f64 = 6.0;
-
-/// Growth of the support radius from try to try, and number of tries.
-const GROWTH: f64 = 1.5;
-const TRIES: usize = 8;
-
 /// Points embedded before it is said how far the work has come.
 const CHUNK: usize = 16_384;
 
 impl Skin {
-    /// Embeds a surface in particles (rest, model frame). None only where the particles themselves do not span space.
-    /// `progress` hears how many points of how many are done.
+    /// Greatest sum of the absolute weights of a vertex's particles.
+    pub const GREATEST_SUM: f64 = 1.0 + FARTHEST;
+
+    /// Embeds a surface in particles (rest, model frame). None only where there are no particles. `progress` hears how
+    /// many points of how many are done.
     pub fn embed(
         shape: &SkinShape<'_>,
         particles: &[DVec3],
         kernel: Kernel,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Option<Self> {
-        let mut radius = kernel.support_radius;
-        let mut embedders = vec![Embedder::new(particles, kernel)];
+        let embedder = SkinEmbedder::new(particles, kernel)?;
         let mut skin = Self {
             starts: vec![0],
+            particles: particles.len() as u32,
+            arms: Arms::new(embedder.whole()),
             point_of: shape.point_of.to_vec(),
             shading: Shading::new(shape.point_of, shape.normals, shape.triangles),
             triangles: shape.triangles.into(),
@@ -78,32 +83,9 @@ impl Skin {
         };
         let mut done = 0;
         for chunk in shape.points.chunks(CHUNK) {
-            let tame = |weights: &EmbeddingWeights| weights.square_sum() <= WILD;
-            let first = &embedders[0];
-            let mut found: Vec<Option<EmbeddingWeights>> = chunk.par_iter().map(|&at| first.weights(at)).collect();
-            for (&at, weights) in chunk.iter().zip(&mut found) {
-                let mut wider = 1;
-                while !weights.as_ref().is_some_and(tame) && wider <= TRIES {
-                    if embedders.len() == wider {
-                        radius *= GROWTH;
-                        embedders.push(Embedder::new(particles, Kernel::new(radius)));
-                    }
-                    let other = embedders[wider].weights(at);
-                    let calmer = |a: &EmbeddingWeights, b: &EmbeddingWeights| a.square_sum() < b.square_sum();
-                    if let Some(other) = other
-                        && weights.as_ref().is_none_or(|one| calmer(&other, one))
-                    {
-                        *weights = Some(other);
-                    }
-                    wider += 1;
-                }
-            }
-            for weights in found {
-                for (particle, weight) in weights?.weights {
-                    skin.particles.push(particle);
-                    skin.weights.push(weight);
-                }
-                skin.starts.push(skin.particles.len() as u32);
+            let found: Vec<Carried> = chunk.par_iter().map(|&at| embedder.carried(at)).collect();
+            for carried in found {
+                skin.push(carried);
             }
             done += chunk.len();
             progress(done, shape.points.len());
@@ -111,13 +93,30 @@ impl Skin {
         Some(skin)
     }
 
+    fn push(&mut self, point: Carried) {
+        for (particle, weight) in point.weights {
+            self.sources.push(particle);
+            self.weights.push(weight);
+        }
+        if let Some(arm) = point.arm {
+            let first = self.particles as usize + DIRECTIONS * self.arms.push(&arm);
+            for (axis, part) in arm.offset.to_array().into_iter().enumerate() {
+                self.sources.push((first + axis) as u32);
+                self.weights.push(part);
+            }
+        }
+        self.starts.push(self.sources.len() as u32);
+    }
+
     /// A surface whose points are the first particles themselves, in their order.
     pub fn of_particles(shape: &SkinShape<'_>) -> Self {
         let count = shape.points.len() as u32;
         Self {
             starts: (0..=count).collect(),
-            particles: (0..count).collect(),
+            sources: (0..count).collect(),
             weights: vec![1.0; count as usize],
+            particles: count,
+            arms: Arms::default(),
             point_of: shape.point_of.to_vec(),
             shading: Shading::new(shape.point_of, shape.normals, shape.triangles),
             triangles: shape.triangles.into(),
@@ -129,12 +128,12 @@ impl Skin {
     /// Memory that it takes [bytes], about: the surface of pictures, the same again, is counted before it is made.
     pub(super) fn bytes(&self) -> usize {
         let lists = size_of_val(&*self.starts)
-            + size_of_val(&*self.particles)
+            + size_of_val(&*self.sources)
             + size_of_val(&*self.weights)
             + size_of_val(&*self.point_of)
             + size_of_val(&*self.triangles)
             + size_of_val(&*self.colours);
-        2 * lists
+        2 * lists + self.arms.bytes()
     }
 
     /// Number of vertices.
@@ -147,12 +146,26 @@ impl Skin {
         self.point_of.is_empty()
     }
 
-    /// Particles and weights of one vertex; none if there is no such vertex.
+    /// Particles and weights of one vertex; none if there is no such vertex. Of one that hangs on an arm they are those of
+    /// the place where that begins.
     pub fn weights(&self, vertex: usize) -> Option<EmbeddingWeights> {
         let p = *self.point_of.get(vertex)? as usize;
         let range = self.starts[p] as usize..self.starts[p + 1] as usize;
-        let weights = self.particles[range.clone()].iter().copied().zip(self.weights[range].iter().copied()).collect();
-        Some(EmbeddingWeights { weights })
+        let all = self.sources[range.clone()].iter().copied().zip(self.weights[range].iter().copied());
+        Some(EmbeddingWeights { weights: all.filter(|&(source, _)| source < self.particles).collect() })
+    }
+
+    /// The arm on which a vertex hangs over particles at `positions` [m]: from where its weights put it to where it is. Zero
+    /// for one that they carry by themselves.
+    pub(super) fn arm(&self, vertex: usize, positions: &[DVec3]) -> DVec3 {
+        let Some(&p) = self.point_of.get(vertex) else { return DVec3::ZERO };
+        let range = self.starts[p as usize] as usize..self.starts[p as usize + 1] as usize;
+        let parts = self.sources[range.clone()].iter().zip(&self.weights[range]);
+        let parts: Vec<(u32, f64)> =
+            parts.filter(|(source, _)| **source >= self.particles).map(|(s, w)| (*s, *w)).collect();
+        let Some(&(first, _)) = parts.first() else { return DVec3::ZERO };
+        let axes = self.arms.axes((first - self.particles) as usize / DIRECTIONS, positions);
+        parts.iter().zip(axes).map(|((_, part), axis)| *part * axis).sum()
     }
 
     /// Vertex indices of the faces.
@@ -170,33 +183,49 @@ impl Skin {
         self.rig.get_or_init(|| {
             let points = LinearMap {
                 starts: self.starts.clone(),
-                sources: self.particles.clone(),
+                sources: self.sources.clone(),
                 weights: self.weights.iter().map(|&weight| weight as f32).collect(),
             };
             // Rounding knows no seams: it goes by points.
             let by_points: Vec<[u32; 3]> =
                 self.triangles.iter().map(|triangle| triangle.map(|vertex| self.point_of[vertex as usize])).collect();
-            Arc::new(match rounded(points.len(), &by_points) {
+            let rig = match rounded(points.len(), &by_points) {
                 Some((vertices, triangles)) => {
                     let each: Vec<u32> = (0..vertices.len() as u32).collect();
                     let shading = Shading::new(&each, &[], &triangles);
                     Rig::new(points, vertices, triangles, &shading)
                 }
                 None => Rig::new(points, LinearMap::gather(&self.point_of), self.triangles.to_vec(), &self.shading),
-            })
+            };
+            Arc::new(Rig { directions: DIRECTIONS * self.arms.len(), ..rig })
         })
+    }
+
+    /// The directions of its arms over particles at `positions` [m]; what is drawn of it hangs on the particles and these
+    /// behind them.
+    pub(super) fn directions(&self, positions: &[DVec3]) -> Vec<DVec3> {
+        self.arms.directions(positions)
+    }
+
+    /// What the points are sums of, over particles at `positions` [m].
+    fn sources<'a>(&self, positions: &'a [DVec3]) -> Cow<'a, [DVec3]> {
+        match self.directions(positions) {
+            directions if directions.is_empty() => Cow::Borrowed(positions),
+            directions => Cow::Owned([positions, &directions].concat()),
+        }
     }
 
     /// Positions of the vertices over particles at `positions` [m].
     pub fn positions(&self, positions: &[DVec3]) -> Vec<DVec3> {
+        let sources = self.sources(positions);
         let points: Vec<DVec3> = (0..self.starts.len() - 1)
             .into_par_iter()
             .with_min_len(256)
             .map(|p| {
                 let range = self.starts[p] as usize..self.starts[p + 1] as usize;
                 let mut sum = DVec3::ZERO;
-                for (&k, &weight) in self.particles[range.clone()].iter().zip(&self.weights[range]) {
-                    sum += weight * positions[k as usize];
+                for (&k, &weight) in self.sources[range.clone()].iter().zip(&self.weights[range]) {
+                    sum += weight * sources[k as usize];
                 }
                 sum
             })

@@ -144,6 +144,11 @@ impl BodySnapshot {
         moved
     }
 
+    /// What the surface hangs on beside the particles: directions that turn with the body, behind them in the rig's sums.
+    pub(crate) fn directions(&self) -> Vec<DVec3> {
+        self.embedding.0.as_ref().map_or_else(Vec::new, |skin| skin.directions(&self.particles))
+    }
+
     /// The surface that pictures show, over the particles; none for a body without a skin.
     pub(crate) fn rig(&self) -> Option<&Arc<Rig>> {
         self.embedding.0.as_ref().map(|skin| skin.rig())
@@ -178,6 +183,16 @@ pub struct FibreSnapshot {
 }
 
 impl Snapshot {
+    /// Name of the first body of which some point is no finite number; none where all can be drawn and written.
+    pub fn not_finite(&self) -> Option<&str> {
+        let is_whole = |body: &BodySnapshot| {
+            let fibres = body.fibres.iter().flat_map(|fibre| &fibre.vertices);
+            let normals = body.normals.iter().all(|normal| normal.is_finite());
+            normals && body.particles.iter().chain(&body.skin).chain(fibres).all(|point| point.is_finite())
+        };
+        self.bodies.iter().find(|body| !is_whole(body)).map(|body| body.name.as_str())
+    }
+
     /// The world as it stands.
     pub fn of(world: &World) -> Self {
         Self::with(world, true, |body| &body.state().positions)
@@ -226,5 +241,34 @@ impl Snapshot {
             .collect();
         let panels = world.panels().iter().map(|panel| panel.height).collect();
         Self { time: world.time(), bodies, panels, field: None, tension: None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_with_a_point_that_is_no_number_is_named() {
+        let body = |name: &str| BodySnapshot {
+            name: name.to_owned(),
+            particles: vec![DVec3::ZERO, DVec3::ONE],
+            skin: vec![DVec3::X],
+            normals: vec![Vec3::Y],
+            fibres: vec![FibreSnapshot { id: "fibre".to_owned(), vertices: vec![DVec3::Z] }],
+            ..BodySnapshot::default()
+        };
+        let whole = Snapshot { bodies: vec![body("a"), body("b")], ..Snapshot::default() };
+        assert_eq!(whole.not_finite(), None);
+        let broken = |change: &dyn Fn(&mut BodySnapshot)| {
+            let mut snapshot = whole.clone();
+            change(&mut snapshot.bodies[1]);
+            snapshot.not_finite().map(str::to_owned)
+        };
+        let b = Some("b".to_owned());
+        assert_eq!(broken(&|body| body.particles[1].y = f64::NAN), b);
+        assert_eq!(broken(&|body| body.skin[0].x = f64::INFINITY), b);
+        assert_eq!(broken(&|body| body.normals[0].x = f32::NAN), b);
+        assert_eq!(broken(&|body| body.fibres[0].vertices[0].z = f64::NEG_INFINITY), b);
     }
 }

@@ -18,3 +18,4 @@ mod shapes;
 mod shipped;
 mod skin;
 mod stl;
+mod tips;

@@ -114,3 +114,71 @@ pub fn moved(model: &Model, by: DVec3) -> Model {
     model.positions.iter_mut().for_each(|p| *p += by);
     model
 }
+
+/// A surface about the y axis, of rings of radius and height; the first and the last are points.
+pub fn lathe(profile: &[(f64, f64)], around: u32) -> Model {
+    let inner = &profile[1..profile.len() - 1];
+    let (low, high) = (profile[0].1, profile[profile.len() - 1].1);
+    let mut positions = vec![DVec3::Y * low, DVec3::Y * high];
+    for &(radius, height) in inner {
+        positions.extend((0..around).map(|k| {
+            let angle = std::f64::consts::TAU * f64::from(k) / f64::from(around);
+            DVec3::new(radius * angle.sin(), height, radius * angle.cos())
+        }));
+    }
+    let index = |ring: u32, k: u32| 2 + ring * around + k % around;
+    let last = inner.len() as u32 - 1;
+    let mut triangles = Vec::new();
+    for k in 0..around {
+        triangles.push([0, index(0, k + 1), index(0, k)]);
+        triangles.push([1, index(last, k), index(last, k + 1)]);
+        for ring in 0..last {
+            let [a, b, c, d] = [index(ring, k), index(ring, k + 1), index(ring + 1, k + 1), index(ring + 1, k)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    single(positions, triangles)
+}
+
+/// The surface of those cells between cuts along the axes that are filled.
+pub fn blocks(xs: &[f64], ys: &[f64], zs: &[f64], filled: impl Fn([usize; 3]) -> bool) -> Model {
+    let cuts = [xs, ys, zs];
+    let counts = cuts.map(|cuts| cuts.len() - 1);
+    let is_filled = |cell: [i32; 3]| {
+        let inside = (0..3).all(|axis| cell[axis] >= 0 && (cell[axis] as usize) < counts[axis]);
+        inside && filled(cell.map(|i| i as usize))
+    };
+    let corner = |[i, j, k]: [i32; 3]| ((i * ys.len() as i32 + j) * zs.len() as i32 + k) as u32;
+    let mut positions = Vec::new();
+    for &x in xs {
+        for &y in ys {
+            positions.extend(zs.iter().map(|&z| DVec3::new(x, y, z)));
+        }
+    }
+    let mut triangles = Vec::new();
+    for cell in 0..(counts[0] * counts[1] * counts[2]) {
+        let [i, j, k] = [cell / (counts[1] * counts[2]), cell / counts[2] % counts[1], cell % counts[2]];
+        let cell = [i, j, k].map(|i| i as i32);
+        for axis in (0..3).filter(|_| is_filled(cell)) {
+            for side in [0, 1] {
+                let mut beside = cell;
+                beside[axis] += 2 * side - 1;
+                if is_filled(beside) {
+                    continue;
+                }
+                let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+                let at = |a: i32, b: i32| {
+                    let mut at = cell;
+                    at[axis] += side;
+                    at[u] += a;
+                    at[v] += b;
+                    corner(at)
+                };
+                let [a, b, c, d] = [at(0, 0), at(1, 0), at(1, 1), at(0, 1)];
+                let faces = if side == 1 { [[a, b, c], [a, c, d]] } else { [[a, c, b], [a, d, c]] };
+                triangles.extend(faces);
+            }
+        }
+    }
+    single(positions, triangles)
+}

@@ -8,6 +8,8 @@ use glam::DVec3;
 pub(super) struct PointerGrab {
     /// The body; the grab is the last one of it.
     body: Option<usize>,
+    /// From the point that is pulled to the one that is held [m].
+    arm: DVec3,
 }
 
 impl PointerGrab {
@@ -16,7 +18,10 @@ impl PointerGrab {
         let mut is_held = false;
         for held in runs.bodies_mut(body) {
             let Some(point) = held.point(vertex) else { continue };
-            held.grab(point, target);
+            if !is_held {
+                self.arm = held.arm(vertex);
+            }
+            held.grab(point, target - self.arm);
             is_held = true;
         }
         if is_held {
@@ -28,7 +33,7 @@ impl PointerGrab {
     pub(super) fn move_to(&self, runs: &mut Runs, target: DVec3) {
         for body in self.body.map_or_else(Vec::new, |body| runs.bodies_mut(body)) {
             if let Some(grab) = body.grabs_mut().last_mut() {
-                grab.target = target;
+                grab.target = target - self.arm;
             }
         }
     }

@@ -1,5 +1,5 @@
 //! Linear algebra over fields of one vector a particle: Krylov methods (Lanczos, Arnoldi, conjugate gradients), for
-//! operators that are given by what they make of a field, and the eigenvalues of the small matrices that they end in.
+//! operators that are given by what they make of a field, and the eigenvalues of small matrices.
 //!
 //! Every sum runs over the particles in their order and on one thread, so that results have the same bits anywhere.
 
@@ -7,4 +7,5 @@ pub(crate) mod arnoldi;
 pub(crate) mod conjugate_gradients;
 pub(crate) mod hessenberg;
 pub(crate) mod lanczos;
+pub(crate) mod symmetric;
 pub(crate) mod vectors;

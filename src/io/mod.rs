@@ -15,6 +15,7 @@ mod json_folder;
 mod json_out;
 mod model;
 mod obj;
+mod open;
 mod paths;
 mod pointer;
 mod read;
@@ -45,6 +46,7 @@ pub use model::load_model;
 #[cfg(feature = "gui")]
 pub(crate) use model::read_model;
 pub use obj::write_obj;
+pub use open::{OpenedModel, open_model};
 #[cfg(feature = "gui")]
 pub(crate) use paths::{is_same, is_there};
 pub(crate) use paths::{missing_files, resolved};

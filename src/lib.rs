@@ -40,6 +40,7 @@
 //! | run it | [`sim::Runner`]; on a thread of its own, to be paused, pulled and replayed: [`sim::Worker`] |
 //! | read what it shows | [`solver::World`], [`sim::Report`], [`sim::TimeSeries`], [`solver::Snapshot`] |
 //! | write shapes for other programs | [`io::write_obj`], [`io::FrameFolder`], [`io::write_glb`] |
+//! | open a model as a scene of its own | [`io::open_model`] |
 //! | change a scene so that it can be undone | [`edit::Editor`] |
 //! | turn strokes into a curve | [`sketch::lift()`] |
 //! | make pictures | [`draw::draw`], `render::Offscreen` |
@@ -135,7 +136,8 @@
 //!   places of the lattice in a row along x, computed at once. *Pair list*: the same forces, neighbour by neighbour.
 //! - *two-layer body*: an outer and an inner *layer* of particles joined by springs, with gas inside (the two-layer
 //!   paper's). It has no matrix and no fibres.
-//! - *skin*: the surface that is drawn, carried by the particles. *Rig*: how it hangs on them.
+//! - *skin*: the surface that is drawn, carried by the particles. *Rig*: how it hangs on them. *Arm*: the way to a point too
+//!   far outside for particles to carry it; it turns with them. *Directions*: an arm's three axes, turned.
 //!
 //! The scene:
 //! - *scene*: the document. *Assets*: the solids that its meshes stand for. *Solid*: a mesh with an inside.

@@ -2,7 +2,7 @@
 
 use super::check_model::{ModelOptions, check_model};
 use super::error::printable;
-use super::prepare::{Sets, load, notes, put_together, tell};
+use super::prepare::{Sets, load, put_together, tell};
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome, body_table};
 use crate::bake::Baked;
@@ -36,10 +36,10 @@ pub(super) fn run(args: &Check, console: &mut Console) -> Result<Outcome, CliErr
         return check_model(&args.scene, &args.model, console);
     }
     let source = printable(&args.scene);
-    let scene = load(Some(&args.scene), &args.sets, None)?;
-    let baked = put_together(&scene, Some(&args.scene), console)?;
-    tell(&notes(&scene, &baked), console);
-    console.print(&contents(&scene, &baked, &source))?;
+    let mut loaded = load(Some(&args.scene), &args.sets, None, console)?;
+    let baked = put_together(&mut loaded, Some(&args.scene), console)?;
+    tell(&loaded.notes(&baked), console);
+    console.print(&contents(&loaded.scene, &baked, &source))?;
     Ok(Outcome::Done)
 }
 

@@ -1,8 +1,9 @@
 //! `sinew compare`: a scene under several integrators, each with several steps.
 
 use super::error::printable;
+use super::interruption::Interruption;
 use super::order_plot::{PlotLine, order_plot};
-use super::prepare::{Sets, Threads, load, put_together};
+use super::prepare::{Loaded, Sets, Threads, load, put_together, tell};
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome, output};
 use crate::scene::IntegratorKind;
@@ -16,7 +17,7 @@ use std::time::Instant;
 /// Arguments of `sinew compare`.
 #[derive(Debug, Args)]
 pub struct Compare {
-    /// Scene file
+    /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB
     scene: PathBuf,
     /// Integrators to compare: euler, midpoint, rk4, symplectic_euler, leap_frog, verlet, backward_euler
     #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "euler,midpoint,rk4", value_parser = integrator)]
@@ -48,6 +49,8 @@ struct CompareReport {
     scene: String,
     /// Simulated time that was asked for [s].
     seconds: f64,
+    /// Whether every run was made to its end; those that were not are left out.
+    complete: bool,
     runs: Vec<Run>,
     /// One for each integrator, if asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -88,15 +91,17 @@ struct Order {
 ///
 /// # Errors
 /// A scene or an option that cannot be used, before anything runs; a file that cannot be written.
-pub(super) fn run(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
-    args.threads.run(|| compare(args, console))
+pub(super) fn run(args: &Compare, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
+    args.threads.run(|| compare(args, interruption, console))
 }
 
-fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
+fn compare(args: &Compare, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
     let source = printable(&args.scene);
     let path = Some(args.scene.as_path());
-    let scene = load(Some(&args.scene), &args.sets, None)?;
-    let baked = put_together(&scene, path, console)?;
+    let mut loaded = load(Some(&args.scene), &args.sets, None, console)?;
+    let baked = put_together(&mut loaded, path, console)?;
+    tell(loaded.made(), console);
+    let Loaded { scene, .. } = loaded;
     output::check(Some(&args.scene), &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
 
     let seconds = args.seconds.unwrap_or(scene.time.duration);
@@ -105,12 +110,27 @@ fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
     console.begin();
     let study = Study::of(scene.clone(), baked);
     let references = References::new(&study, seconds, &args.dt);
+    interruption.wait_for_end();
     let mut runs = Vec::new();
     for (index, &(integrator, dt)) in pairs.iter().enumerate() {
         console.progress(index as u64, pairs.len() as u64, "runs");
-        runs.push(one(&study, integrator, dt, steps(seconds, dt), &references));
+        let mut trial = study.trial(integrator, dt);
+        match stepped(&mut trial, steps(seconds, dt), interruption) {
+            Some(wall_seconds) => {
+                runs.push(shown(&trial, integrator, dt, steps(seconds, dt), wall_seconds, &references));
+            }
+            None => break,
+        }
     }
     console.end();
+    let interrupted = interruption.signal().filter(|_| runs.len() < pairs.len());
+    if let Some(signal) = interrupted {
+        let (done, all) = (runs.len(), pairs.len());
+        console.say(
+            "interrupted",
+            &format!("by {signal} when {done} of {all} runs had been made; those are given, marked as incomplete"),
+        );
+    }
 
     let size = references.size();
     let lines: Vec<PlotLine> = args.integrators.iter().map(|&integrator| line(integrator, &runs, size)).collect();
@@ -119,7 +139,7 @@ fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
         args.integrators.iter().zip(&lines).map(of).collect()
     });
     let name = if scene.name.is_empty() { source } else { scene.name.clone() };
-    let report = CompareReport { scene: name, seconds, runs, orders };
+    let report = CompareReport { scene: name, seconds, complete: interrupted.is_none(), runs, orders };
     let mut text = table(&report);
     if let Some(path) = &args.report {
         text.push('\n');
@@ -131,7 +151,7 @@ fn compare(args: &Compare, console: &mut Console) -> Result<Outcome, CliError> {
         text += &output::wrote("plot", path);
     }
     console.print(&text)?;
-    Ok(Outcome::Done)
+    Ok(interrupted.map_or(Outcome::Done, Outcome::Interrupted))
 }
 
 /// Whole steps of `dt` that come nearest to `seconds`, at least one.
@@ -170,13 +190,26 @@ fn is_same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-9 * a
 }
 
-fn one(study: &Study, integrator: IntegratorKind, dt: f64, steps: u64, references: &References) -> Run {
-    let mut trial = study.trial(integrator, dt);
+/// Takes so many steps; gives the time that took [s], or none where it was interrupted.
+fn stepped(trial: &mut Trial, steps: u64, interruption: &Interruption) -> Option<f64> {
     let begun = Instant::now();
     for _ in 0..steps {
+        if interruption.signal().is_some() {
+            return None;
+        }
         trial.step();
     }
-    let wall_seconds = begun.elapsed().as_secs_f64();
+    Some(begun.elapsed().as_secs_f64())
+}
+
+fn shown(
+    trial: &Trial,
+    integrator: IntegratorKind,
+    dt: f64,
+    steps: u64,
+    wall_seconds: f64,
+    references: &References,
+) -> Run {
     let stable = trial.blew_up_at().is_none();
     let reference = references.at(steps as f64 * dt).filter(|reference| stable && reference.blew_up_at().is_none());
     Run {
@@ -258,6 +291,19 @@ fn step(text: &str) -> Result<f64, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::interruption::Signal;
+    use crate::scene::{Assets, Body, Scene};
+
+    #[test]
+    fn a_run_that_is_interrupted_gives_no_figures() {
+        let scene = Scene::new("box").with_body(Body::cuboid("box", [0.03; 3]));
+        let study = Study::new(&scene, &Assets::default()).expect("a scene");
+        let trial = || study.trial(IntegratorKind::Rk4, 1e-5);
+        assert!(stepped(&mut trial(), 3, &Interruption::default()).is_some());
+        let mut late = trial();
+        assert!(stepped(&mut late, 3, &Interruption::by(Signal::Terminate)).is_none());
+        assert_eq!(late.world().time(), 0.0);
+    }
 
     #[test]
     fn every_integrator_has_its_name_in_scene_files() {

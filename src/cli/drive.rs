@@ -1,6 +1,7 @@
 //! Running a [`Runner`] to the end that was asked for, against the clock.
 
 use super::CliError;
+use super::interruption::{Interruption, Signal};
 use crate::sim::Runner;
 use std::time::{Duration, Instant};
 
@@ -13,6 +14,8 @@ pub(super) enum RunEnd {
     Rest,
     /// Every body was stopped.
     Stopped,
+    /// A signal ended it.
+    Interrupted(Signal),
 }
 
 /// A run that has ended.
@@ -24,7 +27,8 @@ pub(super) struct Drive {
     pub end: RunEnd,
 }
 
-/// Advances `runner` by at most `frames` frames; `each` sees it before the first and after every frame.
+/// Advances `runner` by at most `frames` frames; `each` sees it before the first and after every frame. An interruption ends it
+/// with the frame at hand.
 ///
 /// # Errors
 /// What `each` gives, at once.
@@ -32,12 +36,17 @@ pub(super) fn drive(
     runner: &mut Runner,
     frames: u64,
     until_rest: bool,
+    interruption: &Interruption,
     each: &mut dyn FnMut(&Runner) -> Result<(), CliError>,
 ) -> Result<Drive, CliError> {
     let mut stepping = Duration::ZERO;
     each(runner)?;
     let mut end = RunEnd::Time;
     while runner.world().frame() < frames {
+        if let Some(signal) = interruption.signal() {
+            end = RunEnd::Interrupted(signal);
+            break;
+        }
         let begun = Instant::now();
         runner.advance_frame();
         stepping += begun.elapsed();

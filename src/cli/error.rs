@@ -46,6 +46,18 @@ pub enum CliError {
         /// Files that are missing.
         missing: Vec<PathBuf>,
     },
+    /// A body in a state that can be neither drawn nor written.
+    #[error(
+        "body \"{}\": at {seconds:.6} s a point of it is no longer a finite number, so that it can be neither drawn nor \
+         written; take a smaller step (/time/step/automatic/safety), or look what its model holds with `sinew check`",
+        one_line(body)
+    )]
+    NotFinite {
+        /// Name of the body.
+        body: String,
+        /// When [s].
+        seconds: f64,
+    },
     /// Options of pictures where none are made.
     #[error("--view, --size, --x-ray, --particles and --theme say how pictures look; give --png DIR to make some")]
     NoPicturesAsked,

@@ -2,7 +2,8 @@
 //!
 //! Results go to standard output; errors, warnings and progress to standard error, one line each. The exit code is 0
 //! when a command has done its work, 2 when its input cannot be used (nothing is written then) 3 when a body diverged
-//! (what was good until then is written all the same) and 4 when there is no graphics driver to make a picture with.
+//! (what was good until then is written all the same) and 4 when there is no graphics driver to make a picture with; 130 or
+//! 143 when SIGINT (Ctrl-C) or SIGTERM ended a run, whose results until then are written and marked as incomplete.
 
 mod body_table;
 mod check;
@@ -11,6 +12,8 @@ mod compare;
 mod console;
 mod drive;
 mod error;
+mod finite;
+mod interruption;
 mod make_models;
 pub(crate) mod make_pictures;
 #[cfg(not(feature = "render"))]
@@ -40,10 +43,12 @@ use scene_renderer::SceneRenderer;
 
 pub use console::Console;
 pub use error::CliError;
+pub use interruption::Signal;
 pub use outcome::Outcome;
 pub use trace::traced;
 
 use clap::{Parser, Subcommand};
+use interruption::Interruption;
 #[cfg(feature = "gui")]
 use std::fmt::Display;
 use std::path::PathBuf;
@@ -66,9 +71,9 @@ pub struct Cli {
 /// What the program does without its window.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Run a scene and report what it shows
+    /// Run a scene or a model and report what it shows
     Simulate(simulate::Simulate),
-    /// Take a picture of a scene at some time
+    /// Take a picture of a scene or a model at some time
     Render(render::Render),
     /// Run a scene once for every combination of some values
     Sweep(sweep::Sweep),
@@ -96,10 +101,10 @@ const NO_DRIVER: u8 = 4;
 /// Runs a command, says what is to be said and gives the exit code.
 pub fn run(command: &Command, console: &mut Console) -> ExitCode {
     let outcome = match command {
-        Command::Simulate(args) => simulate::run(args, console),
-        Command::Render(args) => render::run(args, console),
-        Command::Sweep(args) => sweep::run(args, console),
-        Command::Compare(args) => compare::run(args, console),
+        Command::Simulate(args) => simulate::run(args, &Interruption::listening(), console),
+        Command::Render(args) => render::run(args, &Interruption::listening(), console),
+        Command::Sweep(args) => sweep::run(args, &Interruption::listening(), console),
+        Command::Compare(args) => compare::run(args, &Interruption::listening(), console),
         Command::Check(args) => check::run(args, console),
         Command::Table1(args) => table1::run(args, console),
         Command::Schema => schema::run(console),
@@ -109,6 +114,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Diverged) => ExitCode::from(DIVERGED),
+        Ok(Outcome::Interrupted(signal)) => ExitCode::from(signal.exit_code()),
         Err(error) => {
             console.error(&error);
             #[cfg(feature = "render")]

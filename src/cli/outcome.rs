@@ -1,5 +1,7 @@
 //! How a command ended.
 
+use super::interruption::Signal;
+
 /// How a command ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
@@ -7,4 +9,6 @@ pub enum Outcome {
     Done,
     /// It has done its work, but a body diverged.
     Diverged,
+    /// It was interrupted; what it had done until then is written.
+    Interrupted(Signal),
 }

@@ -3,8 +3,10 @@
 use super::error::printable;
 use super::{CliError, Console};
 use crate::bake::{Baked, Note, bake_with_progress};
-use crate::io::{apply_sets, load_assets, load_scene, scene_from_json, unknown_fields};
-use crate::scene::{Scene, TimeStep};
+use crate::io::{
+    OpenedModel, apply_sets, complete_assets, is_model, load_scene, open_model, scene_from_json, unknown_fields,
+};
+use crate::scene::{Assets, Scene, TimeStep};
 use crate::sim::Runner;
 use crate::text::number::four_figures;
 use clap::Args;
@@ -112,14 +114,63 @@ pub(super) fn source_name(source: Option<&Path>) -> String {
     source.map_or_else(|| "the built-in scene".to_owned(), printable)
 }
 
-/// Reads a scene, or takes the built-in one, and replaces values in it.
+/// A scene with what has been loaded of what it refers to.
+pub(super) struct Loaded {
+    /// The scene.
+    pub(super) scene: Scene,
+    /// Solids of its models; those that are missing are loaded when it is put together.
+    pub(super) assets: Assets,
+    /// What is to be said of how it came to be.
+    made: Option<Note>,
+}
+
+impl Loaded {
+    /// What is worth saying about it: how it was made of a model, fields that nothing reads, and what was noticed while
+    /// putting it together.
+    pub(super) fn notes(&self, baked: &Baked) -> Vec<Note> {
+        self.made.iter().cloned().chain(notes(&self.scene, baked)).collect()
+    }
+
+    /// How it was made of a model.
+    pub(super) fn made(&self) -> &[Note] {
+        self.made.as_slice()
+    }
+}
+
+/// Reads a scene, makes one of a model, or takes the built-in one, and replaces values in it.
 ///
 /// # Errors
 /// A file or a value that cannot be used, or a frame rate where the scene's own time step gives one.
-pub(super) fn load(source: Option<&PathBuf>, sets: &Sets, fps: Option<f64>) -> Result<Scene, CliError> {
-    let scene = source.map_or_else(|| scene_from_json(BUILT_IN), |path| load_scene(path))?;
-    let scene = with_sets(&scene, &sets.sets)?;
-    with_frame_rate(scene, fps)
+pub(super) fn load(
+    source: Option<&PathBuf>,
+    sets: &Sets,
+    fps: Option<f64>,
+    console: &mut Console,
+) -> Result<Loaded, CliError> {
+    let loaded = match source {
+        None => of_scene(scene_from_json(BUILT_IN)?),
+        Some(path) if is_model(path) => {
+            console.begin();
+            let opened = open_model(path, &mut |stage| console.stage(&stage));
+            console.end();
+            of_model(opened?)
+        }
+        Some(path) => of_scene(load_scene(path)?),
+    };
+    let scene = with_sets(&loaded.scene, &sets.sets)?;
+    Ok(Loaded { scene: with_frame_rate(scene, fps)?, ..loaded })
+}
+
+fn of_scene(scene: Scene) -> Loaded {
+    Loaded { scene, assets: Assets::default(), made: None }
+}
+
+fn of_model(opened: OpenedModel) -> Loaded {
+    let OpenedModel { scene, assets, scaled, .. } = opened;
+    let scaled = scaled.map_or_else(String::new, |scaled| format!(", {scaled}"));
+    let text =
+        format!("the model is made a soft solid above a floor{scaled}; change it by --set, or save it from the window");
+    Loaded { scene, assets, made: Some(Note { path: "/bodies/0".to_owned(), text, warning: false }) }
 }
 
 /// The scene with values replaced, checked.
@@ -150,15 +201,21 @@ pub(super) fn folder_of(source: Option<&Path>) -> &Path {
     source.and_then(Path::parent).unwrap_or(Path::new(""))
 }
 
-/// Loads what a scene refers to and puts it together, showing what is worked on when it takes long.
+/// Loads what a scene refers to and has not been loaded yet, and puts it together, showing what is worked on when it takes
+/// long.
 ///
 /// # Errors
 /// A model that cannot be used, or [`CliError::Bake`] with where the scene is from.
-pub(super) fn put_together(scene: &Scene, source: Option<&Path>, console: &mut Console) -> Result<Baked, CliError> {
+pub(super) fn put_together(
+    loaded: &mut Loaded,
+    source: Option<&Path>,
+    console: &mut Console,
+) -> Result<Baked, CliError> {
     console.begin();
-    let assets = load_assets(scene, folder_of(source), &mut |stage| console.stage(&stage));
-    let baked = assets.map_err(CliError::from).and_then(|assets| {
-        bake_with_progress(scene, &assets, &mut |body, stage| console.stage(&format!("{body}: {stage}")))
+    let Loaded { scene, assets, .. } = loaded;
+    let complete = complete_assets(assets, scene, folder_of(source), &mut |stage| console.stage(&stage));
+    let baked = complete.map_err(CliError::from).and_then(|()| {
+        bake_with_progress(scene, assets, &mut |body, stage| console.stage(&format!("{body}: {stage}")))
             .map_err(|error| CliError::Bake { scene: source_name(source), source: error })
     });
     console.end();

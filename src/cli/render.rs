@@ -1,17 +1,20 @@
 //! `sinew render`: a picture of a scene at some time.
 
-use super::drive::drive;
+use super::drive::{RunEnd, drive};
+use super::finite::check_finite;
+use super::interruption::Interruption;
 use super::picture::Look;
-use super::prepare::{Sets, Threads, frames_to, load, notes, put_together, seconds, tell};
+use super::prepare::{Sets, Threads, frames_to, load, put_together, seconds, tell};
 use super::{CliError, Console, Outcome, SceneRenderer, output};
 use crate::sim::Runner;
+use crate::text::number::four_figures;
 use clap::Args;
 use std::path::PathBuf;
 
 /// Arguments of `sinew render`.
 #[derive(Debug, Args)]
 pub struct Render {
-    /// Scene file; the built-in scene unless given
+    /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB; the built-in scene unless given
     scene: Option<PathBuf>,
     /// Simulated time at which the picture is taken [s]
     #[arg(long, value_name = "S", default_value = "0", value_parser = seconds, allow_negative_numbers = true)]
@@ -31,32 +34,39 @@ pub struct Render {
 ///
 /// # Errors
 /// A scene or an option that cannot be used, or no driver, before any file is made; a file that cannot be written.
-pub(super) fn run(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
-    args.threads.run(|| render(args, console))
+pub(super) fn run(args: &Render, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
+    args.threads.run(|| render(args, interruption, console))
 }
 
-fn render(args: &Render, console: &mut Console) -> Result<Outcome, CliError> {
-    let scene = load(args.scene.as_ref(), &args.sets, None)?;
-    let baked = put_together(&scene, args.scene.as_deref(), console)?;
-    tell(&notes(&scene, &baked), console);
+fn render(args: &Render, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
+    let mut loaded = load(args.scene.as_ref(), &args.sets, None, console)?;
+    let baked = put_together(&mut loaded, args.scene.as_deref(), console)?;
+    tell(&loaded.notes(&baked), console);
+    let scene = loaded.scene;
     output::check(args.scene.as_ref(), &[("--out", Some(&args.out))])?;
 
     let mut runner = Runner::new(baked);
     let mut renderer = SceneRenderer::open(&args.look, &scene, &runner.snapshot())?;
     let frames = frames_to(args.at, &runner, console);
     console.begin();
-    let ran = drive(&mut runner, frames, false, &mut |runner| {
+    interruption.wait_for_end();
+    let ran = drive(&mut runner, frames, false, interruption, &mut |runner| {
         console.progress(runner.world().frame(), frames, "frames");
         Ok(())
     });
     console.end();
-    ran?;
+    if let RunEnd::Interrupted(signal) = ran?.end {
+        let [done, all] = [runner.world().time(), args.at].map(four_figures);
+        console.say("interrupted", &format!("by {signal} at {done} s of {all} s; no picture is written"));
+        return Ok(Outcome::Interrupted(signal));
+    }
     let divergence = runner.world().divergence();
     if let Some(divergence) = divergence {
         console.error(divergence);
     }
     // What moved on from where it started is in the picture as well.
     let snapshot = runner.snapshot();
+    check_finite(&snapshot)?;
     renderer.take_in(&scene, &snapshot);
     output::write_bytes(&args.out, &renderer.picture(&scene, &snapshot)?)?;
     console.print(&output::wrote("picture", &args.out))?;

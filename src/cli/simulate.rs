@@ -1,8 +1,10 @@
 //! `sinew simulate`: one run of a scene, and what it shows.
 
 use super::drive::{Drive, RunEnd, drive};
+use super::finite::{NotFinite, check_finite};
+use super::interruption::Interruption;
 use super::picture::Look;
-use super::prepare::{Sets, Span, Threads, frames_to, load, notes, put_together, source_name, tell, word};
+use super::prepare::{Sets, Span, Threads, frames_to, load, put_together, source_name, tell, word};
 use super::summary::summary;
 use super::{CliError, Console, Outcome, SceneRenderer, output};
 use crate::io::{FrameFolder, write_obj};
@@ -15,7 +17,7 @@ use std::path::PathBuf;
 /// Arguments of `sinew simulate`.
 #[derive(Debug, Default, Args)]
 pub struct Simulate {
-    /// Scene file; the built-in scene unless given
+    /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB; the built-in scene unless given
     scene: Option<PathBuf>,
     #[command(flatten)]
     span: Span,
@@ -51,30 +53,38 @@ impl Simulate {
 ///
 /// # Errors
 /// A scene or an option that cannot be used, before any file is made; a file that cannot be written.
-pub(super) fn run(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
-    args.threads.run(|| simulate(args, console))
+pub(super) fn run(args: &Simulate, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
+    args.threads.run(|| simulate(args, interruption, console))
 }
 
-fn simulate(args: &Simulate, console: &mut Console) -> Result<Outcome, CliError> {
+fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
     if args.png.is_none() && args.look != Look::default() {
         return Err(CliError::NoPicturesAsked);
     }
     let source = source_name(args.scene.as_deref());
-    let scene = load(args.scene.as_ref(), &args.sets, args.span.fps)?;
-    let baked = put_together(&scene, args.scene.as_deref(), console)?;
-    let notes = notes(&scene, &baked);
+    let mut loaded = load(args.scene.as_ref(), &args.sets, args.span.fps, console)?;
+    let baked = put_together(&mut loaded, args.scene.as_deref(), console)?;
+    let notes = loaded.notes(&baked);
+    let scene = loaded.scene;
     tell(&notes, console);
     output::check(args.scene.as_ref(), &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
 
     let mut runner = Runner::new(baked);
     let mut outputs = FrameOutputs::new(args, &scene, &runner)?;
-    let ran = watch(args, &scene, &mut runner, &mut outputs, console)?;
+    interruption.wait_for_end();
+    let ran = watch(args, &scene, &mut runner, interruption, &mut outputs, console)?;
     let lines = notes.iter().map(|note| format!("{}: {note}", word(note))).collect();
-    let report = Report::new(&scene, &runner, ran.wall_seconds, lines);
+    let mut report = Report::new(&scene, &runner, ran.wall_seconds, lines);
+    report.complete = !matches!(ran.end, RunEnd::Interrupted(_));
     let mut text = summary(&report, runner.world(), &source);
+    let finite = outputs.is_finite(&report, console);
     text += &outputs.finish(args, &report, console)?;
     console.print(&text)?;
-    Ok(if runner.world().divergence().is_some() { Outcome::Diverged } else { Outcome::Done })
+    Ok(match ran.end {
+        RunEnd::Interrupted(signal) => Outcome::Interrupted(signal),
+        _ if runner.world().divergence().is_some() || !finite => Outcome::Diverged,
+        _ => Outcome::Done,
+    })
 }
 
 /// Runs to the end; every frame is recorded, every divergence said when it happens.
@@ -82,6 +92,7 @@ fn watch(
     args: &Simulate,
     scene: &Scene,
     runner: &mut Runner,
+    interruption: &Interruption,
     outputs: &mut FrameOutputs,
     console: &mut Console,
 ) -> Result<Drive, CliError> {
@@ -90,7 +101,7 @@ fn watch(
     let pieces = if args.span.until_rest { "frames at most" } else { "frames" };
     let mut stopped = vec![false; runner.world().bodies().len()];
     console.begin();
-    let ran = drive(runner, frames, args.span.until_rest, &mut |runner| {
+    let ran = drive(runner, frames, args.span.until_rest, interruption, &mut |runner| {
         for (body, stopped) in runner.world().bodies().iter().zip(&mut stopped) {
             if let (Some(divergence), false) = (body.divergence(), *stopped) {
                 console.error(divergence);
@@ -107,6 +118,13 @@ fn watch(
         console.warn(&format!(
             "not everything has come to rest after {limit} s; give more --seconds, or the material damping"
         ));
+    }
+    if let RunEnd::Interrupted(signal) = ran.end {
+        let [done, all] = [runner.world().time(), limit].map(four_figures);
+        console.say(
+            "interrupted",
+            &format!("by {signal} at {done} s of {all} s; the results until then are given, marked as incomplete"),
+        );
     }
     Ok(ran)
 }
@@ -135,13 +153,29 @@ impl FrameOutputs {
             series.push(runner.world());
         }
         if let Some(shapes) = &mut self.shapes {
-            shapes.push(|out| write_obj(out, &runner.snapshot()))?;
+            let snapshot = runner.snapshot();
+            check_finite(&snapshot)?;
+            shapes.push(|out| write_obj(out, &snapshot))?;
         }
         if let Some((renderer, pictures)) = &mut self.pictures {
-            let picture = renderer.picture(scene, &runner.snapshot())?;
+            let snapshot = runner.snapshot();
+            check_finite(&snapshot)?;
+            let picture = renderer.picture(scene, &snapshot)?;
             pictures.push(|out| out.write_all(&picture))?;
         }
         Ok(())
+    }
+
+    /// Whether all that was collected is made of numbers; what is not is said.
+    fn is_finite(&self, report: &Report, console: &mut Console) -> bool {
+        let series = self.series.as_ref().and_then(TimeSeries::not_finite);
+        let series = series.map(|(time, column)| format!("{column} at {} s in the series", four_figures(time)));
+        let found = report.not_finite().into_iter().chain(series);
+        let found: Vec<String> = found.collect();
+        for what in &found {
+            console.error(&NotFinite(what));
+        }
+        found.is_empty()
     }
 
     /// Writes what was collected; gives a line about each file.

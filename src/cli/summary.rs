@@ -16,7 +16,11 @@ pub(super) fn summary(report: &Report, world: &World, source: &str) -> String {
         four_figures(report.seconds),
         if report.frames == 1 { "1 frame".to_owned() } else { format!("{} frames", report.frames) },
         four_figures(world.plan().frame_seconds),
-        if report.at_rest { ", at rest" } else { "" },
+        match report {
+            Report { complete: false, .. } => ", interrupted",
+            Report { at_rest: true, .. } => ", at rest",
+            _ => "",
+        },
     );
     text += &pace(report);
     for part in [bodies(report, world), measures(&report.measures), breaks(report, world), energies(report)] {

@@ -2,8 +2,10 @@
 
 use super::drive::{RunEnd, drive};
 use super::error::printable;
+use super::finite::NotFinite;
+use super::interruption::{Interruption, Signal};
 use super::parallel::in_parallel;
-use super::prepare::{Sets, Span, Threads, folder_of, load, notes, with_frame_rate, with_sets, word};
+use super::prepare::{Loaded, Sets, Span, Threads, folder_of, load, notes, tell, with_frame_rate, with_sets, word};
 use super::table::{Align, Table, readable};
 use super::vary::{Product, Vary};
 use super::{CliError, Console, Outcome, output};
@@ -20,7 +22,7 @@ use std::path::PathBuf;
 /// Arguments of `sinew sweep`.
 #[derive(Debug, Args)]
 pub struct Sweep {
-    /// Scene file
+    /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB
     scene: PathBuf,
     /// Values to try, as in /bodies/0/fibres/0/volume_fraction=0,0.25,0.5; several lists give every combination
     #[arg(long, value_name = "POINTER=a,b,c", required = true)]
@@ -41,6 +43,8 @@ pub struct Sweep {
 struct SweepReport<'a> {
     scene: &'a str,
     vary: &'a [Vary],
+    /// Whether every row was run to its end; those that were not are left out.
+    complete: bool,
     rows: &'a [Row],
 }
 
@@ -60,47 +64,77 @@ struct Row {
     readings: Vec<MeasureReport>,
     #[serde(skip)]
     end: RunEnd,
+    /// Which of all combinations it is.
+    #[serde(skip)]
+    index: usize,
 }
 
 /// Runs every combination, writes the report and prints a table.
 ///
 /// # Errors
 /// A scene, a combination or an option that cannot be used, before anything runs; a report that cannot be written.
-pub(super) fn run(args: &Sweep, console: &mut Console) -> Result<Outcome, CliError> {
-    let base = load(Some(&args.scene), &args.sets, None)?;
+pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
+    let loaded = load(Some(&args.scene), &args.sets, None, console)?;
+    tell(loaded.made(), console);
+    let Loaded { scene: base, mut assets, .. } = loaded;
     let product = Product::of(&args.vary)?;
     // A model that cannot be used is the rows' error: they may all have another.
-    let mut assets = Assets::default();
     complete_assets(&mut assets, &base, folder_of(Some(&args.scene)), &mut |_| {}).ok();
     let plan = Plan { args, base: &base, assets: &assets, product };
     let threads = args.threads.count();
-    let rows = product.rows() as u64;
+    let all = product.rows() as u64;
 
     console.begin();
     let checked =
-        in_parallel(product.rows(), threads, |row| plan.check(row), |done| console.progress(done, rows, "checked"));
+        in_parallel(product.rows(), threads, |row| plan.check(row), |done| console.progress(done, all, "checked"));
     console.end();
     tell_all(&checked?, console);
     output::check(Some(&args.scene), &[("--report", args.report.as_ref())])?;
 
+    interruption.wait_for_end();
     console.begin();
-    let ran = in_parallel(product.rows(), threads, |row| plan.run(row), |done| console.progress(done, rows, "rows"));
+    let run = |row| plan.run(row, interruption);
+    let ran = in_parallel(product.rows(), threads, run, |done| console.progress(done, all, "rows"));
     console.end();
-    let rows = ran?;
-    for (index, row) in rows.iter().enumerate() {
+    let rows: Vec<Row> = ran?.into_iter().flatten().collect();
+    let interrupted = interruption.signal().filter(|_| rows.len() < product.rows());
+    for row in &rows {
         if let Some(message) = &row.diverged {
-            console.error(&format!("{}: {message}", product.line(index)));
+            console.error(&format!("{}: {message}", product.line(row.index)));
+        }
+        for what in row.measures.iter().filter(|(_, value)| value.is_null()).map(|(name, _)| name) {
+            console.error(&format!("{}: {}", product.line(row.index), NotFinite(what)));
         }
     }
+    tell_interrupted(interrupted, &rows, product.rows(), console);
     warn_of_restless(args, &rows, console);
     let mut text = table(&product, &rows).render();
     if let Some(path) = &args.report {
         let scene = if base.name.is_empty() { &*printable(&args.scene) } else { &base.name };
         text.push('\n');
-        text += &output::write_report(path, &SweepReport { scene, vary: &args.vary, rows: &rows })?;
+        text += &output::write_report(
+            path,
+            &SweepReport { scene, vary: &args.vary, complete: interrupted.is_none(), rows: &rows },
+        )?;
     }
     console.print(&text)?;
-    Ok(if rows.iter().any(|row| row.diverged.is_some()) { Outcome::Diverged } else { Outcome::Done })
+    Ok(match interrupted {
+        Some(signal) => Outcome::Interrupted(signal),
+        None if rows.iter().any(|row| row.diverged.is_some()) => Outcome::Diverged,
+        None => Outcome::Done,
+    })
+}
+
+fn tell_interrupted(signal: Option<Signal>, rows: &[Row], all: usize, console: &mut Console) {
+    if let Some(signal) = signal {
+        let done = rows.len();
+        console.say(
+            "interrupted",
+            &format!(
+                "by {signal} when {done} of {all} rows had run to their end; those are given, marked as incomplete"
+            ),
+        );
+    }
 }
 
 /// The combinations of a scene.
@@ -135,15 +169,22 @@ impl Plan<'_> {
         Ok(notes(&scene, &baked))
     }
 
-    fn run(&self, row: usize) -> Result<Row, CliError> {
+    /// What a row shows; none where it was interrupted.
+    fn run(&self, row: usize, interruption: &Interruption) -> Result<Option<Row>, CliError> {
+        if interruption.signal().is_some() {
+            return Ok(None);
+        }
         let (scene, baked) = self.prepare(row)?;
         let span = self.args.span;
         let mut runner = Runner::new(baked);
         let frames = runner.frames_for(span.limit(&scene));
-        let ran = drive(&mut runner, frames, span.until_rest, &mut |_| Ok(()))?;
+        let ran = drive(&mut runner, frames, span.until_rest, interruption, &mut |_| Ok(()))?;
+        if matches!(ran.end, RunEnd::Interrupted(_)) {
+            return Ok(None);
+        }
         let report = Report::new(&scene, &runner, ran.wall_seconds, Vec::new());
         let measures = report.measures.iter().map(|measure| (measure.name.clone(), measure.value.clone())).collect();
-        Ok(Row {
+        Ok(Some(Row {
             values: self.product.object(row),
             seconds: report.seconds,
             at_rest: report.at_rest,
@@ -153,7 +194,8 @@ impl Plan<'_> {
             wall_seconds: report.wall_seconds,
             readings: report.measures,
             end: ran.end,
-        })
+            index: row,
+        }))
     }
 }
 
@@ -195,8 +237,8 @@ fn table(product: &Product<'_>, rows: &[Row]) -> Table {
     let measures = names.iter().map(|(name, unit)| one_line(&format!("{name} [{unit}]")));
     let ends = ["time [s]", "at rest", ""].map(str::to_owned);
     let mut table = Table::new(pointers.chain(measures).chain(ends).map(|name| (name, Align::Right)));
-    for (index, row) in rows.iter().enumerate() {
-        let values = product.row(index).into_iter().map(|(_, value)| one_line(&value.to_string()));
+    for row in rows {
+        let values = product.row(row.index).into_iter().map(|(_, value)| one_line(&value.to_string()));
         let measures = names.iter().map(|(name, _)| row.measures.get(*name).map_or("-".to_owned(), readable));
         let rest = if row.at_rest { "yes" } else { "no" }.to_owned();
         let diverged = if row.diverged.is_some() { "diverged" } else { "" }.to_owned();

@@ -1,7 +1,8 @@
 //! `sinew table1`: the fibre paper's Table 1, measured again beside its print.
 
 use super::drive::drive;
-use super::prepare::{load, put_together};
+use super::interruption::Interruption;
+use super::prepare::{Sets, load, put_together};
 use super::{CliError, Console, Outcome, output};
 use crate::bake::Baked;
 use crate::io::missing_files;
@@ -92,8 +93,8 @@ pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliEr
     let mut diverged = false;
     for printed in &PAPER {
         let path = args.scenes.join(printed.file);
-        let scene = load(Some(&path), &super::prepare::Sets::default(), None)?;
-        let baked = put_together(&scene, Some(&path), console)?;
+        let mut loaded = load(Some(&path), &Sets::default(), None, console)?;
+        let baked = put_together(&mut loaded, Some(&path), console)?;
         let (row, stopped) = measured(printed.model, baked)?;
         rows.push(row);
         diverged |= stopped;
@@ -112,7 +113,7 @@ fn measured(model: &'static str, baked: Baked) -> Result<(Row, bool), CliError> 
     let mut runner = Runner::new(baked);
     let dt = runner.world().bodies().first().map_or(0.0, |body| body.parts().dt);
     let frames = runner.frames_for(STEPS * dt).max(1);
-    let ran = drive(&mut runner, frames, false, &mut |_| Ok(()))?;
+    let ran = drive(&mut runner, frames, false, &Interruption::default(), &mut |_| Ok(()))?;
     let world = runner.world();
     let mut row = Row {
         model,

@@ -17,6 +17,8 @@ pub struct Report {
     pub seconds: f64,
     /// Frames advanced.
     pub frames: u64,
+    /// Whether the run went to its end; false where it was interrupted.
+    pub complete: bool,
     /// Whether everything had come to rest and nothing diverged.
     pub at_rest: bool,
     /// Time spent stepping [s].
@@ -97,6 +99,7 @@ impl Report {
             scene: scene.name.clone(),
             seconds,
             frames: world.frame(),
+            complete: true,
             at_rest: runner.at_rest() && world.divergence().is_none(),
             wall_seconds,
             real_time_factor: if wall_seconds > 0.0 { seconds / wall_seconds } else { 0.0 },
@@ -117,6 +120,25 @@ impl Report {
                 .collect(),
             notes,
         }
+    }
+}
+
+impl Report {
+    /// What in it is no finite number, the first of it, by its name; none where all is well. JSON has null in its place.
+    pub fn not_finite(&self) -> Option<String> {
+        let body = |body: &BodyReport| {
+            let energies = body.energy.named().into_iter();
+            let momenta = [("linear momentum", body.linear_momentum), ("angular momentum", body.angular_momentum)];
+            let momenta = momenta.into_iter().map(|(name, momentum)| (name, momentum.iter().sum::<f64>()));
+            let first = energies.chain(momenta).find(|(_, value)| !value.is_finite());
+            first.map(|(what, _)| format!("{what} of body \"{}\"", body.name))
+        };
+        let is_null = |value: &serde_json::Value| match value {
+            serde_json::Value::Array(parts) => parts.iter().any(serde_json::Value::is_null),
+            other => other.is_null(),
+        };
+        let measure = self.measures.iter().find(|measure| is_null(&measure.value));
+        self.bodies.iter().find_map(body).or_else(|| measure.map(|measure| format!("measure \"{}\"", measure.name)))
     }
 }
 
@@ -156,4 +178,47 @@ fn state_hash(body: &Body) -> String {
         }
     }
     format!("{:016x}", hasher.finish())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bake::bake;
+    use crate::scene::{Assets, Body as SceneBody};
+    use crate::sim::TimeSeries;
+    use crate::solver::forces::Force;
+    use crate::solver::state::ParticleState;
+    use glam::DVec3;
+
+    /// Pushes nothing, and stores an energy that is no number.
+    #[derive(Clone)]
+    struct Wrong;
+
+    impl Force for Wrong {
+        fn add_forces(&mut self, _time: f64, _state: &ParticleState, _forces: &mut [DVec3]) {}
+
+        fn add_energy(&self, _time: f64, _state: &ParticleState, energies: &mut Energies) {
+            energies.springs += f64::NAN;
+        }
+
+        fn clone_box(&self) -> Box<dyn Force> {
+            Box::new(self.clone())
+        }
+    }
+
+    #[test]
+    fn a_result_that_is_no_number_is_named() {
+        let scene = Scene::new("box").with_body(SceneBody::cuboid("box", [0.03; 3]).with_name("Box"));
+        let mut runner = Runner::new(bake(&scene, &Assets::default()).expect("a scene"));
+        let found = |runner: &Runner| {
+            let mut series = TimeSeries::new(runner.world(), 10);
+            series.push(runner.world());
+            let in_series = series.not_finite().map(|(time, column)| (time, column.to_owned()));
+            (Report::new(&scene, runner, 0.0, Vec::new()).not_finite(), in_series)
+        };
+        assert_eq!(found(&runner), (None, None));
+        runner.body_mut(0).expect("a body").add_force(Box::new(Wrong));
+        let expected = (Some("springs of body \"Box\"".to_owned()), Some((0.0, "springs".to_owned())));
+        assert_eq!(found(&runner), expected);
+    }
 }

@@ -94,6 +94,14 @@ impl TimeSeries {
         }
     }
 
+    /// The first value that is no finite number: its time [s] and the name of its column.
+    pub fn not_finite(&self) -> Option<(f64, &str)> {
+        self.rows.iter().find_map(|row| {
+            let place = row.iter().position(|value| !value.is_finite())?;
+            Some((row[0], self.columns[place].name.as_str()))
+        })
+    }
+
     /// The columns.
     pub fn columns(&self) -> &[Column] {
         &self.columns

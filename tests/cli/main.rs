@@ -3,7 +3,9 @@
 mod check;
 mod compare;
 mod errors;
+mod interrupting;
 mod models;
+mod opened_models;
 mod pictures;
 mod simulate;
 mod starts;

@@ -120,6 +120,11 @@ impl Placing<'_> {
                 slid += 1;
             }
         }
+        if !vertices[first..=last].iter().all(|&at| holds(at)) {
+            let text = "discarded: the particles around it are too few to carry it; use smaller ones";
+            self.note(path, true, text.to_owned());
+            return None;
+        }
         let stubs = first + (total - 1 - last);
         if last - first < 2 {
             self.note(path, true, format!("discarded: {stubs} of {total} points lie too far outside; draw it deeper"));

@@ -66,6 +66,9 @@ const LEAST_PARTICLES: usize = 4;
 /// Share of the heaviest weight below which a particle is left out of a fibre vertex.
 const NEGLIGIBLE: f64 = 0.06;
 
+/// Sum of kernel weights, relative to the kernel's centre, from which on weights are worked out.
+const LEAST_WEIGHT: f64 = 1e-30;
+
 impl<'a> Embedder<'a> {
     /// Weights over particles at `points` (rest, model frame).
     pub(crate) fn new(points: &'a [DVec3], kernel: Kernel) -> Self {
@@ -127,7 +130,8 @@ impl<'a> Embedder<'a> {
             b += w * y;
             c += DMat3::from_cols(y * y.x, y * y.y, y * y.z) * w;
         }
-        if w_sum <= 0.0 {
+        // Quotients of weights that are all negligible would be no numbers.
+        if w_sum <= LEAST_WEIGHT {
             return None;
         }
         // Second moments about the centroid decide whether the particles in reach span space.

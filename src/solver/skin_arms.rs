@@ -13,6 +13,10 @@ use rayon::prelude::*;
 /// Directions of an arm.
 pub(super) const DIRECTIONS: usize = 3;
 
+/// By how much the whole body's turn counts beside that of the particles around an arm. Where these hardly say how they are
+/// turned about some axis, it has the say, and that changes by and by; where all turn alike, it changes nothing.
+const WHOLE_SHARE: f64 = 0.05;
+
 /// The turns of all arms of a skin.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Arms {
@@ -64,7 +68,9 @@ impl Arms {
 
     fn axes_near(&self, arm: usize, positions: &[DVec3], whole: DQuat) -> [DVec3; DIRECTIONS] {
         let terms = &self.terms[self.starts[arm] as usize..self.starts[arm + 1] as usize];
-        let turn = DMat3::from_quat(rotation_of(gradient(terms, positions), whole));
+        let own = gradient(terms, positions);
+        let size = own.to_cols_array().iter().map(|e| e * e).sum::<f64>().sqrt();
+        let turn = DMat3::from_quat(rotation_of(own + DMat3::from_quat(whole) * (WHOLE_SHARE * size), whole));
         [turn.x_axis, turn.y_axis, turn.z_axis]
     }
 

@@ -166,11 +166,15 @@ fn of_scene(scene: Scene) -> Loaded {
 }
 
 fn of_model(opened: OpenedModel) -> Loaded {
-    let OpenedModel { scene, assets, scaled, .. } = opened;
+    let OpenedModel { scene, assets, particles, scaled, thin } = opened;
     let scaled = scaled.map_or_else(String::new, |scaled| format!(", {scaled}"));
-    let text =
-        format!("the model is made a soft solid above a floor{scaled}; change it by --set, or save it from the window");
-    Loaded { scene, assets, made: Some(Note { path: "/bodies/0".to_owned(), text, warning: false }) }
+    let warning = thin.is_some();
+    let thin = thin.map_or_else(String::new, |thin| format!("; {thin}"));
+    let text = format!(
+        "the model is made a soft solid of about {particles} particles above a floor{scaled}{thin}; change it by --set, or \
+         save it from the window"
+    );
+    Loaded { scene, assets, made: Some(Note { path: "/bodies/0".to_owned(), text, warning }) }
 }
 
 /// The scene with values replaced, checked.

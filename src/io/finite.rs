@@ -314,9 +314,9 @@ mod tests {
 
     #[test]
     fn a_number_that_is_none_is_named_by_its_place() {
+        type Case = (&'static str, &'static str, fn(&mut Thing));
         assert_eq!(thing(|_| {}), "a");
         assert_eq!(thing(|thing| thing.list[2] = Choice::Named { value: None }), "a");
-        type Case = (&'static str, &'static str, fn(&mut Thing));
         let cases: [Case; 4] = [
             ("/map/place/1", "inf", |thing| thing.map = BTreeMap::from([("place", [0.0, f64::INFINITY])])),
             ("/list/1/Pair/0", "NaN", |thing| thing.list[1] = Choice::Pair(f64::NAN, 0.0)),

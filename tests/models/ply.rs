@@ -40,10 +40,10 @@ fn text_comes_in_any_encoding_with_any_line_end() {
 #[test]
 fn texts_of_all_kinds_of_programs_are_read() {
     let folder = Folder::new();
-    let strips: String = triangles().iter().map(|[a, b, c]| format!("{a} {b} {c} -1 ")).collect();
+    let strips = triangles().iter().map(|[a, b, c]| format!("{a} {b} {c} -1 ")).collect::<Vec<_>>().concat();
     let strip_header =
         header("ascii", XYZ, 1, "property list int int vertex_indices\n").replace("face 1", "tristrips 1");
-    let quads: String = QUADS.iter().map(|[a, b, c, d]| format!("4 {a} {b} {c} {d}\n")).collect();
+    let quads = QUADS.map(|[a, b, c, d]| format!("4 {a} {b} {c} {d}\n")).concat();
     let with = |vertex: &str, face: &str, body: String| header("ascii", vertex, 12, face) + &body;
     let extra = |name: &str| format!("{XYZ}property float {name}\n");
     let cases = [
@@ -114,8 +114,9 @@ fn texts_of_all_kinds_of_programs_are_read() {
 
 #[test]
 fn every_type_of_value_is_read_in_every_format() {
+    type Written = fn(f64) -> Vec<u8>;
     let folder = Folder::new();
-    let types: [(&str, fn(f64) -> Vec<u8>); 12] = [
+    let types: [(&str, Written); 12] = [
         ("char", |v| vec![v as i8 as u8]),
         ("uchar", |v| vec![v as u8]),
         ("short", |v| (v as i16).to_be_bytes().into()),

@@ -36,7 +36,7 @@ fn ply(model: &Model, format: &str) -> Vec<u8> {
         match format {
             "ascii" => bytes.extend(format!("3 {a} {b} {c}\n").bytes()),
             "binary_little_endian" => {
-                bytes.extend([3].into_iter().chain([a, b, c].iter().flat_map(|i| i.to_le_bytes())))
+                bytes.extend([3].into_iter().chain([a, b, c].iter().flat_map(|i| i.to_le_bytes())));
             }
             _ => bytes.extend([3].into_iter().chain([a, b, c].iter().flat_map(|i| i.to_be_bytes()))),
         }

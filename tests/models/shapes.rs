@@ -148,7 +148,10 @@ pub fn blocks(xs: &[f64], ys: &[f64], zs: &[f64], filled: impl Fn([usize; 3]) ->
         let inside = (0..3).all(|axis| cell[axis] >= 0 && (cell[axis] as usize) < counts[axis]);
         inside && filled(cell.map(|i| i as usize))
     };
-    let corner = |[i, j, k]: [i32; 3]| ((i * ys.len() as i32 + j) * zs.len() as i32 + k) as u32;
+    let corner = |at: [i32; 3]| {
+        let [i, j, k] = at.map(|i| i as u32);
+        (i * ys.len() as u32 + j) * zs.len() as u32 + k
+    };
     let mut positions = Vec::new();
     for &x in xs {
         for &y in ys {
@@ -158,7 +161,7 @@ pub fn blocks(xs: &[f64], ys: &[f64], zs: &[f64], filled: impl Fn([usize; 3]) ->
     let mut triangles = Vec::new();
     for cell in 0..(counts[0] * counts[1] * counts[2]) {
         let [i, j, k] = [cell / (counts[1] * counts[2]), cell / counts[2] % counts[1], cell % counts[2]];
-        let cell = [i, j, k].map(|i| i as i32);
+        let cell = [i, j, k].map(|i| i32::try_from(i).expect("few cuts"));
         for axis in (0..3).filter(|_| is_filled(cell)) {
             for side in [0, 1] {
                 let mut beside = cell;

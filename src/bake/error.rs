@@ -1,5 +1,6 @@
 //! What keeps a scene from being put together.
 
+use crate::geometry::FillError;
 use crate::solver::neighbourhood::TooThin;
 use thiserror::Error;
 
@@ -54,6 +55,14 @@ pub enum BakeError {
         total: usize,
         /// Support radius that gives two layers [m], as was tried.
         suggested: Option<f64>,
+    },
+    /// The pieces of a mesh lie too far apart.
+    #[error("{path}: {source}")]
+    MeshTooWide {
+        /// Pointer to the mesh.
+        path: String,
+        /// How far.
+        source: FillError,
     },
     /// Part of the shape is a single layer of particles.
     #[error("{path}: {source}")]

@@ -88,6 +88,7 @@ fn fill_mesh_shape<'a>(
                 suggested: spacing / ratio,
             }
         }
+        FillError::TooFarApart { .. } => BakeError::MeshTooWide { path: format!("{at}/path"), source: error },
         FillError::TooThin { flat, total, suggested, .. } => BakeError::MeshTooThin {
             path: format!("{path}/material/support_radius"),
             flat,

@@ -46,6 +46,14 @@ pub enum FillError {
         /// Greatest number.
         limit: f64,
     },
+    /// Its pieces lie further apart than lattice points can be counted.
+    #[error(
+        "its parts lie {layers:.1e} layers of particles apart; take away what is far from the rest, or use larger particles"
+    )]
+    TooFarApart {
+        /// Layers of the lattice along its greatest extent.
+        layers: f64,
+    },
     /// The solid, or much of it, is thinner than two layers.
     #[error(
         "{flat} of {total} lattice points inside have too few others around them at a spacing of {spacing:.3e} m{}",
@@ -94,6 +102,9 @@ const THIN: f64 = 1.0;
 
 /// Lattice points of the bounding box that are looked at for one particle that is allowed, at most.
 const BOX_SHARE: f64 = 50.0;
+
+/// Layers of the lattice along the extent of a solid, at most: so many can be counted with room to spare.
+const MOST_LAYERS: f64 = 1e8;
 
 /// Share of the points inside that may be left out at tips.
 const MOST_PRUNED: f64 = 0.05;
@@ -151,6 +162,10 @@ pub(crate) fn fill_with_progress(
         if wanted.is_nan() || wanted > limit {
             return Err(FillError::TooMany { wanted, limit });
         }
+    }
+    let layers = (solid.max - solid.min).max_element() / spacing;
+    if layers > MOST_LAYERS {
+        return Err(FillError::TooFarApart { layers });
     }
     let cost = |count: usize, lattice: &LatticePlacement| {
         let volume_error = count as f64 * lattice.spacing.powi(3) / solid.volume - 1.0;

@@ -96,7 +96,8 @@ mod tests {
         // A thick one takes no more than it has to.
         assert_eq!(fineness(&plate(0.04), [800, 3000, 10_000]), Fineness { particles: 800, given_up: None });
         // Where all of it is thin more are taken, and then no more.
-        assert_eq!(fineness(&plate(0.002), [800, 3000, 50_000]), Fineness { particles: 14_000, given_up: None });
+        let found = fineness(&plate(0.002), [800, 3000, 50_000]);
+        assert!((13_990..=14_010).contains(&found.particles) && found.given_up.is_none(), "{found:?}");
         let given_up = fineness(&plate(0.002), [800, 3000, 10_000]).given_up.expect("too thin");
         assert!(given_up.share > 0.9 && (given_up.thickness - 0.002).abs() < 1e-6, "{given_up:?}");
         assert!((given_up.wanted / 14_000.0 - 1.0).abs() < 0.01, "{given_up:?}");

@@ -88,6 +88,11 @@ const BLOCK: i32 = 3;
 /// Blocks of the bounding box up to which they have a table.
 const TABLE: f64 = 4e6;
 
+/// Place of a block in the table of a box of so many.
+fn table_index(size: IVec3, block: IVec3) -> usize {
+    ((block.z * size.y + block.y) * size.x + block.x) as usize
+}
+
 impl Occupied {
     fn new(cells: &[IVec3]) -> Self {
         let first = cells.iter().copied().reduce(IVec3::min).unwrap_or_default();
@@ -102,9 +107,8 @@ impl Occupied {
         for &cell in cells {
             let at = cell - first;
             let block = at >> BLOCK;
-            let table_index = this.table_index(block);
             let number = match &mut this.number {
-                Numbers::Table(table) => &mut table[table_index],
+                Numbers::Table(table) => &mut table[table_index(this.size, block)],
                 Numbers::Sorted(map) => map.entry(block).or_default(),
             };
             if *number == 0 {
@@ -117,17 +121,13 @@ impl Occupied {
         this
     }
 
-    fn table_index(&self, block: IVec3) -> usize {
-        ((block.z * self.size.y + block.y) * self.size.x + block.x) as usize
-    }
-
     fn contains(&self, cell: IVec3) -> bool {
         let at = cell - self.first;
         let block = at >> BLOCK;
         let number = match &self.number {
             Numbers::Table(table) => {
                 let within = block.cmpge(IVec3::ZERO).all() && block.cmplt(self.size).all();
-                if within { table[self.table_index(block)] } else { 0 }
+                if within { table[table_index(self.size, block)] } else { 0 }
             }
             Numbers::Sorted(map) => map.get(&block).copied().unwrap_or(0),
         };

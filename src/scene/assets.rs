@@ -84,7 +84,7 @@ impl Assets {
     /// possible; faces with a vertex that is not there are left out. [`Assets::solid`] tells what was found.
     ///
     /// ```
-    /// use sinew::geometry::{lattice::Cuboid, mesh::box_surface};
+    /// use sinew::geometry::{Cuboid, box_surface};
     /// use sinew::scene::{Assets, Body, Scene};
     /// use glam::DVec3;
     ///

@@ -53,7 +53,7 @@ pub struct BodyReport {
     /// Time step [s].
     pub dt: f64,
     /// Greatest stable time step [s].
-    pub stable_dt: f64,
+    pub stable_dt: Option<f64>,
     /// JSON pointer of the parameter that sets the stable step: of all, halving it raises that step most. Null where no
     /// single one does by more than a hundredth.
     pub limited_by: Option<String>,
@@ -155,7 +155,7 @@ impl BodyReport {
             fibres: parts.fibres.len(),
             structure_particles: parts.fibres.iter().map(|fibre| fibre.vertices.len()).sum(),
             dt: parts.dt,
-            stable_dt: parts.stable_dt,
+            stable_dt: Some(parts.stable_dt).filter(|dt| dt.is_finite()),
             limited_by: parts.limited_by.clone(),
             breaks: body.breaks().count(),
             first_break: body.breaks().map(|at| at.time).reduce(f64::min),

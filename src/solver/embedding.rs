@@ -137,7 +137,7 @@ impl<'a> Embedder<'a> {
         // Second moments about the centroid decide whether the particles in reach span space.
         let mean = b / w_sum;
         let spread = c - DMat3::from_cols(b * mean.x, b * mean.y, b * mean.z);
-        if !spans_space(spread) {
+        if !spans_space(spread, w_sum) {
             return None;
         }
         let a = spread.inverse() * mean;
@@ -168,7 +168,7 @@ impl<'a> Embedder<'a> {
             let y = self.points[k as usize] - mean;
             c += DMat3::from_cols(y * y.x, y * y.y, y * y.z) * (w / total);
         }
-        if !spans_space(c * self.kernel.support_radius.powi(-2)) {
+        if !spans_space(c * self.kernel.support_radius.powi(-2), 1.0) {
             return None;
         }
         let inverse = c.inverse();
@@ -178,10 +178,11 @@ impl<'a> Embedder<'a> {
     }
 }
 
-/// Whether a symmetric second moment is far from singular.
-fn spans_space(c: DMat3) -> bool {
+/// Whether a symmetric second moment, of offsets in support radii and of this weight, is far from singular. That of a single
+/// particle is round-off, and may have any sign.
+fn spans_space(c: DMat3, weight: f64) -> bool {
     let trace = c.x_axis.x + c.y_axis.y + c.z_axis.z;
-    c.determinant() > 1e-6 * trace.powi(3)
+    trace > 1e-9 * weight && c.determinant() > 1e-6 * trace.powi(3)
 }
 
 #[cfg(test)]

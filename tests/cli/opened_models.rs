@@ -23,7 +23,11 @@ fn a_model_runs_as_a_soft_solid_above_a_floor() {
     let desk = desk();
     let said = desk.run("simulate block.obj --seconds 0.05 --report r.json --out frames");
     assert_eq!(said.code, Some(0), "{said:?}");
-    assert!(said.err.contains("note: /bodies/0: the model is made a soft solid above a floor"), "{}", said.err);
+    assert!(
+        said.err.contains("note: /bodies/0: the model is made a soft solid of about 800 particles above a floor"),
+        "{}",
+        said.err
+    );
     assert!(!said.err.contains("scaled") && !said.err.contains("warning"), "{}", said.err);
     assert!(said.out.starts_with("block: 0.05000 s in 3 frames"), "{}", said.out);
     let report = desk.json("r.json");

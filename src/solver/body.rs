@@ -116,7 +116,7 @@ impl Body {
     }
 
     /// Grabs a point of the body and pulls it towards `target` [m]: by the paper's spring of a two-layer body, or
-    /// [`Grab::scaled`] for others.
+    /// one that is scaled to the body for others.
     pub fn grab(&mut self, point: EmbeddingWeights, target: DVec3) {
         let grab = match &self.parts.layers {
             Some(layers) => {

@@ -4,7 +4,7 @@ use super::CliError;
 use crate::solver::snapshot::Snapshot;
 use std::fmt;
 
-/// A result that is no number: a JSON report has null in its place.
+/// A result that is no number.
 pub(super) struct NotFinite<'a>(pub(super) &'a str);
 
 impl fmt::Display for NotFinite<'_> {

@@ -78,7 +78,11 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     report.complete = !matches!(ran.end, RunEnd::Interrupted(_));
     let mut text = summary(&report, runner.world(), &source);
     let finite = outputs.is_finite(&report, console);
-    text += &outputs.finish(args, &report, console)?;
+    if finite {
+        text += &outputs.finish(args, &report, console)?;
+    } else if args.report.is_some() || args.series.is_some() {
+        console.warn(&"report and series are not written: they would hold what is no number");
+    }
     console.print(&text)?;
     Ok(match ran.end {
         RunEnd::Interrupted(signal) => Outcome::Interrupted(signal),

@@ -69,6 +69,13 @@ struct Row {
     index: usize,
 }
 
+impl Row {
+    /// Measures that are no finite numbers: null in the report.
+    fn not_finite(&self) -> impl Iterator<Item = &String> {
+        self.measures.iter().filter(|(_, value)| value.is_null()).map(|(name, _)| name)
+    }
+}
+
 /// Runs every combination, writes the report and prints a table.
 ///
 /// # Errors
@@ -102,7 +109,7 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
         if let Some(message) = &row.diverged {
             console.error(&format!("{}: {message}", product.line(row.index)));
         }
-        for what in row.measures.iter().filter(|(_, value)| value.is_null()).map(|(name, _)| name) {
+        for what in row.not_finite() {
             console.error(&format!("{}: {}", product.line(row.index), NotFinite(what)));
         }
     }
@@ -120,7 +127,7 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     console.print(&text)?;
     Ok(match interrupted {
         Some(signal) => Outcome::Interrupted(signal),
-        None if rows.iter().any(|row| row.diverged.is_some()) => Outcome::Diverged,
+        None if rows.iter().any(|row| row.diverged.is_some() || row.not_finite().next().is_some()) => Outcome::Diverged,
         None => Outcome::Done,
     })
 }

@@ -124,7 +124,8 @@ impl Report {
 }
 
 impl Report {
-    /// What in it is no finite number, the first of it, by its name; none where all is well. JSON has null in its place.
+    /// What in it is no finite number, the first of it, by its name; none where all is well. A measure
+    /// has null in its place.
     pub fn not_finite(&self) -> Option<String> {
         let body = |body: &BodyReport| {
             let energies = body.energy.named().into_iter();

@@ -150,11 +150,11 @@ impl TimeSeries {
     pub fn to_csv(&self) -> Result<Vec<u8>, csv::Error> {
         let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         writer.write_record(self.columns.iter().map(|column| format!("{} [{}]", column.name, column.unit)))?;
+        if let Some((time, column)) = self.not_finite() {
+            let problem = format!("{column:?} at {time} s is not a finite number, which no table may hold");
+            return Err(io::Error::new(io::ErrorKind::InvalidData, problem).into());
+        }
         for row in &self.rows {
-            if let Some((column, value)) = self.columns.iter().zip(row).find(|(_, value)| !value.is_finite()) {
-                let problem = format!("{:?} at {} s is {value}, which no table may hold", column.name, row[0]);
-                return Err(io::Error::new(io::ErrorKind::InvalidData, problem).into());
-            }
             writer.serialize(row)?;
         }
         writer.into_inner().map_err(|error| error.into_error().into())

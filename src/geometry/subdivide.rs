@@ -6,9 +6,13 @@ use std::collections::HashMap;
 /// A mesh with more triangles than this looks round as it is.
 const FINE: usize = 2500;
 
-/// Loop's subdivision (1987), by which every triangle becomes four and the outline loses its corners, until a mesh of
-/// `count` vertices is fine: the new vertices as sums of the old ones, and the new faces. None for a mesh that is fine
-/// already. Edges of holes keep their run.
+/// Subdivisions, the last ones, that round: what they take off a corner is small beside the mesh.
+const ROUNDING: u32 = 2;
+
+/// Every triangle becomes four until a mesh of `count` vertices is fine, at last by Loop's subdivision (1987), by which the
+/// outline loses its corners: the new vertices as sums of the old ones, and the new faces. The first cuts of a coarse mesh
+/// are flat: Loop's would make a ball a third its size of a tetrahedron. None for a mesh that is fine already. Edges of
+/// holes keep their run.
 pub(crate) fn rounded(count: usize, triangles: &[[u32; 3]]) -> Option<(LinearMap, Vec<[u32; 3]>)> {
     let mut whole: Option<(LinearMap, Vec<[u32; 3]>)> = None;
     loop {
@@ -16,12 +20,27 @@ pub(crate) fn rounded(count: usize, triangles: &[[u32; 3]]) -> Option<(LinearMap
         if faces.is_empty() || faces.len() > FINE {
             return whole;
         }
-        let (map, finer) = subdivided(count, faces);
+        let is_coarse = faces.len() << (2 * ROUNDING) <= FINE;
+        let (map, finer) = if is_coarse { cut(count, faces) } else { subdivided(count, faces) };
         let map = whole.as_ref().map_or_else(|| map.clone(), |(first, _)| map.after(first));
         whole = Some((map, finer));
     }
 }
 
+/// Every triangle cut in four at the middles of its edges.
+fn cut(count: usize, triangles: &[[u32; 3]]) -> (LinearMap, Vec<[u32; 3]>) {
+    let (edges, sides) = edges(triangles);
+    let mut map = LinearMap::default();
+    for vertex in 0..count as u32 {
+        map.push([(vertex, 1.0)]);
+    }
+    for edge in &edges {
+        map.push(edge.ends.map(|end| (end, 0.5)));
+    }
+    (map, quarters(count, triangles, sides))
+}
+
+/// Loop's subdivision.
 fn subdivided(count: usize, triangles: &[[u32; 3]]) -> (LinearMap, Vec<[u32; 3]>) {
     let (edges, sides) = edges(triangles);
     let mut map = LinearMap::default();
@@ -33,13 +52,18 @@ fn subdivided(count: usize, triangles: &[[u32; 3]]) -> (LinearMap, Vec<[u32; 3]>
             _ => map.push([(a, 0.5), (b, 0.5)]),
         }
     }
+    (map, quarters(count, triangles, sides))
+}
+
+/// The four faces that each triangle becomes, whose edges have their new vertices behind the `count` old ones.
+fn quarters(count: usize, triangles: &[[u32; 3]], sides: Vec<[usize; 3]>) -> Vec<[u32; 3]> {
     let mut faces = Vec::with_capacity(4 * triangles.len());
     for (triangle, sides) in triangles.iter().zip(sides) {
         let [a, b, c] = *triangle;
         let [ab, bc, ca] = sides.map(|edge| (count + edge) as u32);
         faces.extend([[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]);
     }
-    (map, faces)
+    faces
 }
 
 struct Edge {
@@ -121,6 +145,21 @@ mod tests {
         }
         let (fine, faces) = rounded(positions.len(), &mesh.triangles).expect("it is coarse");
         assert!(faces.len() > FINE && rounded(fine.len(), &faces).is_none());
+    }
+
+    #[test]
+    fn a_coarse_mesh_keeps_its_size_and_its_tips() {
+        let tetrahedron = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
+        let (map, faces) = rounded(4, &[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]).expect("it is coarse");
+        assert!(faces.len() > FINE);
+        let round = map.apply(&tetrahedron);
+        for tip in tetrahedron {
+            let nearest = round.iter().map(|point| point.distance(tip)).fold(f32::INFINITY, f32::min);
+            assert!(nearest < 0.12, "{tip} is {nearest} away");
+        }
+        let volume: f32 =
+            faces.iter().map(|face| face.map(|i| round[i as usize])).map(|[a, b, c]| a.dot(b.cross(c))).sum();
+        assert!(volume > 0.95 && volume <= 1.0, "{volume} of the volume is left");
     }
 
     #[test]

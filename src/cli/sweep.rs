@@ -95,10 +95,12 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     let checked =
         in_parallel(product.rows(), threads, |row| plan.check(row), |done| console.progress(done, all, "checked"));
     console.end();
-    tell_all(&checked?, console);
+    let checked = checked?;
     output::check(Some(&args.scene), &[("--report", args.report.as_ref())])?;
 
+    // Before the first word: whoever reads one may count on the rest.
     interruption.wait_for_end();
+    tell_all(&checked, console);
     console.begin();
     let run = |row| plan.run(row, interruption);
     let ran = in_parallel(product.rows(), threads, run, |done| console.progress(done, all, "rows"));

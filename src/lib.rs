@@ -100,6 +100,7 @@
 //! | a stroke becomes a curve | [`sketch::lift()`]: `clean` the strokes, `correspond` them, merge them |
 //! | the matrix's force | `solver::forces::matrix`: the formulae at its head, a plain evaluation and a fast one |
 //! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
+//! | fibres far stiffer than their matrix | `solver::integrators::fibres_implicit`; chosen in `bake::integrator` |
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
 //! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact` |
 //! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::easing`; what is said of it: `bake::overlaps` |

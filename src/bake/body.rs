@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::error::BakeError;
-use super::integrator::{integrator, stable_steps};
+use super::integrator::{integrator, stable_steps, step_parameter, stepping};
 use super::limits::{Resistance, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
@@ -11,7 +11,7 @@ use super::stage::BakeStage;
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{fibres, room, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, Mass, Scene, TimeStep};
+use crate::scene::{Body, BodyKind, Mass, Scene};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
@@ -75,10 +75,9 @@ pub(super) fn draft(
     ))];
     let rods = fibres::rods(body, &embedder, volume, &placed);
     let strongest = fibres::strongest(body, &placed, &rods);
-    let mut weaker = None;
+    let mut matrix_alone = None;
     if !rods.is_empty() {
-        let half: Arc<[_]> = rods.iter().map(|rod| rod.clone().scaled(0.5)).collect();
-        weaker = Some([forces.clone(), vec![Box::new(FibreForce::new(half, orientation))]].concat());
+        matrix_alone = Some(forces.clone());
         forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
     }
     let gravity = DVec3::from_array(scene.gravity);
@@ -95,11 +94,13 @@ pub(super) fn draft(
     progress(name, BakeStage::StableStep);
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
-    let integrator = integrator(body.integrator);
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
-    let resistance = Resistance::measured(&forces, weaker, &state, spacing, contact_limit, material.damping.air);
-    let stable_dt = resistance.stable_step(integrator.as_ref());
+    let resistance = Resistance::measured(&forces, matrix_alone, &state, spacing, contact_limit, material.damping.air);
     let stable_steps = stable_steps(|integrator| resistance.stable_step(integrator));
+    let stepping = stepping(body.integrator, &stable_steps, &forces, &state);
+    notes.extend(stepping.note(path));
+    let integrator = integrator(stepping.integrator);
+    let stable_dt = resistance.stable_step(integrator.as_ref());
     let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| match (parameter, strongest) {
         (SolidParameter::Fibres, Some(fibre)) => format!("{path}/fibres/{fibre}/stiffness"),
         (parameter, _) => format!("{path}/{}", parameter.pointer()),
@@ -121,6 +122,8 @@ pub(super) fn draft(
         rest,
         forces,
         integrator,
+        integrator_word: stepping.integrator.word(),
+        integrator_reason: stepping.reason,
         constraints,
         contact: law,
         fibres: placed.iter().map(fibres::PlacedFibre::line).collect(),
@@ -135,10 +138,7 @@ pub(super) fn draft(
         dt: stable_dt,
         stable_dt,
         limited_by,
-        step_parameter: match &scene.time.step {
-            TimeStep::Automatic(_) => "/time/step/automatic/safety".to_owned(),
-            TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
-        },
+        step_parameter: step_parameter(scene).to_owned(),
     };
     note_pins(scene, &body.pins, &parts, Following::of_solid(body), path, notes);
     Ok(Draft { parts, regions, stable_steps, fractions })

@@ -2,8 +2,8 @@
 //!
 //! Measuring the step anew for every parameter would take as many times as long as measuring it once, and on a fine body
 //! that is seconds. Two-layer bodies therefore ask only what becomes of the few modes that would grow first (their
-//! Rayleigh quotients under the halved parameter); fibre solids, whose frequency is one number, how much of it the fibres
-//! hold.
+//! Rayleigh quotients under the halved parameter); fibre solids, whose frequency is one number, what is left of it without
+//! fibres.
 
 use crate::scene::TwoLayer;
 use crate::solver::forces::{Force, StepLimit};
@@ -106,18 +106,19 @@ impl SolidParameter {
 pub(super) struct Resistance {
     /// Matrix and fibres.
     all: f64,
-    fibres: f64,
+    /// The matrix alone.
+    matrix: f64,
     contact: StepLimit,
     pair: f64,
     air: f64,
 }
 
 impl Resistance {
-    /// Of a body under `forces`, `weaker` with its fibres half as stiff where it has any, and a contact that may come;
-    /// `air` is the rate of air drag among the forces.
+    /// Of a body under `forces`, those of the `matrix` alone where it has fibres, and a contact that may come; `air` is the
+    /// rate of air drag among the forces.
     pub(super) fn measured(
         forces: &[Box<dyn Force>],
-        weaker: Option<Vec<Box<dyn Force>>>,
+        matrix: Option<Vec<Box<dyn Force>>>,
         state: &ParticleState,
         spacing: f64,
         contact: StepLimit,
@@ -125,15 +126,15 @@ impl Resistance {
     ) -> Self {
         // On copies: the forces' warm starts must be those of the start when the run begins.
         let all = highest_frequency_squared(&mut forces.to_vec(), state, spacing);
-        let half = weaker.map_or(all, |mut weaker| highest_frequency_squared(&mut weaker, state, spacing));
-        let fibres = (2.0 * (all - half)).clamp(0.0, all);
+        let matrix = matrix.map_or(all, |mut matrix| highest_frequency_squared(&mut matrix, state, spacing).min(all));
         let damping: f64 = forces.iter().map(|force| force.step_limit(state).damping_rate).sum();
-        Self { all, fibres, contact, pair: damping - air, air }
+        Self { all, matrix, contact, pair: damping - air, air }
     }
 
     /// Greatest stable step [s].
     pub(super) fn stable_step(&self, integrator: &dyn Integrator) -> f64 {
-        let frequency = (self.contact.frequency_squared + self.all).sqrt();
+        let own = if integrator.takes_fibres() { self.matrix } else { self.all };
+        let frequency = (self.contact.frequency_squared + own).sqrt();
         let assured = self.pair + self.air;
         // Damping shortens the step of some integrators and is all that holds others: explicit Euler may count only on
         // what every particle has all the time, and the bound of each rate is up to four times what a mode sees.
@@ -150,12 +151,13 @@ impl Resistance {
     fn halved(mut self, parameter: SolidParameter) -> Self {
         match parameter {
             SolidParameter::YoungModulus => {
-                self.all -= 0.5 * (self.all - self.fibres);
+                self.all -= 0.5 * self.matrix;
+                self.matrix *= 0.5;
                 // Contact is as stiff as the material, and damped in proportion to the root of that.
                 self.contact.frequency_squared *= 0.5;
                 self.contact.damping_rate *= 0.5_f64.sqrt();
             }
-            SolidParameter::Fibres => self.all -= 0.5 * self.fibres,
+            SolidParameter::Fibres => self.all -= 0.5 * (self.all - self.matrix),
             SolidParameter::PairDamping => self.pair *= 0.5,
             SolidParameter::AirDrag => self.air *= 0.5,
         }

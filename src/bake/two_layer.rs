@@ -2,14 +2,14 @@
 
 use super::draft::Draft;
 use super::error::BakeError;
-use super::integrator::{integrator, stable_steps};
+use super::integrator::{integrator, stable_steps, step_parameter};
 use super::layer_model::LayerModel;
 use super::note::Note;
 use super::pins::{Following, note_pins};
 use super::stage::BakeStage;
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{limits, room, supports};
-use crate::scene::{Assets, ContactKind, Initial, PressureIn, Scene, TimeStep, TwoLayer};
+use crate::scene::{Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, TwoLayer};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::constraint::{Constraint, PrescribedMotion};
 use crate::solver::embedding::EmbeddingWeights;
@@ -52,7 +52,11 @@ pub(super) fn draft(
     let mut forces = own_forces(scene, body, &model, &layers, &state);
 
     progress(name, BakeStage::StableStep);
-    let integrator = integrator(body.integrator);
+    let kind = match body.integrator {
+        IntegratorChoice::Automatic => IntegratorKind::LeapFrog,
+        IntegratorChoice::Given(kind) => kind,
+    };
+    let integrator = integrator(kind);
     let contact = Contact::new(room::planes(scene), contact_law(scene, body));
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
@@ -83,6 +87,8 @@ pub(super) fn draft(
         rest,
         forces,
         integrator,
+        integrator_word: kind.word(),
+        integrator_reason: None,
         constraints,
         contact: law,
         fibres: Vec::new(),
@@ -98,10 +104,7 @@ pub(super) fn draft(
         dt: stable_dt,
         stable_dt,
         limited_by,
-        step_parameter: match &scene.time.step {
-            TimeStep::Automatic(_) => "/time/step/automatic/safety".to_owned(),
-            TimeStep::Manual(_) => "/time/step/manual/dt".to_owned(),
-        },
+        step_parameter: step_parameter(scene).to_owned(),
     };
     note_pins(scene, &body.pins, &parts, Following::of_two_layer(body, model.radius), path, notes);
     Ok(Draft { parts, regions, stable_steps, fractions: Vec::new() })

@@ -85,6 +85,7 @@ fn span(positions: &[DVec3]) -> DVec3 {
 fn steps(world: &World) -> Table {
     let mut table = Table::new([
         ("body", Align::Left),
+        ("integrator", Align::Left),
         ("time step [s]", Align::Right),
         ("stable up to [s]", Align::Right),
         ("limited by", Align::Left),
@@ -97,6 +98,7 @@ fn steps(world: &World) -> Table {
         let a_frame = f64::from(substeps) * f64::from(plan.outer_steps);
         table.push([
             label,
+            body.parts().integrator_word.to_owned(),
             four_figures(body.parts().dt),
             four_figures(body.parts().stable_dt),
             body.parts().limited_by.clone().unwrap_or_else(|| "-".to_owned()),

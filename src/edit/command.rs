@@ -1,6 +1,6 @@
 //! Changes of the document.
 
-use crate::scene::{Dab, Fibre, IntegratorKind, Material, Panel, Pin, Region, Room, Time, TwoLayer};
+use crate::scene::{Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, Room, Time, TwoLayer};
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
 /// replayed.
@@ -74,7 +74,7 @@ pub enum Command {
         /// Identifier of the body.
         body: String,
         /// The integrator.
-        integrator: IntegratorKind,
+        integrator: IntegratorChoice,
     },
     /// Changes where a body of either kind is held, and the regions that its pins name.
     SetPins {

@@ -4,7 +4,7 @@
 //! draws bodies numbers them in one row: the solids first, then the two-layer bodies. This is that row.
 
 use super::{
-    Body, Fibre, Impulse, Initial, IntegratorKind, ModelFile, Pin, Placement, Region, Scene, Shape, TwoLayer,
+    Body, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region, Scene, Shape, TwoLayer,
     TwoLayerShape,
 };
 
@@ -63,7 +63,7 @@ impl<'a> AnyBody<'a> {
     }
 
     /// How it is stepped through time.
-    pub fn integrator(self) -> IntegratorKind {
+    pub fn integrator(self) -> IntegratorChoice {
         either!(self, body => body.integrator)
     }
 
@@ -129,7 +129,7 @@ impl<'a> AnyBodyMut<'a> {
     }
 
     /// How it is stepped through time.
-    pub fn integrator_mut(&mut self) -> &mut IntegratorKind {
+    pub fn integrator_mut(&mut self) -> &mut IntegratorChoice {
         either!(self, body => &mut body.integrator)
     }
 

@@ -2,8 +2,8 @@
 
 use super::extra::is_false;
 use super::{
-    BoxShape, Dab, Extra, Fibre, Impulse, Initial, IntegratorKind, Material, MeshShape, Pin, Placement, Region, Shape,
-    add_dab,
+    BoxShape, Dab, Extra, Fibre, Impulse, Initial, IntegratorChoice, Material, MeshShape, Pin, Placement, Region,
+    Shape, add_dab,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -34,7 +34,7 @@ pub struct Body {
     pub material: Material,
     /// How it is stepped through time.
     #[serde(default)]
-    pub integrator: IntegratorKind,
+    pub integrator: IntegratorChoice,
     /// Motion and deformation at the start.
     #[serde(default)]
     pub initial: Initial,
@@ -70,7 +70,7 @@ impl Body {
             shape: shape.into(),
             placement: Placement::default(),
             material: Material::default(),
-            integrator: IntegratorKind::default(),
+            integrator: IntegratorChoice::default(),
             initial: Initial::default(),
             impulses: Vec::new(),
             fibres: Vec::new(),

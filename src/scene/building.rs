@@ -1,6 +1,6 @@
 //! Bodies of both kinds, put together call by call.
 
-use super::{Body, Impulse, Initial, IntegratorKind, Pin, Placement, Region, Rotation, TwoLayer};
+use super::{Body, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Rotation, TwoLayer};
 
 macro_rules! building {
     ($($kind:ty)*) => {
@@ -23,10 +23,10 @@ macro_rules! building {
                 Self { placement: Placement { rotation, ..self.placement }, ..self }
             }
 
-            /// Stepped through time by this integrator; leap-frog unless given.
+            /// Stepped through time by this integrator; chosen at the bake unless given.
             #[must_use]
-            pub fn with_integrator(self, integrator: IntegratorKind) -> Self {
-                Self { integrator, ..self }
+            pub fn with_integrator(self, integrator: impl Into<IntegratorChoice>) -> Self {
+                Self { integrator: integrator.into(), ..self }
             }
 
             /// With this velocity at the start [m/s, world axes].

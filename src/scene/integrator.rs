@@ -3,14 +3,70 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+/// How a body is stepped through time: as the scene says, or as the bake finds best.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(from = "Word", into = "Word")]
+#[schemars(with = "Word")]
+pub enum IntegratorChoice {
+    /// Leap-frog, unless its step would be far shorter than another's that is as good.
+    #[default]
+    Automatic,
+    /// This one.
+    Given(IntegratorKind),
+}
+
+impl IntegratorChoice {
+    /// Its name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Automatic => "Automatic",
+            Self::Given(kind) => kind.name(),
+        }
+    }
+}
+
+impl From<IntegratorKind> for IntegratorChoice {
+    fn from(kind: IntegratorKind) -> Self {
+        Self::Given(kind)
+    }
+}
+
 /// Each integrator in the order in which they are offered: `Kind "word" "Name";`, the word as files have it, the name as
 /// people read it.
 macro_rules! integrators {
-    ($($(#[$attribute:meta])* $kind:ident $word:literal $name:literal;)*) => {
+    ($($(#[doc = $doc:literal])* $kind:ident $word:literal $name:literal;)*) => {
         /// How a body is stepped through time.
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
         pub enum IntegratorKind {
-            $($(#[$attribute])* #[serde(rename = $word)] $kind,)*
+            $($(#[doc = $doc])* #[serde(rename = $word)] $kind,)*
+        }
+
+        /// An integrator's word in files, or the one for none of them.
+        #[derive(Serialize, Deserialize, JsonSchema)]
+        #[schemars(rename = "IntegratorChoice")]
+        enum Word {
+            /// What the bake finds best.
+            #[serde(rename = "automatic")]
+            Automatic,
+            $($(#[doc = $doc])* #[serde(rename = $word)] $kind,)*
+        }
+
+        impl From<Word> for IntegratorChoice {
+            fn from(word: Word) -> Self {
+                match word {
+                    Word::Automatic => Self::Automatic,
+                    $(Word::$kind => Self::Given(IntegratorKind::$kind),)*
+                }
+            }
+        }
+
+        impl From<IntegratorChoice> for Word {
+            fn from(choice: IntegratorChoice) -> Self {
+                match choice {
+                    IntegratorChoice::Automatic => Self::Automatic,
+                    $(IntegratorChoice::Given(IntegratorKind::$kind) => Self::$kind,)*
+                }
+            }
         }
 
         impl IntegratorKind {
@@ -36,8 +92,9 @@ macro_rules! integrators {
 
 integrators! {
     /// Kick-drift-kick leap-frog: order 2, one force evaluation a step, keeps momenta and energy.
-    #[default]
     LeapFrog "leap_frog" "Leap-frog";
+    /// Fibres implicitly and all else by leap-frog: as long steps as the matrix allows, however stiff the fibres are.
+    FibresImplicit "fibres_implicit" "Fibres implicit";
     /// Explicit Euler: order 1, gains energy without damping.
     ExplicitEuler "explicit_euler" "Explicit Euler";
     /// Explicit midpoint: order 2, two evaluations a step.

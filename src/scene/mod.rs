@@ -40,7 +40,7 @@ pub use extra::Extra;
 pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
 };
-pub use integrator::IntegratorKind;
+pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
 pub use material::{Damping, Falloff, Mass, Material, USUAL_SUPPORT_RADIUS};
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};

@@ -3,7 +3,7 @@
 
 use super::extra::is_false;
 use super::{
-    Ball, ClosedMesh, Extra, Impulse, Initial, IntegratorKind, Pin, Placement, Region, Ring, Segment, TwoLayerShape,
+    Ball, ClosedMesh, Extra, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Ring, Segment, TwoLayerShape,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -71,7 +71,7 @@ pub struct TwoLayer {
     pub contact: TwoLayerContact,
     /// How it is stepped through time.
     #[serde(default)]
-    pub integrator: IntegratorKind,
+    pub integrator: IntegratorChoice,
     /// Motion and deformation at the start.
     #[serde(default)]
     pub initial: Initial,
@@ -116,7 +116,7 @@ impl TwoLayer {
             masses: Vec::new(),
             air_drag: 0.0,
             contact: TwoLayerContact::default(),
-            integrator: IntegratorKind::default(),
+            integrator: IntegratorChoice::default(),
             initial: Initial::default(),
             impulses: Vec::new(),
             regions: Vec::new(),

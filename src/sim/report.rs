@@ -50,6 +50,10 @@ pub struct BodyReport {
     pub fibres: usize,
     /// Vertices of all fibres.
     pub structure_particles: usize,
+    /// How it is stepped: the integrator's word, as in scene files.
+    pub integrator: &'static str,
+    /// Why, where the scene leaves that open and it is not the usual one; null otherwise.
+    pub integrator_reason: Option<String>,
     /// Time step [s].
     pub dt: f64,
     /// Greatest stable time step [s].
@@ -155,6 +159,8 @@ impl BodyReport {
             mean_neighbours: parts.mean_neighbours,
             fibres: parts.fibres.len(),
             structure_particles: parts.fibres.iter().map(|fibre| fibre.vertices.len()).sum(),
+            integrator: parts.integrator_word,
+            integrator_reason: parts.integrator_reason.clone(),
             dt: parts.dt,
             stable_dt: Some(parts.stable_dt).filter(|dt| dt.is_finite()),
             limited_by: parts.limited_by.clone(),

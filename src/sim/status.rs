@@ -45,6 +45,8 @@ impl Status {
         let plan = world.plan();
         let stepping = |(body, count): (&Body, &u32)| Stepping {
             name: body.parts().name.clone(),
+            integrator: body.parts().integrator_word,
+            integrator_reason: body.parts().integrator_reason.clone(),
             dt: body.parts().dt,
             stable_dt: body.parts().stable_dt,
             limited_by: body.parts().limited_by.clone(),
@@ -87,6 +89,10 @@ pub struct RecordingStatus {
 pub struct Stepping {
     /// Name a person reads.
     pub name: String,
+    /// The integrator's word, as in scene files.
+    pub integrator: &'static str,
+    /// Why it was chosen, where the scene leaves that open and it is not the usual one.
+    pub integrator_reason: Option<String>,
     /// Time step [s].
     pub dt: f64,
     /// Greatest stable time step that was measured [s].

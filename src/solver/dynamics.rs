@@ -1,7 +1,8 @@
 //! What an integrator sees of a body: forces in, accelerations out.
 
 use super::constraint::Constraint;
-use super::forces::{Force, Grab};
+use super::forces::{FibreForce, Force, Grab};
+use super::linear_algebra::vectors::axpy;
 use super::state::ParticleState;
 use glam::DVec3;
 
@@ -30,12 +31,16 @@ impl Dynamics<'_> {
 
     /// Brings `state` onto the constraints at `time` [s] and evaluates all forces there.
     pub fn evaluate(&mut self, time: f64, state: &mut ParticleState) {
+        self.evaluate_those(time, state, |_| true);
+    }
+
+    fn evaluate_those(&mut self, time: f64, state: &mut ParticleState, which: impl Fn(&dyn Force) -> bool) {
         for constraint in self.constraints {
             constraint.apply(time, state);
         }
         self.net.clear();
         self.net.resize(state.len(), DVec3::ZERO);
-        for force in all_forces(self.forces, self.grabs) {
+        for force in all_forces(self.forces, self.grabs).filter(|force| which(*force)) {
             force.add_forces(time, state, self.net);
         }
         *self.current = false;
@@ -46,6 +51,34 @@ impl Dynamics<'_> {
     pub fn evaluate_end(&mut self, time: f64, state: &mut ParticleState) {
         self.evaluate(time, state);
         *self.current = true;
+    }
+
+    /// The fibres of the body, if it has any.
+    pub(super) fn fibres(&mut self) -> Option<&mut FibreForce> {
+        self.forces.iter_mut().find_map(|force| force.downcast_mut())
+    }
+
+    /// [`Self::evaluate`] for all forces but those of fibres.
+    pub(super) fn evaluate_without_fibres(&mut self, time: f64, state: &mut ParticleState) {
+        self.evaluate_those(time, state, |force| force.downcast_ref::<FibreForce>().is_none());
+    }
+
+    /// Adds to the forces of the last evaluation what those of the next step are found from, `forces` [N] on the particles,
+    /// and gives the number of that evaluation, for [`Self::starts_from`].
+    pub(super) fn end_with(&mut self, forces: &[DVec3]) -> u64 {
+        axpy(1.0, forces, self.net);
+        *self.current = true;
+        *self.evaluations
+    }
+
+    /// Whether the forces are those of this evaluation, and the present state's.
+    pub(super) fn starts_from(&self, evaluation: u64) -> bool {
+        *self.current && *self.evaluations == evaluation
+    }
+
+    /// Force on a particle by the last evaluation [N].
+    pub(super) fn net(&self, i: usize) -> DVec3 {
+        self.net[i]
     }
 
     /// Accelerations [m/s²] by the last evaluation, zero along held axes.

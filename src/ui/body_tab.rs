@@ -5,7 +5,7 @@ use super::material_fields::material_fields;
 use super::theme::GRID;
 use super::two_layer_fields::two_layer_fields;
 use crate::edit::Command;
-use crate::scene::IntegratorKind;
+use crate::scene::{IntegratorChoice, IntegratorKind};
 use egui::{ComboBox, RichText, Ui};
 
 /// Shows what the active body is made of and how it is stepped.
@@ -38,13 +38,14 @@ pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
 }
 
 /// The body's integrator, its step and what that must not exceed.
-fn integrator(ui: &mut Ui, cx: &mut Context, body: String, present: IntegratorKind) {
+fn integrator(ui: &mut Ui, cx: &mut Context, body: String, present: IntegratorChoice) {
     ui.add_space(2.0 * GRID);
     let title = ui.heading("Integrator");
     let mut chosen = present;
     let choice = ComboBox::from_id_salt("integrator").selected_text(present.name()).show_ui(ui, |ui| {
-        for kind in IntegratorKind::ALL {
-            ui.selectable_value(&mut chosen, kind, kind.name());
+        let given = IntegratorKind::ALL.map(IntegratorChoice::Given);
+        for choice in std::iter::once(IntegratorChoice::Automatic).chain(given) {
+            ui.selectable_value(&mut chosen, choice, choice.name());
         }
     });
     choice.response.labelled_by(title.id);
@@ -52,6 +53,12 @@ fn integrator(ui: &mut Ui, cx: &mut Context, body: String, present: IntegratorKi
         cx.edit(&Command::SetIntegrator { body, integrator: chosen }, Step::Own);
     }
     let Some(step) = cx.simulation.published().status.bodies.get(cx.active.index) else { return };
+    if present == IntegratorChoice::Automatic {
+        let name =
+            IntegratorKind::ALL.into_iter().find(|kind| kind.word() == step.integrator).map(IntegratorKind::name);
+        let by = step.integrator_reason.as_deref().or(name).unwrap_or(step.integrator);
+        ui.label(RichText::new(format!("Chosen: {by}")).weak().small());
+    }
     let exceeded = step.dt > step.stable_dt;
     let text = format!("DT    {:.3e} s\nlimit {:.3e} s", step.dt, step.stable_dt);
     let colour = if exceeded { cx.tone.error() } else { ui.visuals().text_color() };

@@ -90,7 +90,8 @@ fn of_matter() -> impl Strategy<Value = Command> {
             (material.young_modulus, material.poisson_ratio) = (young_modulus, poisson_ratio);
             Command::SetMaterial { body, material }
         }),
-        (body, integrator).prop_map(|(body, integrator)| Command::SetIntegrator { body, integrator }),
+        (body, integrator)
+            .prop_map(|(body, integrator)| Command::SetIntegrator { body, integrator: integrator.into() }),
         (select(layers), 1.0..900.0f64).prop_map(|(mut body, ks)| {
             body.ks = ks;
             Command::SetTwoLayer(Box::new(body))

@@ -98,13 +98,12 @@ fn everything_that_a_scene_may_hold_goes_back_exactly() {
 
 #[test]
 fn under_every_integrator() {
-    use IntegratorKind::*;
-    for kind in [LeapFrog, ExplicitEuler, Midpoint, Rk4, SymplecticEuler, Verlet, BackwardEuler] {
+    for kind in IntegratorKind::ALL {
         let mut scene = scene_from_json(CROWD).unwrap();
         // A frame of a thousandth of a second, so that the slow ones are soon done.
         scene.time.frames_per_second = 1000.0;
-        scene.bodies[0].integrator = kind;
-        scene.two_layer.iter_mut().for_each(|body| body.integrator = kind);
+        scene.bodies[0].integrator = kind.into();
+        scene.two_layer.iter_mut().for_each(|body| body.integrator = kind.into());
         goes_back_exactly(&baked(&scene), 6);
     }
 }

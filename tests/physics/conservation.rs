@@ -94,7 +94,7 @@ fn undamped_energy_has_no_trend() {
 fn every_integrator_agrees_with_runge_kutta_at_small_steps() {
     let at = |integrator: IntegratorKind, substeps: u32| {
         let mut scene = deformed();
-        scene.bodies[0].integrator = integrator;
+        scene.bodies[0].integrator = integrator.into();
         scene.time.step = sinew::scene::TimeStep::manual(1e-4 / f64::from(substeps), substeps);
         let mut runner = runner(&scene);
         runner.advance_frame();

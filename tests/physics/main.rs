@@ -8,6 +8,7 @@ mod checkpoints;
 mod common;
 mod conservation;
 mod fibres;
+mod fibres_implicit;
 mod fields;
 mod figures;
 mod forces;

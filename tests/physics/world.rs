@@ -152,7 +152,7 @@ fn a_turned_body_moves_as_the_unturned_one_turned() {
 
 fn exploding(integrator: IntegratorKind) -> Scene {
     let mut bar = short_bar(5e7);
-    bar.integrator = integrator;
+    bar.integrator = integrator.into();
     bar.initial.deformation[1][1] = 1.05;
     let mut scene = in_space(bar);
     scene.time.step = TimeStep::manual(6e-5, 100);
@@ -231,7 +231,7 @@ fn every_integrator_holds_at_its_automatic_step() {
         [IntegratorKind::LeapFrog, IntegratorKind::ExplicitEuler, IntegratorKind::Midpoint, IntegratorKind::Rk4]
     {
         let mut bar = block([4, 5, 4], 2e5);
-        bar.integrator = integrator;
+        bar.integrator = integrator.into();
         bar.initial.velocity = [0.0, -1.0, 0.0];
         bar.placement.translation = [0.0, 0.001, 0.0];
         bar.material.damping.pair = 20.0;

@@ -183,14 +183,14 @@ fn bodies_of_both_kinds_stand_in_one_row() {
 fn bodies_of_both_kinds_change_alike() {
     let mut scene = every_field();
     for mut body in scene.all_bodies_mut() {
-        *body.integrator_mut() = IntegratorKind::Verlet;
+        *body.integrator_mut() = IntegratorKind::Verlet.into();
         *body.hidden_mut() = true;
         *body.color_mut() = Some([1, 2, 3]);
         body.pins_mut().clear();
         body.regions_mut().truncate(1);
     }
     for body in scene.all_bodies() {
-        assert_eq!((body.integrator(), body.hidden()), (IntegratorKind::Verlet, true));
+        assert_eq!((body.integrator(), body.hidden()), (IntegratorKind::Verlet.into(), true));
         assert_eq!((body.color(), body.pins().len()), (Some([1, 2, 3]), 0));
         assert!(body.regions().len() <= 1);
     }

@@ -242,7 +242,7 @@ fn body() -> impl Strategy<Value = Body> {
             shape,
             placement,
             material,
-            integrator: IntegratorKind::Midpoint,
+            integrator: IntegratorKind::Midpoint.into(),
             initial,
             impulses: Vec::new(),
             fibres: vec![fibre],

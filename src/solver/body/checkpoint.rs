@@ -39,7 +39,7 @@ impl BodyCheckpoint {
             + size_of_val(&*self.external_forces);
         let grabs: usize = self.grabs.iter().map(Force::bytes).sum();
         let forces: usize = self.forces.iter().map(|force| force.bytes() + size_of_val(force)).sum();
-        size_of_val(self) + lists + grabs + forces + size_of_val(&*self.integrator)
+        size_of_val(self) + lists + grabs + forces + self.integrator.bytes()
     }
 }
 

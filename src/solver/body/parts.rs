@@ -29,6 +29,10 @@ pub struct BodyParts {
     pub forces: Vec<Box<dyn Force>>,
     /// How it is stepped.
     pub integrator: Box<dyn Integrator>,
+    /// The integrator's word, as in scene files.
+    pub integrator_word: &'static str,
+    /// Why it was chosen, where the scene leaves that open and it is not the usual one.
+    pub integrator_reason: Option<String>,
     /// Prescribed motions.
     pub(crate) constraints: Vec<Constraint>,
     /// How it pushes on other things.

@@ -12,6 +12,17 @@ pub trait Integrator: Send + Sync {
     /// [1/s] does not grow; for those that let every undamped oscillation grow, a step at which it grows slowly.
     fn stable_step(&self, omega: f64, damping: f64) -> f64;
 
+    /// Whether it takes fibres implicitly, so that how stiff they are has no part in `omega`.
+    fn takes_fibres(&self) -> bool {
+        false
+    }
+
+    /// Memory that a copy takes beside what copies share [bytes]; by default that of the value itself, one with lists of
+    /// its own adds them.
+    fn bytes(&self) -> usize {
+        size_of_val(self)
+    }
+
     /// A copy in a box, which steps on as this one would, bit for bit.
     fn clone_box(&self) -> Box<dyn Integrator>;
 }

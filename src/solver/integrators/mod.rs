@@ -2,6 +2,7 @@
 
 mod backward_euler;
 mod explicit_euler;
+mod fibres_implicit;
 mod integrator;
 mod leap_frog;
 mod midpoint;
@@ -12,6 +13,7 @@ mod verlet;
 
 pub(crate) use backward_euler::BackwardEuler;
 pub(crate) use explicit_euler::ExplicitEuler;
+pub(crate) use fibres_implicit::{FibresImplicit, work_of_a_step};
 pub use integrator::Integrator;
 pub(crate) use leap_frog::LeapFrog;
 pub(crate) use midpoint::Midpoint;

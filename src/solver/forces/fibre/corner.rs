@@ -1,6 +1,7 @@
 //! Bending at one vertex of a fibre (eqs. 6 and 7).
 
-use glam::DVec3;
+use crate::solver::neighbourhood::outer;
+use glam::{DMat3, DVec3};
 
 /// Turning cosine below which the bending energy continues linearly.
 pub(super) const FOLD: f64 = -0.5;
@@ -63,6 +64,20 @@ impl Corner {
         curvature_binormal(self.before.tangent, self.after.tangent)
     }
 
+    /// Derivatives of the curvature binormal by the two edges [1/m].
+    pub(super) fn binormal_derivatives(&self) -> [DMat3; 2] {
+        let (before, after) = (self.before.tangent, self.after.tangent);
+        let (g, dg) = inverse_half(self.cosine);
+        let turned = before.cross(after) * dg;
+        // From derivatives by the unit tangents to derivatives by the edges.
+        let by_edge = |edge: &Edge, by_tangent: DMat3| {
+            (by_tangent - outer(by_tangent * edge.tangent, edge.tangent)) * (2.0 / edge.length)
+        };
+        let by_before = outer(turned, after) - crossing(after) * g;
+        let by_after = outer(turned, before) + crossing(before) * g;
+        [by_edge(&self.before, by_before), by_edge(&self.after, by_after)]
+    }
+
     /// Gradients by the two edges [N] of an energy whose gradient by the curvature binormal is `y`.
     pub(super) fn curved_gradients(&self, y: DVec3) -> (DVec3, DVec3) {
         let (before, after) = (self.before.tangent, self.after.tangent);
@@ -73,5 +88,36 @@ impl Corner {
         let (by_before, by_after) =
             (along * after + 2.0 * g * after.cross(y), along * before + 2.0 * g * y.cross(before));
         (across(&self.before, by_before), across(&self.after, by_after))
+    }
+}
+
+/// The matrix that takes a vector v to `a x v`.
+fn crossing(a: DVec3) -> DMat3 {
+    DMat3::from_cols(a.cross(DVec3::X), a.cross(DVec3::Y), a.cross(DVec3::Z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_of_binormals_are_their_differences() {
+        // Turned a little, beyond a right angle, and folded.
+        for last in [DVec3::new(2.1, 0.4, 0.3), DVec3::new(0.8, 0.9, -0.2), DVec3::new(0.2, 0.3, 0.4)] {
+            let x = [DVec3::ZERO, DVec3::new(1.0, 0.1, 0.0), last];
+            let derivatives = Corner::at(&x, 0).expect("edges with lengths").binormal_derivatives();
+            let [by_before, by_after] = derivatives;
+            for (vertex, derivative) in [-by_before, by_before - by_after, by_after].into_iter().enumerate() {
+                for axis in DMat3::IDENTITY.to_cols_array_2d().map(DVec3::from_array) {
+                    let at = |by: f64| {
+                        let mut x = x;
+                        x[vertex] += by * axis;
+                        Corner::at(&x, 0).expect("edges with lengths").binormal()
+                    };
+                    let difference = (at(1e-6) - at(-1e-6)) / 2e-6;
+                    assert!((derivative * axis).distance(difference) < 1e-7 * difference.length().max(1.0), "{vertex}");
+                }
+            }
+        }
     }
 }

@@ -3,14 +3,13 @@
 use super::breaking::{Breakage, FibreBreak};
 use super::corner::{Corner, straight_energy};
 use super::fibre_embedding::FibreEmbedding;
-use super::material_turn::{polar, turn_of_material};
+use super::material_turn::{material_spin, polar, turn_of_material};
 use super::packed_rods::PackedRods;
 use super::rest::FibreRest;
 use super::soa::{SoaVectors, put, zeros};
 use super::strip::BlockVectors;
 use crate::solver::energy::Energies;
 use crate::solver::forces::force::Force;
-use crate::solver::rotation::turn_stiffness;
 use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
 use crate::solver::wide::Vec3x;
@@ -22,10 +21,10 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct FibreForce {
     pub(super) fibres: Arc<[FibreRest]>,
-    embedding: Arc<FibreEmbedding>,
+    pub(super) embedding: Arc<FibreEmbedding>,
     level: Level,
     /// Last turn at every bend of every fibre, the warm start of the next.
-    turns: Vec<DQuat>,
+    pub(super) turns: Vec<DQuat>,
     pub(super) broken: Breakage,
     /// Follows from all that is above.
     workspace: Scratch<Option<Workspace>>,
@@ -72,6 +71,11 @@ impl FibreForce {
         }
     }
 
+    /// Adds the forces [N] on particles at `positions` [m] to `forces`.
+    pub(in crate::solver) fn evaluate_at(&mut self, positions: &[DVec3], forces: &mut [DVec3]) {
+        dispatch!(self.level, simd => self.evaluate(simd, positions, forces));
+    }
+
     #[inline(always)]
     fn evaluate<S: Simd>(&mut self, simd: S, positions: &[DVec3], forces: &mut [DVec3]) {
         let Self { fibres, embedding, broken, turns, workspace, .. } = self;
@@ -90,11 +94,8 @@ impl FibreForce {
                 let [x, y, z] = turning.gather(simd, k, blocks);
                 let (r, stretch) = polar(DMat3::from_cols(x, y, z), &mut turns[rest.bend]);
                 let gradient = 2.0 * rest.stiffness * (corner.binormal() - r * rest.binormal);
-                let moment = -rest.binormal.cross(r.transpose() * gradient);
-                let p = turn_stiffness(stretch).inverse() * moment;
                 rods.add(rest.corner, corner.curved_gradients(gradient));
-                // `-R (p x Z)`, by the components of Z.
-                [r * DVec3::X.cross(p), r * DVec3::Y.cross(p), r * DVec3::Z.cross(p)]
+                material_spin(r, stretch, rest.binormal, gradient)
             } else {
                 [DVec3::ZERO; 3]
             };
@@ -116,7 +117,7 @@ impl FibreForce {
 
 impl Force for FibreForce {
     fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        dispatch!(self.level, simd => self.evaluate(simd, &state.positions, forces));
+        self.evaluate_at(&state.positions, forces);
     }
 
     fn add_energy(&self, _time: f64, state: &ParticleState, energies: &mut Energies) {

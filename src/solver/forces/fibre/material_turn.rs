@@ -2,7 +2,7 @@
 
 use crate::solver::embedding::TurnWeights;
 use crate::solver::neighbourhood::outer;
-use crate::solver::rotation::nearest_rotation;
+use crate::solver::rotation::{nearest_rotation, turn_stiffness};
 use glam::{DMat3, DQuat, DVec3};
 
 /// Turn of the material around a vertex and its stretch `R^T A`.
@@ -21,4 +21,12 @@ pub(super) fn polar(gradient: DMat3, turn: &mut DQuat) -> (DMat3, DMat3) {
     *turn = nearest_rotation(gradient, *turn);
     let r = DMat3::from_quat(*turn);
     (r, r.transpose() * gradient)
+}
+
+/// What turns the particles around a curved bend, by the components of their `om_k Z_k` [N m]: `-R (p x Z)`, where
+/// `gradient` is that of the energy by the difference of the binormal from the rest shape's turned one, `R kb0`.
+pub(super) fn material_spin(r: DMat3, stretch: DMat3, rest: DVec3, gradient: DVec3) -> [DVec3; 3] {
+    let moment = -rest.cross(r.transpose() * gradient);
+    let p = turn_stiffness(stretch).inverse() * moment;
+    [r * DVec3::X.cross(p), r * DVec3::Y.cross(p), r * DVec3::Z.cross(p)]
 }

@@ -14,6 +14,7 @@ pub(crate) mod breaking;
 mod corner;
 mod fibre_embedding;
 mod force;
+pub(in crate::solver) mod implicit;
 mod material_turn;
 mod packed_rods;
 mod rest;

@@ -159,6 +159,7 @@
 //!   body.
 //! - *overlap*: of bodies that start inside one another, the room or a panel. *Allowance*: the depth that contact grants
 //!   such a one. *Easing*: an allowance that fades.
+//! - *asleep*: a body at rest that nothing comes near; it takes no steps.
 //! - *divergence*: a motion that can no longer be computed; the body is stopped. *Break*: of a fibre, past its limits.
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of

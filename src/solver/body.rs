@@ -358,6 +358,15 @@ impl Body {
         energies
     }
 
+    /// Whether nothing of its own would change anything from `time` [s] on: it is at rest, and no force is yet to come, go or
+    /// be evaluated.
+    pub(super) fn may_sleep(&self, time: f64) -> bool {
+        let grabs = self.grabs.iter().map(|grab| grab as &dyn Force);
+        let mut forces = self.parts.forces.iter().map(|force| &**force).chain(grabs);
+        self.divergence.is_some()
+            || (self.current && self.at_rest(time) && forces.all(|force| force.changes_until() <= time))
+    }
+
     /// Whether nothing moves and nothing pushes: prescribed motions have ended, the largest net force on a free
     /// particle and the largest kinetic energy of a particle are below the body's rest scales.
     pub fn at_rest(&self, time: f64) -> bool {

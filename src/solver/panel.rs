@@ -29,6 +29,11 @@ pub struct Panel {
 }
 
 impl Panel {
+    /// Whether it does not move at `time` [s], nor will by itself.
+    pub(super) fn is_still(&self, time: f64) -> bool {
+        self.end() <= time && self.velocity.abs() < 1e-6
+    }
+
     /// Whether a point lies on a vertical line through the panel.
     pub(super) fn is_below_or_above(&self, x: DVec3) -> bool {
         !(DVec2::new(x.x, x.z) - self.center).abs().cmpgt(self.half_size).any()

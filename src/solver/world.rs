@@ -6,6 +6,7 @@
 //! pair together, and given as impulses, half of an outer step's before the bodies' own steps and half after them. Its
 //! energy is among the bodies' energies of contact.
 
+mod asleep;
 mod checkpoint;
 mod eased;
 mod starts;
@@ -216,8 +217,8 @@ impl World {
     }
 
     /// Half a kick by the forces between bodies and panels over an outer step of `dt` [s].
-    fn half_kick(&mut self, dt: f64) {
-        for body in &mut self.bodies {
+    fn half_kick(&mut self, dt: f64, asleep: &[bool]) {
+        for (body, _) in self.bodies.iter_mut().zip(asleep).filter(|(_, asleep)| !**asleep) {
             body.kick(0.5 * dt);
         }
         for (panel, &lift) in self.panels.iter_mut().zip(&self.lifts) {
@@ -225,8 +226,14 @@ impl World {
         }
     }
 
-    /// Advances by one frame. A body that diverges stops in the state of the frame before; the others go on.
+    /// Advances by one frame. A body that diverges stops in the state of the frame before; the others go on. Bodies at rest
+    /// that nothing comes near take no steps.
     pub fn advance_frame(&mut self) {
+        let asleep = self.asleep();
+        if !asleep.contains(&false) && !asleep.is_empty() {
+            self.frame += 1;
+            return;
+        }
         for body in &mut self.bodies {
             body.save_last_good();
         }
@@ -238,11 +245,14 @@ impl World {
             }
             // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the contact
             // takes no energy.
-            self.half_kick(outer_dt);
+            self.half_kick(outer_dt, &asleep);
             for panel in &mut self.panels {
                 panel.drift(time, outer_dt);
             }
             for (index, (body, &count)) in self.bodies.iter_mut().zip(&self.plan.substeps).enumerate() {
+                if asleep[index] {
+                    continue;
+                }
                 // Bodies that take turns many times in a frame would fill a trace with their steps.
                 let whole = self.plan.outer_steps == 1;
                 let _body = whole.then(|| tracing::info_span!("body", name = body.parts().name).entered());
@@ -256,7 +266,7 @@ impl World {
                 });
             }
             self.evaluate_contact(self.time_at(outer + 1));
-            self.half_kick(outer_dt);
+            self.half_kick(outer_dt, &asleep);
         }
         self.frame += 1;
         let time = self.time();
@@ -328,7 +338,6 @@ impl World {
         if self.eased.end() > time {
             return false;
         }
-        let still = |panel: &Panel| panel.end() <= time && panel.velocity.abs() < 1e-6;
-        self.bodies.iter().all(|body| body.at_rest(time)) && self.panels.iter().all(still)
+        self.bodies.iter().all(|body| body.at_rest(time)) && self.panels.iter().all(|panel| panel.is_still(time))
     }
 }

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
 
+mod asleep;
 mod behaviours;
 mod breaking;
 mod checkpoints;

@@ -31,6 +31,10 @@ impl Force for AirDrag {
         }
     }
 
+    fn changes_until(&self) -> f64 {
+        0.0
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(*self)
     }

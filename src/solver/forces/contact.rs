@@ -125,6 +125,10 @@ impl Force for Contact {
         size_of_val(self) + size_of_val(&*self.planes) + size_of_val(&*self.eased)
     }
 
+    fn changes_until(&self) -> f64 {
+        self.end().max(0.0)
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

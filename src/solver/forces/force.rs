@@ -37,6 +37,11 @@ pub trait Force: Any + Send + Sync {
         derivative_by_differences(self, time, state, change, out);
     }
 
+    /// Until when [s] it may change though nothing moves. One that does not say so may at any time, and its body never sleeps.
+    fn changes_until(&self) -> f64 {
+        f64::INFINITY
+    }
+
     /// What is wrong with a state, where the force has no meaning in it; the body is stopped then.
     fn fault(&self, _state: &ParticleState) -> Option<&'static str> {
         None

@@ -69,6 +69,10 @@ impl Force for Grab {
         }
     }
 
+    fn changes_until(&self) -> f64 {
+        if self.until.is_finite() { self.until } else { 0.0 }
+    }
+
     fn bytes(&self) -> usize {
         size_of_val(self) + size_of_val(&*self.point.weights)
     }

@@ -26,6 +26,10 @@ impl Force for Gravity {
 
     fn add_derivative(&mut self, _: f64, _: &ParticleState, _: [&[DVec3]; 2], _: &mut [DVec3]) {}
 
+    fn changes_until(&self) -> f64 {
+        0.0
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(*self)
     }

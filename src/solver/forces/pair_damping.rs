@@ -252,6 +252,10 @@ impl Force for PairDamping {
         StepLimit { damping_rate: 2.0 * self.rate * self.greatest_weight_sum, ..StepLimit::default() }
     }
 
+    fn changes_until(&self) -> f64 {
+        0.0
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

@@ -143,6 +143,10 @@ impl Force for Pressure {
         inside_out.then_some("its volume fell to zero: it is turned inside out")
     }
 
+    fn changes_until(&self) -> f64 {
+        0.0
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

@@ -129,6 +129,10 @@ impl Force for Springs {
         StepLimit { damping_rate: rates.into_iter().fold(0.0, f64::max), ..StepLimit::default() }
     }
 
+    fn changes_until(&self) -> f64 {
+        0.0
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

@@ -203,6 +203,10 @@ impl Force for FibreForce {
         size_of_val(self) + size_of_val(&*self.turns) + self.broken.bytes()
     }
 
+    fn changes_until(&self) -> f64 {
+        0.0
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

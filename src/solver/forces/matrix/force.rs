@@ -114,6 +114,10 @@ impl Force for MatrixForce {
         size_of_val(self) + rotations
     }
 
+    fn changes_until(&self) -> f64 {
+        0.0
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

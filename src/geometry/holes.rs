@@ -8,10 +8,12 @@
 
 use super::bvh::Bvh;
 use super::edges::{Edges, balance};
+use super::row_index::RowIndex;
 use super::scanline::crossings;
 use super::winding::{Far, Winding, far_fields};
 use glam::DVec3;
-use std::collections::BTreeMap;
+use rayon::prelude::*;
+use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::PI;
 
 /// A surface with holes, and the caps that would close them.
@@ -20,7 +22,7 @@ pub(crate) struct OpenSurface {
     /// Points of the surface, then one for each cap.
     points: Vec<DVec3>,
     capped: Vec<[u32; 3]>,
-    capped_bvh: Bvh,
+    capped_index: RowIndex,
     caps: Vec<[u32; 3]>,
     caps_bvh: Bvh,
     caps_far: Vec<Far>,
@@ -30,6 +32,24 @@ pub(crate) struct OpenSurface {
     bounds: [DVec3; 2],
     /// Steps in which a row is looked at where it has to be [m].
     step: f64,
+    /// Rows that were looked at, by the bits of where they run.
+    known: HashMap<[u64; 2], OpenRow>,
+}
+
+/// A place at which the winding number was looked at.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    x: f64,
+    /// The winding number less one half.
+    value: f64,
+    /// Whether only its sign is to be trusted, and that it is not doubtful.
+    is_rough: bool,
+}
+
+impl Look {
+    fn exact(self, at: &impl Fn(f64) -> f64) -> (f64, f64) {
+        (self.x, if self.is_rough { at(self.x) } else { self.value })
+    }
 }
 
 /// A row through a surface with holes.
@@ -45,6 +65,10 @@ pub(crate) struct OpenRow {
 
 /// Steps along the diagonal in which the rows are looked at.
 const LOOKS: f64 = 24.0;
+
+/// How much nearer to one half, or to being doubtful, a rough winding number may be than it looks: while neither changes it
+/// stands for the exact one.
+const ROUGH: f64 = 0.06;
 
 /// Steps that find where a winding number passes one half, and how near they come, in steps of the look.
 const TRIES: usize = 12;
@@ -65,7 +89,8 @@ impl OpenSurface {
         let mut points = points.to_vec();
         let caps = caps(&mut points, faces);
         let capped = [faces, &caps].concat();
-        let [capped_bvh, caps_bvh] = [&capped, &caps].map(|faces| Bvh::new(&points, faces));
+        let capped_index = RowIndex::new(&points, &capped);
+        let caps_bvh = Bvh::new(&points, &caps);
         let caps_far = far_fields(&points, &caps, &caps_bvh);
         let area = |&face: &u32| {
             let [a, b, c] = caps[face as usize].map(|i| points[i as usize]);
@@ -74,10 +99,13 @@ impl OpenSurface {
         let cap_areas =
             (0..caps_bvh.nodes().len()).map(|node| caps_bvh.triangles(node).iter().map(area).sum()).collect();
         // Caps lie between the points of the surface.
-        let root = capped_bvh.nodes().first();
-        let bounds = root.map_or([DVec3::ZERO; 2], |root| [root.min, root.max]);
-        let step = root.map_or(1.0, |root| (root.max - root.min).length() / LOOKS);
-        Self { points, capped, capped_bvh, caps, caps_bvh, caps_far, cap_areas, bounds, step }
+        let corners = || capped.iter().flatten().map(|&i| points[i as usize]);
+        let bounds = match capped.is_empty() {
+            true => [DVec3::ZERO; 2],
+            false => [corners().fold(DVec3::INFINITY, DVec3::min), corners().fold(DVec3::NEG_INFINITY, DVec3::max)],
+        };
+        let step = if capped.is_empty() { 1.0 } else { (bounds[1] - bounds[0]).length() / LOOKS };
+        Self { points, capped, capped_index, caps, caps_bvh, caps_far, cap_areas, bounds, step, known: HashMap::new() }
     }
 
     /// Signed volume of the surface with its caps, about `origin` [m³].
@@ -98,9 +126,25 @@ impl OpenSurface {
         self.bounds[0].cmple(max).all() && min.cmple(self.bounds[1]).all()
     }
 
+    /// Looks at rows through (y, z) that will be asked for again.
+    pub(crate) fn remember(&mut self, rows: &[[f64; 2]]) {
+        let found: Vec<OpenRow> = rows.par_iter().map(|&row| self.look(row)).collect();
+        self.known = rows.iter().map(|row| row.map(f64::to_bits)).zip(found).collect();
+    }
+
+    /// Forgets those rows.
+    pub(crate) fn forget(&mut self) {
+        self.known = HashMap::new();
+    }
+
     /// The row through (y, z) along x.
     pub(crate) fn row(&self, row: [f64; 2]) -> OpenRow {
-        let crossings = crossings(&self.points, &self.capped, &self.capped_bvh, row);
+        let known = if self.known.is_empty() { None } else { self.known.get(&row.map(f64::to_bits)) };
+        known.cloned().unwrap_or_else(|| self.look(row))
+    }
+
+    fn look(&self, row: [f64; 2]) -> OpenRow {
+        let crossings = crossings(&self.points, &self.capped, &self.capped_index, row);
         let mut found = OpenRow { inside: Vec::new(), doubtful: 0.0, crossings };
         let [from, to] = self.bounds.map(|corner| corner.x);
         let mut ends = vec![(from, 0)];
@@ -127,30 +171,36 @@ impl OpenSurface {
         // What the caps turn around a point is missing from what the surface does.
         let holes = Winding::new(&self.points, &self.caps, &self.caps_bvh, &self.caps_far);
         let at = |x: f64| f64::from(depth) - holes.at(DVec3::new(x, y, z)) - 0.5;
+        let about = |x: f64| f64::from(depth) - holes.about(DVec3::new(x, y, z)) - 0.5;
         let count = 3.0_f64.max(((to - from) / self.step).ceil());
         let length = (to - from) / count;
-        let mut before: Option<(f64, f64)> = None;
+        let mut before: Option<Look> = None;
         let mut begin = None;
         for k in 0..count as usize {
             let x = from + length * (k as f64 + 0.5);
-            let value = if count > 3.0 && self.holes_take([x - 0.5 * length, x + 0.5 * length], [y, z]) < DOUBT {
-                f64::from(depth) - 0.5
+            let look = if count > 3.0 && self.holes_take([x - 0.5 * length, x + 0.5 * length], [y, z]) < DOUBT {
+                Look { x, value: f64::from(depth) - 0.5, is_rough: false }
             } else {
-                at(x)
+                let value = about(x);
+                if value.abs() > ROUGH && (value.abs() - DOUBT).abs() > ROUGH {
+                    Look { x, value, is_rough: true }
+                } else {
+                    Look { x, value: at(x), is_rough: false }
+                }
             };
-            found.doubtful += if value.abs() < DOUBT { length } else { 0.0 };
+            found.doubtful += if look.value.abs() < DOUBT { length } else { 0.0 };
             match before {
-                None => begin = (value > 0.0).then_some(from),
-                Some((_, last)) if (last > 0.0) == (value > 0.0) => {}
+                None => begin = (look.value > 0.0).then_some(from),
+                Some(last) if (last.value > 0.0) == (look.value > 0.0) => {}
                 Some(before) => {
-                    let place = passes(&at, before, (x, value), NEAR * self.step);
+                    let place = passes(&at, before.exact(&at), look.exact(&at), NEAR * self.step);
                     match begin.take() {
                         Some(start) => found.fill([start, place]),
                         None => begin = Some(place),
                     }
                 }
             }
-            before = Some((x, value));
+            before = Some(look);
         }
         if let Some(start) = begin {
             found.fill([start, to]);

@@ -3,8 +3,8 @@
 //! Inside is what lies in any closed piece of the surface, cavities taken away, or where the pieces with holes turn around
 //! a point more than half a time. It is asked for row by row.
 
-use super::bvh::Bvh;
 use super::holes::OpenSurface;
+use super::row_index::RowIndex;
 use super::scanline::{crossings, inside_stretches, joined};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -13,7 +13,7 @@ use rayon::prelude::*;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Inside {
     faces: Vec<[u32; 3]>,
-    bvh: Bvh,
+    index: RowIndex,
     open: Vec<OpenSurface>,
 }
 
@@ -42,13 +42,13 @@ pub(crate) struct Measured {
 impl Inside {
     /// Sorts oriented faces: those of all closed pieces, and those with holes, a surface for each group of pieces.
     pub(crate) fn new(points: &[DVec3], closed: Vec<[u32; 3]>, open: Vec<OpenSurface>) -> Self {
-        let bvh = Bvh::new(points, &closed);
-        Self { faces: closed, bvh, open }
+        let index = RowIndex::new(points, &closed);
+        Self { faces: closed, index, open }
     }
 
     /// Stretches of the row through (y, z) along x that lie inside [m], in order; the points are those of the surface.
     pub(crate) fn row(&self, points: &[DVec3], y: f64, z: f64) -> Vec<[f64; 2]> {
-        let closed = inside_stretches(&crossings(points, &self.faces, &self.bvh, [y, z]));
+        let closed = inside_stretches(&crossings(points, &self.faces, &self.index, [y, z]));
         let open = self.open.iter().filter(|open| open.is_near([y, z]));
         open.fold(closed, |all, open| joined(all, open.row([y, z]).inside))
     }
@@ -57,6 +57,22 @@ impl Inside {
     pub(crate) fn capped_volume(&self, bounds: [DVec3; 2]) -> f64 {
         let open = self.open.iter().filter(|open| open.meets(bounds));
         open.map(|open| open.capped_volume(bounds[0])).sum()
+    }
+
+    /// Looks at rows through the surfaces with holes that [`Self::measure`] is going to ask for several times over.
+    pub(crate) fn remember(&mut self, bounds: [DVec3; 2], rows: usize) {
+        let rows: Vec<[f64; 2]> = (0..rows).map(|k| row_at(k, bounds)).collect();
+        self.open.iter_mut().for_each(|open| open.remember(&rows));
+    }
+
+    /// Forgets those rows.
+    pub(crate) fn forget(&mut self) {
+        self.open.iter_mut().for_each(OpenSurface::forget);
+    }
+
+    /// The surfaces with holes.
+    pub(crate) fn into_open(self) -> Vec<OpenSurface> {
+        self.open
     }
 
     /// What pieces share, so that it counts once, and what is doubtful, within a box that holds whole pieces: summed over
@@ -70,14 +86,8 @@ impl Inside {
 
     /// Sums over rows that are spread evenly over a box.
     fn count(&self, points: &[DVec3], [min, max]: [DVec3; 2], rows: usize) -> CountedRow {
-        let found: Vec<CountedRow> = (0..rows)
-            .into_par_iter()
-            .map(|k| {
-                let share = spread(k);
-                let row = [min.y + (max.y - min.y) * share[0], min.z + (max.z - min.z) * share[1]];
-                self.counted(points, row, [min, max])
-            })
-            .collect();
+        let found: Vec<CountedRow> =
+            (0..rows).into_par_iter().map(|k| self.counted(points, row_at(k, [min, max]), [min, max])).collect();
         let area = (max.y - min.y) * (max.z - min.z) / rows as f64;
         found.iter().fold(CountedRow::default(), |sum, row| CountedRow {
             inside: sum.inside + area * row.inside,
@@ -100,7 +110,7 @@ impl Inside {
                 }
             }
         };
-        let closed = crossings(points, &self.faces, &self.bvh, row);
+        let closed = crossings(points, &self.faces, &self.index, row);
         turn(&closed);
         let mut inside = inside_stretches(&closed);
         for open in self.open.iter().filter(|open| open.is_near(row) && open.meets([min, max])) {
@@ -116,9 +126,15 @@ impl Inside {
     }
 }
 
+/// One of the rows that are spread evenly over a box.
+fn row_at(k: usize, [min, max]: [DVec3; 2]) -> [f64; 2] {
+    let share = spread(k);
+    [min.y + (max.y - min.y) * share[0], min.z + (max.z - min.z) * share[1]]
+}
+
 /// The first of many places that fill a square ever more evenly, each less than one: none of them lie in line, so that a
 /// plate along the axes is not missed or met by all (Roberts 2018, after the plastic number).
-fn spread(k: usize) -> [f64; 2] {
+pub(crate) fn spread(k: usize) -> [f64; 2] {
     const PLASTIC: f64 = 1.324_717_957_244_746;
     [PLASTIC.recip(), PLASTIC.powi(2).recip()].map(|step| (0.5 + step * (k as f64 + 1.0)).fract())
 }

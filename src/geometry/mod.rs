@@ -27,6 +27,7 @@ pub(crate) mod point_tree;
 #[cfg(feature = "gui")]
 pub(crate) mod ray;
 pub(crate) mod rig;
+pub(crate) mod row_index;
 pub(crate) mod scanline;
 pub(crate) mod sheets;
 pub(crate) mod solid;

@@ -111,12 +111,20 @@ impl Model {
             kept.normals.extend(self.normals.get(old));
             kept.colours.extend(self.colours.get(old));
         }
-        for part in &self.parts {
-            let first = kept.triangles.len();
-            let triangles = self.triangles[part.triangles.clone()].iter().filter(|t| keep(t));
-            kept.triangles.extend(triangles.map(|t| t.map(|old| new_index[old as usize])));
-            kept.parts.push(Part { name: part.name.clone(), triangles: first..kept.triangles.len() });
+        // How many faces stay before each: a face need not be in any part.
+        let mut before = Vec::with_capacity(self.triangles.len() + 1);
+        for triangle in &self.triangles {
+            before.push(kept.triangles.len());
+            if keep(triangle) {
+                kept.triangles.push(triangle.map(|old| new_index[old as usize]));
+            }
         }
+        before.push(kept.triangles.len());
+        let part = |part: &Part| Part {
+            name: part.name.clone(),
+            triangles: before[part.triangles.start]..before[part.triangles.end],
+        };
+        kept.parts = self.parts.iter().map(part).collect();
         kept
     }
 }

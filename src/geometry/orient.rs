@@ -1,7 +1,8 @@
 //! Turning the faces of a surface outwards.
 
-use super::bvh::Bvh;
+use super::bvh::{Bvh, Node};
 use super::edges::{Edges, Groups};
+use super::row_index::RowIndex;
 use super::scanline::visit_crossings;
 use super::winding::solid_angle;
 use glam::DVec3;
@@ -57,11 +58,11 @@ const FLAT: f64 = 0.9;
 const PROBES: usize = 7;
 
 /// Finds out how to turn the faces so that neighbours agree and every piece has its outside outside. A piece within
-/// another keeps its sense relative to the outermost, so that a cavity remains one. `bvh` holds the faces.
-pub(crate) fn orientation(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, bvh: &Bvh) -> Orientation {
+/// another keeps its sense relative to the outermost, so that a cavity remains one.
+pub(crate) fn orientation(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges) -> Orientation {
     let mut found = agree(points, faces, edges);
     (found.pieces, found.piece_of) = pieces(points, faces, edges, &found.flipped);
-    let outermost = outermost(points, faces, bvh, &found);
+    let outermost = outermost(points, faces, &found);
     let volume = |piece: usize| found.pieces[piece].volume;
     let is_inverted: Vec<bool> = (0..found.pieces.len()).map(|k| volume(outermost[k].unwrap_or(k)) < 0.0).collect();
     for (index, piece) in found.pieces.iter_mut().enumerate() {
@@ -80,7 +81,7 @@ pub(crate) fn orientation(points: &[DVec3], faces: &[[u32; 3]], edges: &Edges, b
 }
 
 /// Of every piece the largest one that it lies in, if it lies in any.
-fn outermost(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, found: &Orientation) -> Vec<Option<usize>> {
+fn outermost(points: &[DVec3], faces: &[[u32; 3]], found: &Orientation) -> Vec<Option<usize>> {
     let pieces = &found.pieces;
     let mut budget = BUDGET;
     let fits = |outer: usize, inner: usize| {
@@ -89,9 +90,25 @@ fn outermost(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, found: &Orientatio
         let is_larger = large > small || (large == small && outer < inner);
         is_larger && around.min.cmple(within.min).all() && within.max.cmple(around.max).all()
     };
-    let open: Vec<usize> = (0..pieces.len()).filter(|&k| !pieces[k].closed).collect();
+    // The boxes of pieces as faces that fill them.
+    let corners: Vec<DVec3> = pieces.iter().flat_map(|piece| [piece.min, piece.max]).collect();
+    let boxes: Vec<[u32; 3]> = (0..pieces.len() as u32).map(|k| [2 * k, 2 * k + 1, 2 * k + 1]).collect();
+    let boxes = Bvh::new(&corners, &boxes);
+    let around_it = |inner: usize| {
+        let Piece { min, max, .. } = &pieces[inner];
+        let mut around: Vec<usize> = Vec::new();
+        let holds = |node: &Node| node.min.cmple(*min).all() && max.cmple(node.max).all();
+        boxes.visit(holds, |piece| around.push(piece as usize));
+        around.sort_unstable();
+        around
+    };
+    let mut rows_of: BTreeMap<usize, Rows> = BTreeMap::new();
     let around = (0..pieces.len()).map(|inner| {
         if pieces.len() == 1 {
+            return None;
+        }
+        let candidates: Vec<usize> = around_it(inner).into_iter().filter(|&outer| fits(outer, inner)).collect();
+        if candidates.is_empty() {
             return None;
         }
         let own = &pieces[inner].faces;
@@ -102,20 +119,17 @@ fn outermost(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, found: &Orientatio
             .collect();
         let mut votes: BTreeMap<usize, usize> = BTreeMap::new();
         for &probe in &probes {
-            // How often each closed piece turns around the point: what a row from it crosses in the end.
-            let mut turns: BTreeMap<usize, i32> = BTreeMap::new();
-            visit_crossings(points, faces, bvh, [probe.y, probe.z], |face, x, step| {
-                let piece = found.piece_of[face as usize] as usize;
-                if x > probe.x && pieces[piece].closed {
-                    *turns.entry(piece).or_default() += if found.flipped[face as usize] { -step } else { step };
-                }
-            });
-            for (piece, _) in turns.into_iter().filter(|(_, turns)| *turns != 0) {
-                *votes.entry(piece).or_default() += 1;
-            }
-            for &outer in open.iter().filter(|&&outer| fits(outer, inner)) {
+            for &outer in &candidates {
                 let around = &pieces[outer];
-                if around.faces.len() <= budget {
+                if around.closed {
+                    // How often it turns around the point: what a row from it crosses in the end.
+                    let turns = rows_of.entry(outer).or_insert_with(|| Rows::new(points, faces, around)).turns(
+                        points,
+                        probe,
+                        |k| found.flipped[around.faces[k as usize] as usize],
+                    );
+                    *votes.entry(outer).or_default() += usize::from(turns != 0);
+                } else if around.faces.len() <= budget {
                     budget -= around.faces.len();
                     let corners = |&face: &u32| faces[face as usize].map(|i| points[i as usize] - probe);
                     let angle: f64 = around.faces.iter().map(|face| solid_angle(corners(face))).sum();
@@ -131,6 +145,30 @@ fn outermost(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, found: &Orientatio
             .reduce(|a, b| if pieces[b].volume.abs() > pieces[a].volume.abs() { b } else { a })
     });
     around.collect()
+}
+
+/// The faces of one piece, to be met by rows.
+struct Rows {
+    faces: Vec<[u32; 3]>,
+    index: RowIndex,
+}
+
+impl Rows {
+    fn new(points: &[DVec3], faces: &[[u32; 3]], piece: &Piece) -> Self {
+        let faces: Vec<[u32; 3]> = piece.faces.iter().map(|&face| faces[face as usize]).collect();
+        Self { index: RowIndex::new(points, &faces), faces }
+    }
+
+    /// How often the piece turns around a point, where `is_flipped` tells which of its faces are turned round first.
+    fn turns(&self, points: &[DVec3], from: DVec3, is_flipped: impl Fn(u32) -> bool) -> i32 {
+        let mut turns = 0;
+        visit_crossings(points, &self.faces, &self.index, [from.y, from.z], |face, x, step| {
+            if x > from.x {
+                turns += if is_flipped(face) { -step } else { step };
+            }
+        });
+        turns
+    }
 }
 
 /// Makes neighbours agree with most of their piece, by area.

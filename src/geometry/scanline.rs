@@ -5,7 +5,7 @@
 //! beside the edge by an infinitely small distance. So every row crosses a closed surface as often inwards as outwards,
 //! even along its edges and through its corners.
 
-use super::bvh::Bvh;
+use super::row_index::RowIndex;
 use glam::DVec3;
 
 /// Calls `found` with every face that the row through (y, z) along x passes through, where, and +1 where it enters there or
@@ -13,25 +13,22 @@ use glam::DVec3;
 pub(crate) fn visit_crossings(
     points: &[DVec3],
     faces: &[[u32; 3]],
-    bvh: &Bvh,
+    index: &RowIndex,
     [y, z]: [f64; 2],
     mut found: impl FnMut(u32, f64, i32),
 ) {
-    bvh.visit(
-        |node| node.min.y <= y && y <= node.max.y && node.min.z <= z && z <= node.max.z,
-        |face| {
-            if let Some((x, step)) = crossing(points, faces[face as usize], y, z) {
-                found(face, x, step);
-            }
-        },
-    );
+    index.visit([y, z], |face| {
+        if let Some((x, step)) = crossing(points, faces[face as usize], y, z) {
+            found(face, x, step);
+        }
+    });
 }
 
 /// Places where the row through (y, z) along x passes through faces, in order, each with +1 where it enters and -1
 /// where it leaves. Points are those of an oriented surface, sorted as [`super::weld::Welded`] sorts them.
-pub(crate) fn crossings(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, row: [f64; 2]) -> Vec<(f64, i32)> {
+pub(crate) fn crossings(points: &[DVec3], faces: &[[u32; 3]], index: &RowIndex, row: [f64; 2]) -> Vec<(f64, i32)> {
     let mut found = Vec::new();
-    visit_crossings(points, faces, bvh, row, |_, x, step| found.push((x, step)));
+    visit_crossings(points, faces, index, row, |_, x, step| found.push((x, step)));
     // Entries before exits at the same place, so that faces which touch leave no gap.
     found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     found
@@ -78,8 +75,8 @@ pub(crate) fn joined(a: Vec<[f64; 2]>, b: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 
 /// Where a row enters (+1) or leaves (-1) through a face.
 fn crossing(points: &[DVec3], face: [u32; 3], y: f64, z: f64) -> Option<(f64, i32)> {
-    let sides = [0, 1, 2].map(|k| left_of(points, face[k], face[(k + 1) % 3], y, z));
-    if sides[0] != sides[1] || sides[1] != sides[2] {
+    let is_left = left_of(points, face[0], face[1], y, z);
+    if left_of(points, face[1], face[2], y, z) != is_left || left_of(points, face[2], face[0], y, z) != is_left {
         return None;
     }
     let [a, b, c] = face.map(|i| points[i as usize]);
@@ -90,7 +87,7 @@ fn crossing(points: &[DVec3], face: [u32; 3], y: f64, z: f64) -> Option<(f64, i3
     let x = (weights[0] * a.x + weights[1] * b.x + weights[2] * c.x) / total;
     let x = if x.is_finite() { x.clamp(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x)) } else { a.x };
     // Counter-clockwise seen from +x: the face looks that way, and the row leaves.
-    Some((x, if sides[0] { -1 } else { 1 }))
+    Some((x, if is_left { -1 } else { 1 }))
 }
 
 /// Whether the row lies to the left of an edge, both seen from +x. Never undecided.
@@ -118,12 +115,12 @@ mod tests {
     #[test]
     fn rows_through_edges_and_corners_cross_a_box_twice_or_not_at_all() {
         let mesh = box_surface(&Cuboid { center: DVec3::splat(0.5), size: DVec3::ONE }, 0.25);
-        let bvh = Bvh::new(&mesh.positions, &mesh.triangles);
+        let index = RowIndex::new(&mesh.positions, &mesh.triangles);
         let mut inside = 0;
         for k in 0..=8 {
             for l in 0..=8 {
                 let (y, z) = (f64::from(k) / 8.0, f64::from(l) / 8.0);
-                let found = inside_stretches(&crossings(&mesh.positions, &mesh.triangles, &bvh, [y, z]));
+                let found = inside_stretches(&crossings(&mesh.positions, &mesh.triangles, &index, [y, z]));
                 assert!(found.is_empty() || found == [[0.0, 1.0]], "{y} {z}: {found:?}");
                 inside += found.len();
             }

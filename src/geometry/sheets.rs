@@ -95,10 +95,14 @@ fn tried(surface: &Welded, pieces: &[Piece], chosen: Vec<usize>) -> Tried {
     let [least, each, most] = ROWS;
     let rows = (each * faces.len()).clamp(least, most);
     let surface = OpenSurface::new(points, &faces);
-    let alone = Inside::new(points, Vec::new(), vec![surface.clone()]);
+    let capped_volume = surface.capped_volume(min);
+    let mut alone = Inside::new(points, Vec::new(), vec![surface]);
+    // Where these are all the pieces there are their volume is measured along the same rows and some more.
+    alone.remember([min, max], rows);
     let measured = alone.measure(points, [min, max], rows);
-    let volume = (surface.capped_volume(min) - measured.shared).min((max - min).element_product());
+    let volume = (capped_volume - measured.shared).min((max - min).element_product());
     let encloses = volume > NO_VOLUME * (max - min).length().powi(3);
     let doubt = if encloses { (measured.doubtful / volume).min(1.0) } else { 1.0 };
+    let surface = alone.into_open().swap_remove(0);
     Tried { pieces: chosen, surface, volume, measured, doubt }
 }

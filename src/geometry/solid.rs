@@ -72,7 +72,7 @@ impl Solid {
 
         let edges = Edges::new(&surface.faces);
         let bvh = Bvh::new(&surface.points, &surface.faces);
-        let oriented = orientation(&surface.points, &surface.faces, &edges, &bvh);
+        let oriented = orientation(&surface.points, &surface.faces, &edges);
         let open: Vec<_> = edges.open().collect();
         report.open_edges = open.len();
         report.holes = count_loops(&open);
@@ -123,6 +123,7 @@ impl Solid {
         let inside = inside(&surface, &oriented, sorted.open);
         let mut this = Self { model, surface, report, min, max, volume: 0.0, clusters, inside };
         this.measure(&oriented, &crowded);
+        this.inside.forget();
         let room: f64 = this.boxes().map(|[min, max]| (max - min).length().powi(3)).sum();
         if this.volume > NO_VOLUME * room {
             return Ok(this);
@@ -148,6 +149,12 @@ impl Solid {
     /// Extents [m].
     pub fn size(&self) -> DVec3 {
         self.max - self.min
+    }
+
+    /// About how many particles fill it at a spacing [m].
+    pub(crate) fn particles_at(&self, spacing: f64) -> u32 {
+        // More than any integer holds is more than is ever allowed.
+        (self.volume / spacing.powi(3)).round() as u32
     }
 
     /// What the faces enclose follows from their corners; what several pieces share counts once, and is measured along rows

@@ -32,6 +32,7 @@ pub(crate) struct Far {
 
 /// A group counts as far from this many radii on: the error falls with the cube.
 const FAR: f64 = 3.0;
+const ROUGHLY_FAR: f64 = 2.0;
 
 impl<'a> Winding<'a> {
     /// Queries against triangles, the tree over them and the far fields of that.
@@ -63,6 +64,59 @@ impl<'a> Winding<'a> {
             }
         }
         sum / (4.0 * PI)
+    }
+
+    /// [`Self::at`], several times as fast and off by some hundredths.
+    pub(crate) fn about(&self, point: DVec3) -> f64 {
+        let mut sum = 0.0;
+        let mut angle = Angle { re: 1.0, im: 0.0, turns: 0.0 };
+        let mut open = Vec::with_capacity(64);
+        if !self.far.is_empty() {
+            open.push(0);
+        }
+        while let Some(index) = open.pop() {
+            let Far { center, area, moment, radius } = &self.far[index];
+            let offset = *center - point;
+            let squared = offset.length_squared();
+            if squared > (ROUGHLY_FAR * radius).powi(2) {
+                let trace = moment.x_axis.x + moment.y_axis.y + moment.z_axis.z;
+                let second = trace - 3.0 * offset.dot(*moment * offset) / squared;
+                sum += (area.dot(offset) + second) / (squared * squared.sqrt());
+            } else if self.bvh.nodes()[index].is_leaf() {
+                for &face in self.bvh.triangles(index) {
+                    let [volume, below] =
+                        half_angle(self.faces[face as usize].map(|i| self.points[i as usize] - point));
+                    angle.add(below, volume);
+                }
+            } else {
+                open.extend(self.bvh.children(index));
+            }
+        }
+        (sum + 2.0 * angle.sum()) / (4.0 * PI)
+    }
+}
+
+/// The sum of many angles by the product of as many complex numbers: one arc tangent for all of them.
+struct Angle {
+    re: f64,
+    im: f64,
+    turns: f64,
+}
+
+impl Angle {
+    fn add(&mut self, re: f64, im: f64) {
+        let (was_left, is_left) = (self.im > 0.0, im > 0.0);
+        let (product, turned) = (self.re * re - self.im * im, self.re * im + self.im * re);
+        // Two angles to the same side come out on the other one where their sum is more than half a turn.
+        if was_left == is_left && (turned > 0.0) != is_left {
+            self.turns += if is_left { 1.0 } else { -1.0 };
+        }
+        let size = product.abs() + turned.abs();
+        (self.re, self.im) = if size > 0.0 { (product / size, turned / size) } else { (1.0, 0.0) };
+    }
+
+    fn sum(&self) -> f64 {
+        self.im.atan2(self.re) + 2.0 * PI * self.turns
     }
 }
 
@@ -97,11 +151,17 @@ fn far_field(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, node: usize) -> Fa
 }
 
 /// Signed solid angle of a triangle seen from the origin (Van Oosterom and Strackee 1983).
-pub(crate) fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
+pub(crate) fn solid_angle(corners: [DVec3; 3]) -> f64 {
+    let [volume, below] = half_angle(corners);
+    2.0 * volume.atan2(below)
+}
+
+/// Opposite and adjacent side of half that angle.
+fn half_angle([a, b, c]: [DVec3; 3]) -> [f64; 2] {
     let [la, lb, lc] = [a, b, c].map(DVec3::length);
     let volume = a.dot(b.cross(c));
     let below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    2.0 * volume.atan2(below)
+    [volume, below]
 }
 
 #[cfg(test)]
@@ -109,6 +169,18 @@ mod tests {
     use super::*;
     use crate::geometry::lattice::Cuboid;
     use crate::geometry::mesh::box_surface;
+
+    #[test]
+    fn angles_add_up_over_whole_turns() {
+        let mut angle = Angle { re: 1.0, im: 0.0, turns: 0.0 };
+        let mut expected = 0.0;
+        for k in 0..500 {
+            let part = 3.1 * (0.7 * f64::from(k)).sin() + if k < 250 { 0.03 } else { -0.02 };
+            angle.add(part.cos(), part.sin());
+            expected += part;
+            assert!((angle.sum() - expected).abs() < 1e-9, "{k}: {} not {expected}", angle.sum());
+        }
+    }
 
     #[test]
     fn the_far_field_agrees_with_the_sum_of_all_angles() {
@@ -126,6 +198,7 @@ mod tests {
                 mesh.triangles.iter().map(|t| solid_angle(t.map(|i| mesh.positions[i as usize] - point))).sum::<f64>()
                     / (4.0 * PI);
             assert!((winding.at(point) - exact).abs() < 1e-2, "{point}: {} not {exact}", winding.at(point));
+            assert!((winding.about(point) - exact).abs() < 5e-2, "{point}: {} not {exact}", winding.about(point));
         }
     }
 }

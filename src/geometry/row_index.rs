@@ -1,0 +1,185 @@
+//! Which faces a row along x may meet, found without a walk through a tree: faces as they are seen along x, sorted into the
+//! cells of a grid.
+
+use glam::{DVec2, DVec3};
+
+/// Faces by where they are seen along x.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct RowIndex {
+    /// Least corner, seen along x [m].
+    min: DVec2,
+    /// Greatest corner, seen along x [m].
+    max: DVec2,
+    /// Cells to a metre.
+    scale: DVec2,
+    cells: [usize; 2],
+    /// Faces of every cell: those of cell `c` are `starts[c]..starts[c + 1]`.
+    starts: Vec<u32>,
+    faces: Vec<u32>,
+}
+
+/// Share of the extent by which faces are taken for wider: round-off in the test of a row against an edge is far less.
+const WIDER: f64 = 1e-12;
+
+/// Cells that the boxes around a face cover, at most on average: large faces lie in many cells.
+const COVERED: f64 = 48.0;
+
+/// Cells for each face, and along an axis at most.
+const CELLS: f64 = 4.0;
+const MOST_CELLS: f64 = 2048.0;
+
+/// A face seen along x.
+struct Seen {
+    corners: [DVec2; 3],
+    /// Least and greatest corner [m].
+    min: DVec2,
+    max: DVec2,
+    /// One where its corners go round counter-clockwise, minus one otherwise; zero where it is seen from its edge.
+    turn: f64,
+}
+
+impl Seen {
+    fn new(points: &[DVec3], face: [u32; 3], wider: f64) -> Self {
+        let corners = face.map(|i| DVec2::new(points[i as usize].y, points[i as usize].z));
+        let [a, b, c] = corners;
+        let area = (b - a).perp_dot(c - a);
+        let is_flat = area.abs() <= WIDER * (b - a).length() * (c - a).length();
+        let turn = if is_flat { 0.0 } else { area.signum() };
+        Self { corners, min: a.min(b).min(c) - wider, max: a.max(b).max(c) + wider, turn }
+    }
+
+    /// Whether it lies beside a box with this middle and half these extents: on the outer side of one of its edges.
+    fn is_beside(&self, middle: DVec2, half: DVec2) -> bool {
+        (0..3).any(|k| {
+            let [from, to] = [self.corners[k], self.corners[(k + 1) % 3]];
+            let along = to - from;
+            let reach = along.abs().perp_dot(DVec2::new(-half.x, half.y)).abs();
+            self.turn * along.perp_dot(middle - from) < -reach
+        })
+    }
+}
+
+impl RowIndex {
+    /// Sorts faces.
+    pub(crate) fn new(points: &[DVec3], faces: &[[u32; 3]]) -> Self {
+        let corners = faces.iter().flatten().map(|&i| points[i as usize]);
+        let (low, high) = corners.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(a, b), p| (a.min(p), b.max(p)));
+        if faces.is_empty() {
+            return Self::default();
+        }
+        let size = high - low;
+        let wider = WIDER * size.max_element();
+        let mut this =
+            Self { min: DVec2::new(low.y, low.z) - wider, max: DVec2::new(high.y, high.z) + wider, ..Self::default() };
+        let seen: Vec<Seen> = faces.iter().map(|&face| Seen::new(points, face, wider)).collect();
+        let mut width = (size.y * size.z / (CELLS * faces.len() as f64)).sqrt();
+        loop {
+            this.divide(width);
+            let covered: usize = seen.iter().map(|seen| this.covered(seen).count()).sum();
+            if this.cells == [1, 1] || covered as f64 <= COVERED * faces.len() as f64 {
+                break;
+            }
+            width *= 2.0;
+        }
+        this.sort(&seen);
+        this
+    }
+
+    /// Cells of about this width [m].
+    fn divide(&mut self, width: f64) {
+        let extents = self.max - self.min;
+        self.cells = extents.to_array().map(|extent| (extent / width).ceil().clamp(1.0, MOST_CELLS) as usize);
+        let scale = |k: usize| if extents[k] > 0.0 { self.cells[k] as f64 / extents[k] } else { 0.0 };
+        self.scale = DVec2::new(scale(0), scale(1));
+    }
+
+    fn sort(&mut self, seen: &[Seen]) {
+        // Half a cell, and a little more than that.
+        let half = 0.500_001 * self.scale.map(|scale| if scale > 0.0 { scale.recip() } else { 1.0 });
+        let mut entries: Vec<[u32; 2]> = Vec::with_capacity(2 * seen.len());
+        for (face, seen) in seen.iter().enumerate() {
+            for [y, z] in self.covered(seen) {
+                let middle = self.min + 2.0 * half * DVec2::new(y as f64 + 0.5, z as f64 + 0.5);
+                if seen.turn == 0.0 || !seen.is_beside(middle, half) {
+                    entries.push([(z * self.cells[0] + y) as u32, face as u32]);
+                }
+            }
+        }
+        let mut starts = vec![0; self.cells[0] * self.cells[1] + 1];
+        for [cell, _] in &entries {
+            starts[*cell as usize + 1] += 1;
+        }
+        for cell in 1..starts.len() {
+            starts[cell] += starts[cell - 1];
+        }
+        let mut next = starts.clone();
+        self.faces = vec![0; entries.len()];
+        for [cell, face] in entries {
+            self.faces[next[cell as usize] as usize] = face;
+            next[cell as usize] += 1;
+        }
+        self.starts = starts;
+    }
+
+    fn cell(&self, at: DVec2) -> [usize; 2] {
+        // What lies outside counts to the first cell or the last.
+        let cell = (at - self.min) * self.scale;
+        [(cell.x as usize).min(self.cells[0] - 1), (cell.y as usize).min(self.cells[1] - 1)]
+    }
+
+    /// Cells that the box around a face covers.
+    fn covered(&self, seen: &Seen) -> impl Iterator<Item = [usize; 2]> + use<> {
+        let ([y, z], [to_y, to_z]) = (self.cell(seen.min), self.cell(seen.max));
+        (z..=to_z).flat_map(move |z| (y..=to_y).map(move |y| [y, z]))
+    }
+
+    /// Calls `found` for every face that the row through (y, z) may meet, in order.
+    pub(crate) fn visit(&self, [y, z]: [f64; 2], mut found: impl FnMut(u32)) {
+        let at = DVec2::new(y, z);
+        if self.starts.is_empty() || at.cmplt(self.min).any() || at.cmpgt(self.max).any() {
+            return;
+        }
+        let [y, z] = self.cell(at);
+        let cell = z * self.cells[0] + y;
+        for &face in &self.faces[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
+            found(face);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_face_that_a_row_meets_is_left_out() {
+        // Long and short ones, some seen from their edges.
+        let random = |k: u32, scale: f64| {
+            let at = |step: f64| (f64::from(k + 1) * step).fract();
+            scale * DVec3::new(at(0.618_033_988_7), at(0.754_877_666_2), at(0.569_840_290_9))
+        };
+        let mut points = Vec::new();
+        for k in 0..300 {
+            let corner = random(k, 1.0);
+            let size = if k % 7 == 0 { 1.0 } else { 0.05 };
+            let flat = if k % 5 == 0 { DVec3::new(1.0, 1.0, 0.0) } else { DVec3::ONE };
+            points.extend([corner, corner + flat * random(k + 900, size), corner + flat * random(k + 5000, size)]);
+        }
+        let faces: Vec<[u32; 3]> = (0..300).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        let index = RowIndex::new(&points, &faces);
+        let mut met = 0;
+        for k in 0..2000 {
+            let DVec3 { y, z, .. } = 1.2 * random(k, 1.0) - 0.1;
+            let mut found = vec![false; faces.len()];
+            index.visit([y, z], |face| found[face as usize] = true);
+            for (face, found) in faces.iter().zip(found) {
+                let [a, b, c] = face.map(|i| DVec2::new(points[i as usize].y - y, points[i as usize].z - z));
+                let sides = [a.perp_dot(b), b.perp_dot(c), c.perp_dot(a)];
+                let meets = sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0);
+                assert!(found || !meets, "{y} {z}");
+                met += usize::from(meets);
+            }
+        }
+        assert!(met > 1000, "{met}");
+    }
+}

@@ -49,35 +49,8 @@ impl SurfaceIndex {
 
     /// The nearest point; none of a surface without faces. Of faces equally near the first counts.
     pub fn nearest(&self, x: DVec3) -> Option<Nearest> {
-        let mut best: Option<(f64, u32, [f64; 3])> = None;
-        let mut open = Vec::with_capacity(64);
-        open.extend(self.bvh.nodes().first().map(|root| (distance_squared(root, x), 0)));
-        while let Some((square, index)) = open.pop() {
-            if best.is_some_and(|(least, ..)| square > least) {
-                continue;
-            }
-            if !self.bvh.nodes()[index].is_leaf() {
-                let mut children =
-                    self.bvh.children(index).map(|child| (distance_squared(&self.bvh.nodes()[child], x), child));
-                // The nearer child is looked at first: it mostly rules the other one out.
-                children.sort_by(|a, b| b.0.total_cmp(&a.0));
-                open.extend(children);
-                continue;
-            }
-            for &face in self.bvh.triangles(index) {
-                let corners = self.corners(face);
-                let weights = closest_on_triangle(x, corners);
-                let square = x.distance_squared(mix(weights, corners));
-                if best.is_none_or(|(least, first, _)| square < least || (square == least && face < first)) {
-                    best = Some((square, face, weights));
-                }
-            }
-        }
-        best.map(|(_, face, weights)| Nearest {
-            point: mix(weights, self.corners(face)),
-            normal: self.normal(face, weights),
-            face,
-        })
+        let (face, weights, point) = nearest_face(&self.points, &self.faces, &self.bvh, x)?;
+        Some(Nearest { point, normal: self.normal(face, weights), face })
     }
 
     fn corners(&self, face: u32) -> [DVec3; 3] {
@@ -95,6 +68,41 @@ impl SurfaceIndex {
         };
         mean.normalize_or(own)
     }
+}
+
+/// The face nearest to a point, the weights of its corners in its nearest point, and that; `bvh` holds the faces. Of those
+/// equally near the first counts.
+pub(crate) fn nearest_face(
+    points: &[DVec3],
+    faces: &[[u32; 3]],
+    bvh: &Bvh,
+    x: DVec3,
+) -> Option<(u32, [f64; 3], DVec3)> {
+    let mut best: Option<(f64, u32, [f64; 3], DVec3)> = None;
+    let mut open = Vec::with_capacity(64);
+    open.extend(bvh.nodes().first().map(|root| (distance_squared(root, x), 0)));
+    while let Some((square, index)) = open.pop() {
+        if best.is_some_and(|(least, ..)| square > least) {
+            continue;
+        }
+        if !bvh.nodes()[index].is_leaf() {
+            let mut children = bvh.children(index).map(|child| (distance_squared(&bvh.nodes()[child], x), child));
+            // The nearer child is looked at first: it mostly rules the other one out.
+            children.sort_by(|a, b| b.0.total_cmp(&a.0));
+            open.extend(children);
+            continue;
+        }
+        for &face in bvh.triangles(index) {
+            let corners = faces[face as usize].map(|i| points[i as usize]);
+            let weights = closest_on_triangle(x, corners);
+            let point = mix(weights, corners);
+            let square = x.distance_squared(point);
+            if best.is_none_or(|(least, first, ..)| square < least || (square == least && face < first)) {
+                best = Some((square, face, weights, point));
+            }
+        }
+    }
+    best.map(|(_, face, weights, point)| (face, weights, point))
 }
 
 fn face_normal([a, b, c]: [DVec3; 3]) -> DVec3 {

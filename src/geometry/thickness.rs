@@ -1,9 +1,13 @@
 //! How thick a solid is, place by place: what its particles have to be spaced by so that every part has two layers.
 //!
-//! From places spread over the surface a ray goes straight inwards until it is outside. Each place stands for the matter
-//! under it, half as deep as the part is thick, so that the shares are shares of the volume; tips and rims weigh little.
+//! Looked at are points spread evenly through the volume, so that shares of them are shares of the matter. At each the
+//! thickness is the way through it along the normal of the nearest surface, or the same at the middle of that way where
+//! that is less: near the rim of a plate the nearest surface is the rim, from which the way runs through the whole of it,
+//! but the middle of that way lies within the plate.
 
 use super::bvh::Bvh;
+use super::inside::spread;
+use super::nearest::nearest_face;
 use super::solid::Solid;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -11,65 +15,32 @@ use rayon::prelude::*;
 /// Thicknesses of a solid.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Thickness {
-    /// Thickness [m], the place where it was found, and the share of the matter that is no thicker; in rising order.
+    /// Thickness [m], the nearest place of the surface, and the share of the matter that is no thicker; in rising order.
     places: Vec<(f64, DVec3, f64)>,
 }
 
-/// Places of the surface that are looked at.
-const PLACES: usize = 3000;
+/// Points that are looked at, about.
+const POINTS: f64 = 3000.0;
 
-/// Share of the extent that a ray begins beneath the surface, so that it does not meet its own face.
-const BENEATH: f64 = 1e-9;
+/// Rows on which they lie, in all and in each box around pieces at least; boxes that are looked at, at most.
+const ROWS: usize = 1600;
+const LEAST_ROWS: usize = 4;
+const MOST_BOXES: usize = 2000;
 
 impl Thickness {
     /// Looks at a solid.
     pub(crate) fn of(solid: &Solid) -> Self {
-        let (points, faces) = (&solid.surface.points, &solid.surface.faces);
-        let corners = |face: usize| faces[face].map(|i| points[i as usize]);
-        let bvh = Bvh::new(points, faces);
-        let areas: Vec<f64> =
-            (0..faces.len()).map(corners).map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).collect();
-        let total: f64 = areas.iter().sum();
-        // The same distance of area apart, each at another place of its face.
-        let mut chosen = Vec::with_capacity(PLACES);
-        let mut passed = 0.0;
-        for (face, area) in areas.iter().enumerate() {
-            let first = (passed / total * PLACES as f64 + 0.5).floor() as usize;
-            passed += area;
-            let last = (passed / total * PLACES as f64 + 0.5).floor() as usize;
-            chosen.extend((first..last.min(first + PLACES)).map(|k| (face, k)));
-        }
-        let beneath = BENEATH * solid.size().length();
-        let found: Vec<(f64, DVec3)> = chosen
-            .par_iter()
-            .filter_map(|&(face, k)| {
-                let [a, b, c] = corners(face);
-                let [mut u, mut v] =
-                    [0.618_033_988_749_895, 0.754_877_666_246_693].map(|step| (k as f64 * step).fract());
-                if u + v > 1.0 {
-                    (u, v) = (1.0 - u, 1.0 - v);
-                }
-                let inwards = -(b - a).cross(c - a).try_normalize()?;
-                let place = a + u * (b - a) + v * (c - a);
-                // Beneath a face that lies within another piece there is no skin of the matter.
-                if solid.contains(place - 10.0 * beneath * inwards) {
-                    return None;
-                }
-                leaves(points, faces, &bvh, place + beneath * inwards, inwards).map(|thickness| (thickness, place))
-            })
-            .collect();
-        Self::sorted(found)
-    }
-
-    fn sorted(mut found: Vec<(f64, DVec3)>) -> Self {
+        let surface = Faces {
+            points: &solid.surface.points,
+            faces: &solid.surface.faces,
+            bvh: Bvh::new(&solid.surface.points, &solid.surface.faces),
+        };
+        let points = points_inside(solid);
+        let mut found: Vec<(f64, DVec3)> = points.par_iter().filter_map(|&point| surface.thickness(point)).collect();
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let total: f64 = found.iter().map(|(thickness, _)| thickness).sum();
-        let mut sum = 0.0;
-        let places = found.into_iter().map(|(thickness, place)| {
-            sum += thickness;
-            (thickness, place, sum / total)
-        });
-        Self { places: places.collect() }
+        let count = found.len() as f64;
+        let place = |(k, (thickness, place)): (usize, (f64, DVec3))| (thickness, place, (k + 1) as f64 / count);
+        Self { places: found.into_iter().enumerate().map(place).collect() }
     }
 
     /// Thickness that all but this share of the matter has at least [m]; none where nothing was found.
@@ -78,7 +49,7 @@ impl Thickness {
         self.places.get(place).or(self.places.last()).map(|(thickness, ..)| *thickness)
     }
 
-    /// Share of the matter that is thinner than this [m], and the middle of the thinnest place [m].
+    /// Share of the matter that is thinner than this [m], and where the surface is nearest to the thinnest of it [m].
     pub(crate) fn thinner_than(&self, thickness: f64) -> Option<(f64, DVec3)> {
         let count = self.places.partition_point(|(found, ..)| *found < thickness);
         let (.., share) = self.places.get(count.checked_sub(1)?)?;
@@ -86,39 +57,104 @@ impl Thickness {
     }
 }
 
-/// How far a ray from just inside runs until the surface no longer turns around it; none if it gets out by a hole.
-fn leaves(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, from: DVec3, along: DVec3) -> Option<f64> {
-    let mut met: Vec<(f64, i32)> = Vec::new();
-    bvh.visit(
-        |node| meets(from, along, [node.min, node.max]),
-        |face| {
-            let [a, b, c] = faces[face as usize].map(|i| points[i as usize]);
-            let (ab, ac) = (b - a, c - a);
-            let across = along.cross(ac);
-            let determinant = ab.dot(across);
-            if determinant == 0.0 {
-                return;
+/// Points spread evenly through the volume.
+fn points_inside(solid: &Solid) -> Vec<DVec3> {
+    let boxes: Vec<[DVec3; 2]> = solid.boxes().collect();
+    let chosen: Vec<[DVec3; 2]> = boxes.iter().step_by(boxes.len().div_ceil(MOST_BOXES).max(1)).copied().collect();
+    let rows_each = (ROWS / chosen.len().max(1)).max(LEAST_ROWS);
+    // Stretches inside, and the area for which the row stands.
+    let rows: Vec<(DVec3, f64, Vec<[f64; 2]>)> = (0..rows_each * chosen.len())
+        .into_par_iter()
+        .map(|k| {
+            let [min, max] = chosen[k / rows_each];
+            let share = spread(k % rows_each);
+            let at = DVec3::new(0.0, min.y + (max.y - min.y) * share[0], min.z + (max.z - min.z) * share[1]);
+            let area = (max.y - min.y) * (max.z - min.z) / rows_each as f64;
+            // What lies in another box is looked at there.
+            let within = |[from, to]: [f64; 2]| [from.max(min.x), to.min(max.x)];
+            let inside = solid.scanline(at.y, at.z).into_iter().map(within).filter(|[from, to]| from < to);
+            (at, area, inside.collect())
+        })
+        .collect();
+    let volume: f64 = rows.iter().flat_map(|(_, area, inside)| inside.iter().map(move |[a, b]| area * (b - a))).sum();
+    let step = volume / POINTS;
+    let mut points = Vec::with_capacity(POINTS as usize + 1);
+    let (mut passed, mut next) = (0.0, 0.5 * step);
+    for (at, area, inside) in &rows {
+        for [from, to] in inside {
+            let end = passed + area * (to - from);
+            while next < end {
+                points.push(at.with_x(from + (next - passed) / area));
+                next += step;
             }
-            let to = from - a;
-            let u = to.dot(across) / determinant;
-            let turned = to.cross(ab);
-            let v = along.dot(turned) / determinant;
-            let distance = ac.dot(turned) / determinant;
-            if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 {
-                // Seen from its outside the face turns counter-clockwise, and the ray enters.
-                met.push((distance, if determinant > 0.0 { 1 } else { -1 }));
-            }
-        },
-    );
-    met.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
-    let mut depth = 1;
-    for (distance, step) in met {
-        depth += step;
-        if depth <= 0 {
-            return Some(distance);
+            passed = end;
         }
     }
-    None
+    points
+}
+
+/// The surface of a solid.
+struct Faces<'a> {
+    points: &'a [DVec3],
+    faces: &'a [[u32; 3]],
+    bvh: Bvh,
+}
+
+impl Faces<'_> {
+    /// How thick the matter around a point is [m], and the nearest place of the surface [m]; none where the ways out run
+    /// through a hole.
+    fn thickness(&self, point: DVec3) -> Option<(f64, DVec3)> {
+        let (way, middle, place) = self.through(point)?;
+        let further = self.through(middle).map_or(f64::INFINITY, |(way, ..)| way);
+        Some((way.min(further), place))
+    }
+
+    /// The way through a point along the normal of the nearest surface [m], its middle, and the nearest place of the
+    /// surface.
+    fn through(&self, point: DVec3) -> Option<(f64, DVec3, DVec3)> {
+        let (_, _, place) = nearest_face(self.points, self.faces, &self.bvh, point)?;
+        let along = (point - place).try_normalize()?;
+        let [ahead, back] = [self.leaves(point, along)?, self.leaves(point, -along)?];
+        Some((ahead + back, point + 0.5 * (ahead - back) * along, place))
+    }
+
+    /// How far a ray from a point inside runs until the surface no longer turns around it; none if it gets out by a hole.
+    fn leaves(&self, from: DVec3, along: DVec3) -> Option<f64> {
+        let mut met: Vec<(f64, i32)> = Vec::new();
+        self.bvh.visit(
+            |node| meets(from, along, [node.min, node.max]),
+            |face| {
+                let [a, b, c] = self.faces[face as usize].map(|i| self.points[i as usize]);
+                let (ab, ac) = (b - a, c - a);
+                let across = along.cross(ac);
+                let determinant = ab.dot(across);
+                if determinant == 0.0 {
+                    return;
+                }
+                let to = from - a;
+                let u = to.dot(across) / determinant;
+                let turned = to.cross(ab);
+                let v = along.dot(turned) / determinant;
+                let distance = ac.dot(turned) / determinant;
+                if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 {
+                    // Seen from its outside the face turns counter-clockwise, and the ray enters.
+                    met.push((distance, if determinant > 0.0 { 1 } else { -1 }));
+                }
+            },
+        );
+        met.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+        // As often as it leaves in the end.
+        let mut depth = -met.iter().map(|(_, step)| step).sum::<i32>();
+        // Between the two faces of an edge a ray may meet both or none.
+        depth = depth.max(1);
+        for (distance, step) in met {
+            depth += step;
+            if depth <= 0 {
+                return Some(distance);
+            }
+        }
+        None
+    }
 }
 
 /// Whether a ray comes through a box.
@@ -142,6 +178,7 @@ mod tests {
     use crate::geometry::lattice::Cuboid;
     use crate::geometry::mesh::{TriangleMesh, box_surface};
     use crate::geometry::model::{MeshData, Model};
+    use glam::DMat3;
 
     fn solid(meshes: &[TriangleMesh]) -> Solid {
         let mut model = Model::default();
@@ -150,6 +187,77 @@ mod tests {
             model.add(MeshData { positions, triangles, ..MeshData::default() });
         }
         Solid::new(&model).expect("an inside")
+    }
+
+    fn boxed(center: [f64; 3], size: [f64; 3]) -> TriangleMesh {
+        let shape = Cuboid { center: DVec3::from_array(center), size: DVec3::from_array(size) };
+        box_surface(&shape, 0.25 * size.iter().copied().fold(0.0, f64::max))
+    }
+
+    fn turned(mut mesh: TriangleMesh) -> TriangleMesh {
+        let turn = DMat3::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize_or_zero(), 0.8);
+        mesh.positions.iter_mut().for_each(|x| *x = turn * *x);
+        mesh
+    }
+
+    /// A tube around the z axis.
+    fn tube(radius: f64, wall: f64, length: f64) -> TriangleMesh {
+        let sides = 64;
+        let rings = [(radius, 0.0), (radius, length), (radius - wall, length), (radius - wall, 0.0)];
+        let at = |k: u32| {
+            let (sine, cosine) = (std::f64::consts::TAU * f64::from(k / 4) / f64::from(sides)).sin_cos();
+            let (radius, z) = rings[k as usize % 4];
+            DVec3::new(radius * cosine, radius * sine, z)
+        };
+        let quads = (0..4 * sides).map(|k| {
+            let (next, above) = ((k + 4) % (4 * sides), k / 4 * 4 + (k + 1) % 4);
+            [k, next, next / 4 * 4 + (next + 1) % 4, above]
+        });
+        let triangles = quads.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+        TriangleMesh { positions: (0..4 * sides).map(at).collect(), triangles }
+    }
+
+    fn share(meshes: &[TriangleMesh], thickness: f64) -> f64 {
+        Thickness::of(&solid(meshes)).thinner_than(thickness).map_or(0.0, |(share, _)| share)
+    }
+
+    #[test]
+    fn all_of_what_is_thin_counts_and_nothing_of_what_is_not() {
+        for (name, mesh, thickness) in [
+            ("plate", boxed([0.0; 3], [1.0, 0.05, 0.7]), 0.05),
+            ("bar", boxed([0.0; 3], [0.1, 2.0, 0.2]), 0.1),
+            ("thin tube", tube(0.5, 0.02, 2.0), 0.02),
+            ("short tube", tube(0.5, 0.1, 0.3), 0.1),
+            ("cube", boxed([0.0; 3], [1.0; 3]), 1.0),
+        ] {
+            for mesh in [turned(mesh.clone()), mesh] {
+                let (less, more) = (share(&[mesh.clone()], 0.95 * thickness), share(&[mesh], 1.05 * thickness));
+                assert!(less < 0.02 && more > 0.97, "{name}: {less} below {thickness} m, {more} up to it");
+            }
+        }
+    }
+
+    #[test]
+    fn mixtures_count_by_their_volumes() {
+        let block = || boxed([0.0; 3], [1.0; 3]);
+        // A plate beside a block; one that sticks out of it; a bar and a tube far from it.
+        let beside = boxed([3.0, 0.0, 0.0], [2.0, 0.1, 1.0]);
+        let out = boxed([1.4, 0.0, 0.0], [2.0, 0.1, 1.0]);
+        let bar = boxed([4.0, 0.0, 0.0], [0.1, 0.1, 5.0]);
+        let tube = tube(4.0, 0.05, 0.5);
+        let of_tube = solid(&[tube.clone()]).volume;
+        for (name, meshes, thin) in [
+            ("plate beside", vec![block(), beside], 0.2 / 1.2),
+            ("plate out of it", vec![block(), out], 0.19 / 1.19),
+            ("bar", vec![block(), bar], 0.05 / 1.05),
+            ("tube around", vec![block(), tube], of_tube / (1.0 + of_tube)),
+        ] {
+            let found = share(&meshes, 0.2);
+            assert!((found - thin).abs() < 0.02, "{name}: {found} instead of {thin}");
+            let moved: Vec<TriangleMesh> = meshes.into_iter().map(turned).collect();
+            let found = share(&moved, 0.2);
+            assert!((found - thin).abs() < 0.02, "{name}, turned: {found} instead of {thin}");
+        }
     }
 
     #[test]
@@ -162,7 +270,7 @@ mod tests {
         assert!((thin - 0.1).abs() < 1e-6, "{thin}");
         assert!(found.of_all_but(0.7).unwrap() > 0.9);
         let (share, place) = found.thinner_than(0.2).unwrap();
-        assert!((0.05..0.3).contains(&share) && place.x > 0.5, "{share} {place}");
+        assert!((share - 0.16).abs() < 0.02 && place.x > 0.4, "{share} {place}");
         assert!(found.thinner_than(0.05).is_none());
     }
 }

@@ -7,7 +7,7 @@ use super::limits::{Resistance, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
 use super::pins::{Following, note_pins};
-use super::stage::BakeStage;
+use super::stage::{BakeStage, Tell};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{fibres, room, supports};
 use crate::geometry::kernel::Kernel;
@@ -35,7 +35,7 @@ pub(super) fn draft(
     sampling: &ParticleSampling<'_>,
     path: &str,
     notes: &mut Vec<Note>,
-    progress: &mut dyn FnMut(&str, BakeStage),
+    progress: &mut Tell<'_>,
 ) -> Result<Draft, BakeError> {
     let name = body.title();
     let material = &body.material;
@@ -43,17 +43,17 @@ pub(super) fn draft(
     let kernel = Kernel::new(material.support_radius);
     let volume = spacing.powi(3);
 
-    progress(name, BakeStage::Neighbours);
+    progress(name, BakeStage::Neighbours)?;
     let ParticleSampling { sample, volume: shape_volume, size, .. } = sampling;
     let neighbourhood = Neighbourhood::on_lattice(sample, kernel, volume)
         .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);
 
-    progress(name, BakeStage::Embedding);
+    progress(name, BakeStage::Embedding)?;
     let embedder = Embedder::new(&sample.points, kernel);
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
-    let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of })).map(Arc::new);
+    let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);
 
     let mass = match material.mass {
         Mass::Density(density) => density * shape_volume / sample.points.len() as f64,
@@ -91,7 +91,7 @@ pub(super) fn draft(
         forces.push(Box::new(AirDrag { rate: material.damping.air }));
     }
 
-    progress(name, BakeStage::StableStep);
+    progress(name, BakeStage::StableStep)?;
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
@@ -141,7 +141,7 @@ pub(super) fn draft(
         step_parameter: step_parameter(scene).to_owned(),
     };
     note_pins(scene, &body.pins, &parts, Following::of_solid(body), path, notes);
-    Ok(Draft { parts, regions, stable_steps, fractions })
+    Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
 }
 
 /// Particles are balls of radius D / 2, as stiff against others as the material.

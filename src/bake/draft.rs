@@ -12,4 +12,6 @@ pub(super) struct Draft {
     pub(super) stable_steps: Vec<f64>,
     /// Volume fraction of fibre at every particle; none of a two-layer body.
     pub(super) fractions: Vec<f64>,
+    /// Particles in parts of hardly more than one layer, where that is said.
+    pub(super) thin: Vec<u32>,
 }

@@ -7,6 +7,9 @@ use thiserror::Error;
 /// A scene that cannot be put together.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum BakeError {
+    /// It was no longer wanted: whoever heard how far it had come broke it off.
+    #[error("putting the scene together was stopped")]
+    Cancelled,
     /// No lattice point lies inside the shape.
     #[error(
         "{path}: no particle fits into the shape at a spacing of {spacing} m; lower {body}/material/support_radius"
@@ -26,9 +29,7 @@ pub enum BakeError {
         path: String,
     },
     /// The shape would need more particles than are allowed.
-    #[error(
-        "{path}: about {wanted:.1e} {what} where {limit:.1e} are allowed; give {suggested:.2e} m or more, or check the scale"
-    )]
+    #[error("{path}: about {wanted:.1e} {what} where {limit:.1e} are allowed; give {suggested}, or check the scale")]
     TooMany {
         /// Pointer to the value that decides.
         path: String,
@@ -38,13 +39,12 @@ pub enum BakeError {
         wanted: f64,
         /// Greatest number.
         limit: f64,
-        /// Support radius that would do [m].
-        suggested: f64,
+        /// What would do.
+        suggested: String,
     },
     /// Much of a mesh is thinner than two layers.
     #[error(
-        "{path}: the shape is too thin for its particles ({flat} of {total} have too few others around them): {}",
-        remedy(*.suggested)
+        "{path}: the shape is too thin for its particles ({flat} of {total} have too few others around them): {remedy}"
     )]
     MeshTooThin {
         /// Pointer to the value that decides.
@@ -53,8 +53,8 @@ pub enum BakeError {
         flat: usize,
         /// Lattice points inside.
         total: usize,
-        /// Support radius that gives two layers [m], as was tried.
-        suggested: Option<f64>,
+        /// What gives two layers, as was tried, or else to be done.
+        remedy: String,
     },
     /// The pieces of a mesh lie too far apart.
     #[error("{path}: {source}")]
@@ -181,13 +181,6 @@ pub enum BakeError {
 
 fn softer(limited_by: Option<&str>) -> String {
     limited_by.map_or("soften its material or fibres".to_owned(), |pointer| format!("lower {pointer}"))
-}
-
-fn remedy(suggested: Option<f64>) -> String {
-    match suggested {
-        Some(radius) => format!("a support radius of {radius:.3e} m gives two layers"),
-        None => "two layers would take more particles than are allowed; give it more thickness".to_owned(),
-    }
 }
 
 /// Where a reference fails: the identifiers that exist, for the message.

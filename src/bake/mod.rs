@@ -9,6 +9,7 @@ mod integrator;
 mod layer_model;
 mod limits;
 mod measures;
+mod mesh_filling;
 mod note;
 mod overlaps;
 mod particle_sampling;
@@ -30,7 +31,9 @@ use crate::scene::{AnyBody, Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
 use crate::solver::world::World;
 use glam::DVec3;
+use stage::Tell;
 use std::collections::HashMap;
+use std::ops::ControlFlow;
 
 /// A world ready to run, and what was noticed on the way.
 #[derive(Clone)]
@@ -43,6 +46,9 @@ pub struct Baked {
     pub regions: Vec<HashMap<String, Vec<u32>>>,
     /// Volume fraction of fibre at every particle of each body, painted or by distance; none of a two-layer body.
     pub fractions: Vec<Vec<f64>>,
+    /// Particles of each body in parts of hardly more than one layer, which bend too easily; none where there are so few of
+    /// them that no note is made of it.
+    pub thin: Vec<Vec<u32>>,
     /// Greatest stable step of each body [s] under every integrator, in the order of [`IntegratorKind::ALL`].
     stable_steps: Vec<Vec<f64>>,
 }
@@ -79,30 +85,30 @@ impl Baked {
 /// # Errors
 /// [`BakeError`] with the pointer to what cannot be put together.
 pub fn bake(scene: &Scene, assets: &Assets) -> Result<Baked, BakeError> {
-    bake_with_progress(scene, assets, &mut |_, _| {})
+    bake_with_progress(scene, assets, &mut |_, _| ControlFlow::Continue(()))
 }
 
-/// [`bake`], and `progress` hears what is being worked on: the name of a body and the stage.
+/// [`bake`], and `progress` hears what is being worked on: the name of a body and the stage. It is not asked again once it
+/// breaks off.
 ///
 /// # Errors
-/// [`BakeError`] with the pointer to what cannot be put together.
+/// [`BakeError`] with the pointer to what cannot be put together; [`BakeError::Cancelled`] where `progress` broke off.
 pub fn bake_with_progress(
     scene: &Scene,
     assets: &Assets,
-    progress: &mut dyn FnMut(&str, BakeStage),
+    progress: &mut dyn FnMut(&str, BakeStage) -> ControlFlow<()>,
 ) -> Result<Baked, BakeError> {
     spans::within(progress, |progress| put_together(scene, assets, progress))
 }
 
-fn put_together(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, BakeStage)) -> Result<Baked, BakeError> {
+fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Result<Baked, BakeError> {
     let mut notes = Vec::new();
     let mut drafts = Vec::new();
     for (index, body) in scene.all_bodies().enumerate() {
         let path = scene.body_pointer(index);
-        progress(body.title(), BakeStage::Sampling);
         drafts.push(match body {
             AnyBody::Solid(body) => {
-                let sampling = particle_sampling::sample_particles(body, assets, &path, &mut notes)?;
+                let sampling = particle_sampling::sample_particles(body, assets, &path, &mut notes, progress)?;
                 let body = sampling.effective(body);
                 body::draft(scene, &body, &sampling, &path, &mut notes, progress)?
             }
@@ -131,8 +137,9 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut dyn FnMut(&str, B
     let probes = measures::probes(scene, &drafts)?;
     let stable_steps = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.stable_steps)).collect();
     let fractions = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.fractions)).collect();
+    let thin = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.thin)).collect();
     let (bodies, regions) = drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
     let world = World::new(bodies, room::panels(scene), probes, plan, DVec3::from_array(scene.gravity));
     overlaps::note_overlaps(scene, &world, &mut notes);
-    Ok(Baked { world, notes, regions, fractions, stable_steps })
+    Ok(Baked { world, notes, regions, fractions, thin, stable_steps })
 }

@@ -1,16 +1,18 @@
 //! From a shape to the particles that fill it and the surface that is drawn of it.
 
 use super::error::BakeError;
+use super::mesh_filling::Meshed;
 use super::note::Note;
-use crate::geometry::fill::{FEW, FillError, FillResolution, Filling, fill, two_layer_spacing};
+use super::stage::{BakeStage, Tell};
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box};
 use crate::geometry::mesh::box_surface;
 use crate::geometry::solid::Solid;
-use crate::scene::{Assets, Body, BoxShape, MAX_PARTICLES, MeshShape, Rotation, Shape};
+use crate::scene::{Assets, Body, BoxShape, Rotation, Shape};
 use crate::solver::skin::{Skin, SkinShape};
 use glam::{DMat3, DVec3};
 use std::borrow::Cow;
+use std::ops::ControlFlow;
 
 /// A filled shape.
 pub(super) struct ParticleSampling<'a> {
@@ -20,6 +22,8 @@ pub(super) struct ParticleSampling<'a> {
     pub(super) volume: f64,
     /// Extents of the shape [m].
     pub(super) size: DVec3,
+    /// Particles in parts of hardly more than one layer, where that is said.
+    pub(super) thin: Vec<u32>,
     source: Source<'a>,
 }
 
@@ -36,11 +40,34 @@ pub(super) fn sample_particles<'a>(
     assets: &'a Assets,
     path: &str,
     notes: &mut Vec<Note>,
+    progress: &mut Tell<'_>,
 ) -> Result<ParticleSampling<'a>, BakeError> {
+    let mut filled = |done, of| progress(body.title(), BakeStage::Sampling { done, of });
+    filled(0, 1)?;
     let sampling = match &body.shape {
         Shape::Box(shape) => fill_box_shape(body, shape, path)?,
-        Shape::Mesh(shape) => fill_mesh_shape(body, shape, assets, path, notes)?,
+        Shape::Mesh(shape) => {
+            let file = format!("{path}/shape/mesh/path");
+            let solid = assets.solid(shape).ok_or_else(|| BakeError::NotLoaded { path: file.clone() })?;
+            let found = solid.report.findings().into_iter();
+            notes.extend(found.map(|finding| Note {
+                path: file.clone(),
+                text: finding.text,
+                warning: finding.warning,
+            }));
+            let mut told =
+                |done, of| if filled(done, of).is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+            let mut filling = Meshed { body, shape, solid, path }.filled(notes, &mut told)?;
+            ParticleSampling {
+                thin: Meshed::thin_places(&mut filling),
+                sample: filling.sample,
+                volume: solid.volume,
+                size: solid.size(),
+                source: Source::Mesh(solid),
+            }
+        }
     };
+    filled(1, 1)?;
     sampling.note_sampling(path, notes);
     Ok(sampling)
 }
@@ -52,103 +79,13 @@ fn fill_box_shape<'a>(body: &Body, shape: &BoxShape, path: &str) -> Result<Parti
     if sample.points.is_empty() {
         return Err(BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing });
     }
-    Ok(ParticleSampling { sample, volume: solid.volume(), size: solid.size, source: Source::Box(solid) })
+    let (volume, size) = (solid.volume(), solid.size);
+    Ok(ParticleSampling { sample, volume, size, thin: Vec::new(), source: Source::Box(solid) })
 }
 
 fn lattice_axes(rotation: &Rotation) -> DMat3 {
     // Exactly along the axes when not turned: that decides how the box is filled.
     if rotation.degrees == 0.0 { DMat3::IDENTITY } else { DMat3::from_quat(rotation.quaternion()) }
-}
-
-fn fill_mesh_shape<'a>(
-    body: &Body,
-    shape: &MeshShape,
-    assets: &'a Assets,
-    path: &str,
-    notes: &mut Vec<Note>,
-) -> Result<ParticleSampling<'a>, BakeError> {
-    let at = format!("{path}/shape/mesh");
-    let solid = assets.solid(shape).ok_or_else(|| BakeError::NotLoaded { path: format!("{at}/path") })?;
-    let found = solid.report.findings();
-    notes.extend(found.into_iter().map(|finding| Note {
-        path: format!("{at}/path"),
-        text: finding.text,
-        warning: finding.warning,
-    }));
-    let ratio = body.material.spacing_ratio;
-    let fineness = shape.particles.map_or(FillResolution::Spacing(body.material.spacing()), FillResolution::Particles);
-    let filling = fill(solid, fineness, ratio.recip(), MAX_PARTICLES).map_err(|error| match error {
-        FillError::TooMany { wanted, limit } => {
-            let spacing = body.material.spacing() * 1.01 * (wanted / limit).cbrt();
-            BakeError::TooMany {
-                path: format!("{path}/material/support_radius"),
-                what: "lattice points would be needed",
-                wanted,
-                limit,
-                suggested: spacing / ratio,
-            }
-        }
-        FillError::TooFarApart { .. } => BakeError::MeshTooWide { path: format!("{at}/path"), source: error },
-        FillError::TooThin { flat, total, suggested, .. } => BakeError::MeshTooThin {
-            path: format!("{path}/material/support_radius"),
-            flat,
-            total,
-            suggested: suggested.map(|spacing| spacing / ratio),
-        },
-    })?;
-    note_filling(&filling, solid, body, shape, path, notes);
-    Ok(ParticleSampling {
-        sample: filling.sample,
-        volume: solid.volume,
-        size: solid.size(),
-        source: Source::Mesh(solid),
-    })
-}
-
-fn note_filling(filling: &Filling, solid: &Solid, body: &Body, shape: &MeshShape, path: &str, notes: &mut Vec<Note>) {
-    let mut note = |field: &str, warning: bool, text: String| {
-        notes.push(Note { path: format!("{path}/{field}"), text, warning });
-    };
-    let radius = filling.sample.spacing / body.material.spacing_ratio;
-    let change = radius / body.material.support_radius - 1.0;
-    if shape.particles.is_some() {
-        let count = filling.sample.points.len();
-        note("shape/mesh/particles", false, format!("{count} particles at a support radius of {radius:.6} m"));
-    } else if change != 0.0 {
-        let percent = 100.0 * change;
-        let text = format!("made {radius:.6} m ({percent:+.1} %) so that the particles' volume is that of the mesh");
-        note("material/support_radius", false, text);
-    }
-    let total = filling.sample.points.len();
-    if filling.pruned > 0 {
-        let text = format!("{} lattice points at tips too fine to hold them were left out", filling.pruned);
-        note("shape/mesh", false, text);
-    }
-    let thin = &filling.thinness;
-    if thin.single as f64 > FEW * total as f64 {
-        let at = thin.first.and_then(|index| filling.sample.points.get(index)).copied().unwrap_or_default();
-        let ratio = body.material.spacing_ratio;
-        let remedy = match two_layer_spacing(solid, filling.sample.spacing, ratio.recip(), MAX_PARTICLES as f64) {
-            Some(spacing) => format!("a support radius of {:.3e} m gives two layers", spacing / ratio),
-            None => "two layers would take more particles than are allowed".to_owned(),
-        };
-        let text = format!(
-            "{} of {total} particles lie in parts hardly more than one layer thick (the first at {:.4?} m), which \
-             bend too easily: {remedy}",
-            thin.single,
-            at.to_array(),
-        );
-        note("material/support_radius", true, text);
-    }
-    if thin.double > 0 {
-        let text = format!(
-            "{} of {total} particles lie in parts two layers thick, which twist a quarter too easily; {:.3e} m would \
-             give three layers",
-            thin.double,
-            radius / 1.5
-        );
-        note("material/support_radius", false, text);
-    }
 }
 
 impl ParticleSampling<'_> {
@@ -163,7 +100,14 @@ impl ParticleSampling<'_> {
     }
 
     /// The surface that is drawn; `progress` hears how many of its points are embedded.
-    pub(super) fn skin(&self, kernel: Kernel, progress: &mut dyn FnMut(usize, usize)) -> Option<Skin> {
+    ///
+    /// # Errors
+    /// That of `progress`.
+    pub(super) fn skin(
+        &self,
+        kernel: Kernel,
+        progress: &mut dyn FnMut(usize, usize) -> Result<(), BakeError>,
+    ) -> Result<Option<Skin>, BakeError> {
         let particles = &self.sample.points;
         match &self.source {
             Source::Box(solid) => {
@@ -176,7 +120,7 @@ impl ParticleSampling<'_> {
                     colours: &[],
                     triangles: &surface.triangles,
                 };
-                Skin::embed(&shape, particles, kernel, progress)
+                Skin::try_embed(&shape, particles, kernel, progress)
             }
             Source::Mesh(solid) => {
                 let shape = SkinShape {
@@ -186,7 +130,7 @@ impl ParticleSampling<'_> {
                     colours: &solid.model.colours,
                     triangles: &solid.model.triangles,
                 };
-                Skin::embed(&shape, particles, kernel, progress)
+                Skin::try_embed(&shape, particles, kernel, progress)
             }
         }
     }

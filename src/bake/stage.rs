@@ -1,12 +1,22 @@
-//! How far putting a scene together has come.
+//! How far putting a scene together has come, and whether it is to go on.
 
+use super::error::BakeError;
 use std::fmt;
+
+/// Hears the name of a body and what is being worked on. What comes of it ends the work where it is no longer wanted:
+/// [`BakeError::Cancelled`].
+pub(super) type Tell<'a> = dyn FnMut(&str, BakeStage) -> Result<(), BakeError> + 'a;
 
 /// What is being worked on, for progress on long bakes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BakeStage {
     /// Filling the shape with particles.
-    Sampling,
+    Sampling {
+        /// Lattices that were tried.
+        done: usize,
+        /// Lattices in all, at most.
+        of: usize,
+    },
     /// Finding neighbours.
     Neighbours,
     /// Embedding fibres.
@@ -25,7 +35,9 @@ pub enum BakeStage {
 impl fmt::Display for BakeStage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Sampling => f.write_str("filling the shape with particles"),
+            Self::Sampling { done, of } => {
+                write!(f, "filling the shape with particles, {} %", 100 * done / of.max(&1))
+            }
             Self::Neighbours => f.write_str("finding neighbours"),
             Self::Embedding => f.write_str("embedding the fibres"),
             Self::Skin { done, of } => write!(f, "embedding the skin, {done} of {of} points"),

@@ -6,7 +6,7 @@ use super::integrator::{integrator, stable_steps, step_parameter};
 use super::layer_model::LayerModel;
 use super::note::Note;
 use super::pins::{Following, note_pins};
-use super::stage::BakeStage;
+use super::stage::{BakeStage, Tell};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{limits, room, supports};
 use crate::scene::{Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, TwoLayer};
@@ -29,10 +29,12 @@ pub(super) fn draft(
     assets: &Assets,
     path: &str,
     notes: &mut Vec<Note>,
-    progress: &mut dyn FnMut(&str, BakeStage),
+    progress: &mut Tell<'_>,
 ) -> Result<Draft, BakeError> {
     let name = body.title();
+    progress(name, BakeStage::Sampling { done: 0, of: 1 })?;
     let model = LayerModel::new(&body.shape, assets, path, notes)?;
+    progress(name, BakeStage::Sampling { done: 1, of: 1 })?;
     let regions = supports::chosen(&body.regions, &model.points, path)?;
     let regions = with_layers(regions, model.outer, model.points.len());
     let rest: Arc<[DVec3]> = model.points.iter().map(|&x| to_world(&body.placement, x)).collect();
@@ -51,7 +53,7 @@ pub(super) fn draft(
     }
     let mut forces = own_forces(scene, body, &model, &layers, &state);
 
-    progress(name, BakeStage::StableStep);
+    progress(name, BakeStage::StableStep)?;
     let kind = match body.integrator {
         IntegratorChoice::Automatic => IntegratorKind::LeapFrog,
         IntegratorChoice::Given(kind) => kind,
@@ -107,7 +109,7 @@ pub(super) fn draft(
         step_parameter: step_parameter(scene).to_owned(),
     };
     note_pins(scene, &body.pins, &parts, Following::of_two_layer(body, model.radius), path, notes);
-    Ok(Draft { parts, regions, stable_steps, fractions: Vec::new() })
+    Ok(Draft { parts, regions, stable_steps, fractions: Vec::new(), thin: Vec::new() })
 }
 
 /// All forces but contact, with the constants of `body`; it is grabbed by the particles that are nearest at the start.

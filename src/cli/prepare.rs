@@ -10,6 +10,7 @@ use crate::scene::{Assets, Scene, TimeStep};
 use crate::sim::Runner;
 use crate::text::number::four_figures;
 use clap::Args;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -219,7 +220,11 @@ pub(super) fn put_together(
     let Loaded { scene, assets, .. } = loaded;
     let complete = complete_assets(assets, scene, folder_of(source), &mut |stage| console.stage(&stage));
     let baked = complete.map_err(CliError::from).and_then(|()| {
-        bake_with_progress(scene, assets, &mut |body, stage| console.stage(&format!("{body}: {stage}")))
+        let mut tell = |body: &str, stage| {
+            console.stage(&format!("{body}: {stage}"));
+            ControlFlow::Continue(())
+        };
+        bake_with_progress(scene, assets, &mut tell)
             .map_err(|error| CliError::Bake { scene: source_name(source), source: error })
     });
     console.end();

@@ -23,6 +23,7 @@ pub(crate) mod neighbours;
 pub(crate) mod octahedron;
 pub(crate) mod offset;
 pub(crate) mod orient;
+pub(crate) mod placement;
 pub(crate) mod point_tree;
 #[cfg(feature = "gui")]
 pub(crate) mod ray;
@@ -34,15 +35,17 @@ pub(crate) mod solid;
 pub(crate) mod subdivide;
 pub(crate) mod thickness;
 pub(crate) mod thinness;
+pub(crate) mod two_layers;
 pub(crate) mod weld;
 pub(crate) mod winding;
 
-pub use fill::{FillError, FillResolution, Filling, fill};
+pub use fill::{FillError, FillResolution, fill};
 pub use kernel::Kernel;
 pub use lattice::Cuboid;
 pub use mesh::{TriangleMesh, box_surface};
 pub use model::{MeshData, Model, Part, UpAxis};
 pub use model_report::{Finding, LeftOut, ModelReport, Refusal};
+pub use placement::Filling;
 pub use solid::Solid;
 pub use thinness::Thinness;
 pub use weld::Welded;

@@ -12,8 +12,8 @@ pub struct Thinness {
     pub single: usize,
     /// Particles in parts of about two layers.
     pub double: usize,
-    /// Index of the first particle in a single layer.
-    pub first: Option<usize>,
+    /// Indices of the particles in parts of hardly more than one layer.
+    pub places: Vec<u32>,
 }
 
 /// Least variance of the particles in reach, in squared spacings: 0 for one layer, 1/4 for two, about 1/2 for three.
@@ -27,43 +27,89 @@ const STRAY: (f64, usize) = (0.02, 6);
 /// lie on a plane or a line, or are too few.
 pub(crate) fn thinness(cells: &[IVec3], reach: f64) -> (Thinness, Vec<bool>) {
     let occupied = Occupied::new(cells);
-    let steps = steps_within(reach);
+    let rows = rows_within(reach);
     let found: Vec<(f64, usize)> = cells
         .par_iter()
         .map(|&cell| {
-            let (mut count, mut sum, mut squares) = (1, DVec3::ZERO, DMat3::ZERO);
-            for &(step, y) in &steps {
-                if occupied.contains(cell + step) {
-                    count += 1;
-                    sum += y;
-                    squares += DMat3::from_cols(y * y.x, y * y.y, y * y.z);
-                }
-            }
-            let mean = sum / f64::from(count);
+            let around = Around::new(&occupied, &rows, cell);
+            let count = f64::from(around.count);
+            let mean = around.sum.as_dvec3() / count;
             let spread =
-                squares * f64::from(count).recip() - DMat3::from_cols(mean * mean.x, mean * mean.y, mean * mean.z);
-            (least_eigenvalue(spread), count as usize - 1)
+                around.squares() * count.recip() - DMat3::from_cols(mean * mean.x, mean * mean.y, mean * mean.z);
+            (least_eigenvalue(spread), around.count as usize - 1)
         })
         .collect();
     let single = |&(variance, _): &(f64, usize)| variance < SINGLE;
     let thinness = Thinness {
         single: found.iter().filter(|one| single(one)).count(),
         double: found.iter().filter(|&&(variance, _)| (SINGLE..DOUBLE).contains(&variance)).count(),
-        first: found.iter().position(single),
+        places: (0..found.len() as u32).filter(|&k| single(&found[k as usize])).collect(),
     };
     let stray = found.iter().map(|&(variance, count)| variance < STRAY.0 || count < STRAY.1).collect();
     (thinness, stray)
 }
 
-/// Lattice steps shorter than `reach`, none left out.
-fn steps_within(reach: f64) -> Vec<(IVec3, DVec3)> {
-    let n = reach.ceil() as i32;
-    let span = || -n..=n;
-    span()
-        .flat_map(|z| span().flat_map(move |y| span().map(move |x| IVec3::new(x, y, z))))
-        .map(|step| (step, step.as_dvec3()))
-        .filter(|(step, y)| *step != IVec3::ZERO && y.length() < reach)
-        .collect()
+/// Lattice steps along x that are shorter than `reach` together with a step across.
+struct Row {
+    /// The step across; the first one of the row along x.
+    first: IVec3,
+    /// Which of them are short enough, from the first on; not the one to nowhere.
+    steps: u64,
+    /// How many they are from the first to the last.
+    width: u32,
+}
+
+/// Lattice steps shorter than `reach`, none left out. They are looked at row by row, as bits: there are dozens of them to
+/// a particle.
+fn rows_within(reach: f64) -> Vec<Row> {
+    // As far as there are bits.
+    let n = (reach.ceil() as i32).min(31);
+    let across = (-n..=n).flat_map(|z| (-n..=n).map(move |y| IVec3::new(-n, y, z)));
+    let row = |first: IVec3| {
+        let width = 2 * n as u32 + 1;
+        let is_short = |k: &u32| {
+            let step = first + IVec3::X * *k as i32;
+            step != IVec3::ZERO && step.as_dvec3().length() < reach
+        };
+        Row { first, steps: (0..width).filter(is_short).map(|k| 1 << k).sum(), width }
+    };
+    across.map(row).filter(|row| row.steps != 0).collect()
+}
+
+/// The particles within reach of one, itself included: sums over the steps to them, which are whole numbers.
+#[derive(Default)]
+struct Around {
+    count: i32,
+    sum: IVec3,
+    /// Sums of xx, yy, zz and of xy, yz, zx.
+    own: IVec3,
+    mixed: IVec3,
+}
+
+impl Around {
+    fn new(occupied: &Occupied, rows: &[Row], cell: IVec3) -> Self {
+        let mut this = Self { count: 1, ..Self::default() };
+        for row in rows {
+            let mut there = occupied.row(cell + row.first, row.width) & row.steps;
+            let (mut count, mut sum, mut squares) = (0, 0, 0);
+            while there != 0 {
+                let x = row.first.x + there.trailing_zeros() as i32;
+                (count, sum, squares) = (count + 1, sum + x, squares + x * x);
+                there &= there - 1;
+            }
+            let IVec3 { y, z, .. } = row.first;
+            this.count += count;
+            this.sum += IVec3::new(sum, count * y, count * z);
+            this.own += IVec3::new(squares, count * y * y, count * z * z);
+            this.mixed += IVec3::new(sum * y, count * y * z, sum * z);
+        }
+        this
+    }
+
+    fn squares(&self) -> DMat3 {
+        let ([xx, yy, zz], [xy, yz, zx]) = (self.own.as_dvec3().to_array(), self.mixed.as_dvec3().to_array());
+        DMat3::from_cols(DVec3::new(xx, xy, zx), DVec3::new(xy, yy, yz), DVec3::new(zx, yz, zz))
+    }
 }
 
 /// Which cells hold a particle: blocks of the bounding box, of which only those that hold any are kept.
@@ -121,18 +167,29 @@ impl Occupied {
         this
     }
 
-    fn contains(&self, cell: IVec3) -> bool {
+    /// Which of so many cells along x, from one on, hold a particle, as bits.
+    fn row(&self, cell: IVec3, width: u32) -> u64 {
         let at = cell - self.first;
-        let block = at >> BLOCK;
-        let number = match &self.number {
-            Numbers::Table(table) => {
-                let within = block.cmpge(IVec3::ZERO).all() && block.cmplt(self.size).all();
-                if within { table[table_index(self.size, block)] } else { 0 }
+        let mut block = at >> BLOCK;
+        let last = (at.x + width as i32 - 1) >> BLOCK;
+        let [layer, bit] = within(at.with_x(0));
+        let mut row = 0;
+        while block.x <= last {
+            let number = match &self.number {
+                Numbers::Table(table) => {
+                    let within = block.cmpge(IVec3::ZERO).all() && block.cmplt(self.size).all();
+                    if within { table[table_index(self.size, block)] } else { 0 }
+                }
+                Numbers::Sorted(map) => map.get(&block).copied().unwrap_or(0),
+            };
+            if number > 0 {
+                let cells = self.blocks[number as usize - 1][layer] >> bit & 0xff;
+                let shift = (block.x << BLOCK) - at.x;
+                row |= if shift < 0 { cells >> -shift } else { cells << shift };
             }
-            Numbers::Sorted(map) => map.get(&block).copied().unwrap_or(0),
-        };
-        let [layer, bit] = within(at);
-        number > 0 && self.blocks[number as usize - 1][layer] >> bit & 1 != 0
+            block.x += 1;
+        }
+        row
     }
 }
 

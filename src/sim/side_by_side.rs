@@ -3,10 +3,11 @@
 use super::status::{ComparedRun, ComparedSample};
 use super::study::Study;
 use super::trial::Trial;
-use crate::bake::BakeError;
+use crate::bake::{BakeError, BakeStage};
 use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::snapshot::Snapshot;
 use glam::DVec3;
+use std::ops::ControlFlow;
 
 /// Room between the runs, as a share of the scene's width.
 const GAP: f64 = 0.35;
@@ -29,17 +30,18 @@ struct Run {
 }
 
 impl SideBySide {
-    /// Every integrator at the start, in steps of `dt` [s].
+    /// Every integrator at the start, in steps of `dt` [s]; `progress` hears what is being worked on.
     ///
     /// # Errors
-    /// A scene that cannot be put together.
+    /// A scene that cannot be put together; [`BakeError::Cancelled`] where `progress` broke off.
     pub(super) fn new(
         scene: &Scene,
         assets: &Assets,
         integrators: &[IntegratorKind],
         dt: f64,
+        progress: &mut dyn FnMut(&str, BakeStage) -> ControlFlow<()>,
     ) -> Result<Self, BakeError> {
-        let study = Study::new(scene, assets)?;
+        let study = Study::with_progress(scene, assets, progress)?;
         let run = |&integrator: &IntegratorKind| {
             let trial = study.trial(integrator, dt);
             let shown = Snapshot::of_particles(trial.world());

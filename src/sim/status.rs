@@ -29,8 +29,11 @@ pub struct Status {
     pub failure: Option<String>,
     /// What was noticed while the scene was put together.
     pub notes: Vec<String>,
-    /// What is being put together just now.
+    /// What is being put together just now, and how far that has come.
     pub baking: Option<String>,
+    /// Whether the last change was not put together, as somebody stopped that: what was there before goes on. A reset or
+    /// the next change puts the scene together.
+    pub stopped: bool,
     /// Present values of the scene's measures.
     pub measures: Vec<MeasureValue>,
     /// Document edits taken over so far, so that a window knows whether its last one has arrived.
@@ -142,6 +145,9 @@ pub struct Published {
     pub ghost: Option<Snapshot>,
     /// Every body at rest in its model frame; the same one until the scene is put together again.
     pub at_rest: Arc<Snapshot>,
+    /// Particles of each body in parts of hardly more than one layer, where a note tells of them; the same ones until the
+    /// scene is put together again.
+    pub thin: Arc<[Vec<u32>]>,
     /// Opposite corners of the box around all bodies where the scene places them [m], world; none without a body.
     pub placed: Option<[DVec3; 2]>,
     /// The rest.

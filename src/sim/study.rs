@@ -2,8 +2,9 @@
 
 use super::convergence::Convergence;
 use super::trial::Trial;
-use crate::bake::{BakeError, Baked, bake};
+use crate::bake::{BakeError, BakeStage, Baked, bake_with_progress};
 use crate::scene::{Assets, IntegratorKind, Scene, TimeStep};
+use std::ops::ControlFlow;
 
 /// The reference steps this much finer than the finest run, and than its own limit of stability.
 const FINER: f64 = 4.0;
@@ -20,10 +21,22 @@ impl Study {
     /// # Errors
     /// A scene that cannot be put together.
     pub fn new(scene: &Scene, assets: &Assets) -> Result<Self, BakeError> {
+        Self::with_progress(scene, assets, &mut |_, _| ControlFlow::Continue(()))
+    }
+
+    /// [`Self::new`], and `progress` hears what is being worked on.
+    ///
+    /// # Errors
+    /// A scene that cannot be put together; [`BakeError::Cancelled`] where `progress` broke off.
+    pub(super) fn with_progress(
+        scene: &Scene,
+        assets: &Assets,
+        progress: &mut dyn FnMut(&str, BakeStage) -> ControlFlow<()>,
+    ) -> Result<Self, BakeError> {
         // Trials choose their own step, so that one that no automatic choice would take is no obstacle.
         let mut scene = scene.clone();
         scene.time.step = TimeStep::manual(scene.time.frame_seconds(), 1);
-        let baked = bake(&scene, assets)?;
+        let baked = bake_with_progress(&scene, assets, progress)?;
         Ok(Self::of(scene, baked))
     }
 

@@ -17,6 +17,7 @@ mod runs;
 mod shared;
 mod sim_thread;
 mod simulation;
+mod stop;
 #[cfg(test)]
 mod tests;
 mod views;
@@ -48,7 +49,10 @@ impl Worker {
         let outlet = Outlet::new(shared.clone(), notify);
         let thread = std::thread::Builder::new()
             .name("solver".into())
-            .spawn(move || SimThread::new(Simulation::new(scene, assets, playing, outlet), receiver).run())
+            .spawn(move || {
+                let simulation = Simulation::new(scene, assets, playing, outlet, receiver.stop());
+                SimThread::new(simulation, receiver).run();
+            })
             .ok();
         Self { commands: Some(commands), shared, thread }
     }
@@ -58,6 +62,14 @@ impl Worker {
     /// that follow each other only the newest counts. False if the thread is gone.
     pub fn send(&self, command: SimCommand) -> bool {
         self.commands.as_ref().is_some_and(|commands| commands.send(command))
+    }
+
+    /// Ends the putting together of a scene, if one is being put together just now: what was there before goes on, and
+    /// [`Status::stopped`](super::Status::stopped) tells of it until the next document or a reset puts the scene together.
+    pub fn stop_building(&self) {
+        if let Some(commands) = &self.commands {
+            commands.stop();
+        }
     }
 
     /// The newest picture since the last call.

@@ -16,6 +16,7 @@ use crate::geometry::subdivide::rounded;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use std::borrow::Cow;
+use std::convert::Infallible;
 use std::sync::{Arc, OnceLock};
 
 /// A render surface that rides on the particles.
@@ -70,7 +71,24 @@ impl Skin {
         kernel: Kernel,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Option<Self> {
-        let embedder = SkinEmbedder::new(particles, kernel)?;
+        let never = Self::try_embed::<Infallible>(shape, particles, kernel, &mut |done, of| {
+            progress(done, of);
+            Ok(())
+        });
+        never.unwrap_or_else(|never| match never {})
+    }
+
+    /// [`Self::embed`], and an error of `progress` ends it.
+    ///
+    /// # Errors
+    /// That of `progress`.
+    pub(crate) fn try_embed<E>(
+        shape: &SkinShape<'_>,
+        particles: &[DVec3],
+        kernel: Kernel,
+        progress: &mut dyn FnMut(usize, usize) -> Result<(), E>,
+    ) -> Result<Option<Self>, E> {
+        let Some(embedder) = SkinEmbedder::new(particles, kernel) else { return Ok(None) };
         let mut skin = Self {
             starts: vec![0],
             particles: particles.len() as u32,
@@ -88,9 +106,9 @@ impl Skin {
                 skin.push(carried);
             }
             done += chunk.len();
-            progress(done, shape.points.len());
+            progress(done, shape.points.len())?;
         }
-        Some(skin)
+        Ok(Some(skin))
     }
 
     fn push(&mut self, point: Carried) {

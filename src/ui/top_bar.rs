@@ -62,11 +62,20 @@ impl TopBar {
 
     /// Time and pace of the simulation; why it is slow, where it is.
     fn read_out(&self, ui: &mut Ui, cx: &Context, draws_in_software: bool) {
+        if cx.simulation.published().status.baking.is_some() {
+            let stop =
+                ui.button("Stop").on_hover_text("Stops putting the scene together; what was there before goes on");
+            if stop.clicked() {
+                cx.simulation.stop_building();
+            }
+        }
         let status = &cx.simulation.published().status;
         let slow = status.real_time_factor < 0.9 * self.speed;
         let now = |time| moment(time, cx.scene().time.frame_seconds());
         let text = if let Some(baking) = &status.baking {
             format!("Putting together {baking}…")
+        } else if status.stopped {
+            "Stopped before it was put together; Reset does that".to_owned()
         } else if status.real_time_factor > 0.0 && status.playing {
             let pace = if slow { "slow motion, " } else { "" };
             format!(

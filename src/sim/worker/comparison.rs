@@ -1,6 +1,6 @@
 //! The comparison of integrators, while one is asked for.
 
-use super::build::guarded;
+use super::build::{Tell, unless_stopped};
 use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::sim::side_by_side::SideBySide;
 use crate::sim::status::ComparedRun;
@@ -15,23 +15,34 @@ pub(super) struct Comparison {
     runs: Option<SideBySide>,
 }
 
+/// Puts what was chosen together, from the start of a scene; none where `progress` broke off.
+///
+/// # Errors
+/// Why the scene cannot be put together.
+pub(super) fn side_by_side(
+    scene: &Scene,
+    assets: &Assets,
+    (integrators, dt): &(Vec<IntegratorKind>, f64),
+    progress: &mut Tell<'_>,
+) -> Result<Option<SideBySide>, String> {
+    unless_stopped(|| Ok(SideBySide::new(scene, assets, integrators, *dt, progress)))
+}
+
 impl Comparison {
     /// Chooses what is compared from the next start on, in steps of `dt` [s]; without any integrator nothing is.
     pub(super) fn choose(&mut self, integrators: Vec<IntegratorKind>, dt: f64) {
         (self.integrators, self.dt) = (integrators, dt);
     }
 
-    /// Starts what was chosen from the start of a scene, in place of what ran; nothing where nothing was.
-    ///
-    /// # Errors
-    /// Why the scene cannot be put together.
-    pub(super) fn start(&mut self, scene: &Scene, assets: &Assets) -> Result<(), String> {
+    /// Ends what ran, and gives what was chosen to be started in its place; none where nothing was.
+    pub(super) fn replace(&mut self) -> Option<(Vec<IntegratorKind>, f64)> {
         self.runs = None;
-        if !self.integrators.is_empty() {
-            let runs = guarded(|| SideBySide::new(scene, assets, &self.integrators, self.dt))?;
-            self.runs = Some(runs.map_err(|error| error.to_string())?);
-        }
-        Ok(())
+        (!self.integrators.is_empty()).then(|| (self.integrators.clone(), self.dt))
+    }
+
+    /// Runs what was put together.
+    pub(super) fn start(&mut self, runs: SideBySide) {
+        self.runs = Some(runs);
     }
 
     /// Whether runs are compared.

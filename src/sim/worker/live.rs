@@ -13,11 +13,14 @@ pub(super) struct LiveRun {
     runner: Option<Runner>,
     at_rest: Arc<Snapshot>,
     placed: Option<[DVec3; 2]>,
+    thin: Arc<[Vec<u32>]>,
 }
 
 impl LiveRun {
     /// Takes up what was put together anew: from its start, or in the motion of what was there before.
-    pub(super) fn take_up(&mut self, fresh: Runner, keeps_motion: bool) {
+    /// `thin` are the particles of each body in parts too thin.
+    pub(super) fn take_up(&mut self, fresh: Runner, thin: Vec<Vec<u32>>, keeps_motion: bool) {
+        self.thin = thin.into();
         self.at_rest = Arc::new(Snapshot::in_model_frames(fresh.world()));
         self.placed = fresh.world().placed();
         self.start = Some(Arc::new(fresh.clone()));
@@ -78,6 +81,11 @@ impl LiveRun {
     /// Opposite corners of the box around all bodies where the scene places them [m].
     pub(super) fn placed(&self) -> Option<[DVec3; 2]> {
         self.placed
+    }
+
+    /// Particles of each body in parts too thin.
+    pub(super) fn thin(&self) -> &Arc<[Vec<u32>]> {
+        &self.thin
     }
 
     /// The present state, to go on from later.

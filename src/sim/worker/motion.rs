@@ -144,10 +144,11 @@ impl Motion {
     }
 
     /// Takes up a scene that was put together: from its start, or in the present motion.
-    pub(super) fn take_up(&mut self, baked: Baked, keeps_motion: bool) {
+    pub(super) fn take_up(&mut self, mut baked: Baked, keeps_motion: bool) {
+        let thin = std::mem::take(&mut baked.thin);
         self.status.notes = baked.notes.iter().map(ToString::to_string).collect();
         self.status.failure = None;
-        self.runs.live.take_up(Runner::new(baked), keeps_motion);
+        self.runs.live.take_up(Runner::new(baked), thin, keeps_motion);
         if !keeps_motion {
             self.record_anew();
         }
@@ -330,7 +331,15 @@ impl Motion {
         self.status.playing = self.playback.is_playing();
         [self.status.frames_per_second, self.status.real_time_factor] = self.playback.rates();
         self.status.recording = self.replay.status(live.start());
-        let (at_rest, placed) = (Arc::clone(live.at_rest()), live.placed());
-        self.outlet.publish(Published { snapshot, ghost, at_rest, placed, status: self.status.clone(), compared });
+        let (at_rest, placed, thin) = (Arc::clone(live.at_rest()), live.placed(), Arc::clone(live.thin()));
+        self.outlet.publish(Published {
+            snapshot,
+            ghost,
+            at_rest,
+            thin,
+            placed,
+            status: self.status.clone(),
+            compared,
+        });
     }
 }

@@ -18,13 +18,13 @@ impl SimThread {
     pub(super) fn run(mut self) {
         self.simulation.start();
         // Everything that waits is heard before the next frame, so that a drag is never behind.
-        while let Some(requests) = self.commands.take_all(self.simulation.motion.due()) {
-            let was_asked = !requests.is_empty();
-            for Request { command, documents } in requests {
-                if self.commands.is_closed() {
-                    return;
-                }
+        while let Some(count) = self.commands.begin(self.simulation.motion.due()) {
+            let was_asked = count > 0;
+            while let Some(Request { command, documents }) = self.commands.next() {
                 self.simulation.handle(command, documents);
+            }
+            if self.commands.is_closed() {
+                return;
             }
             self.simulation.settle(was_asked);
             // What has just stopped everything is to be seen too.

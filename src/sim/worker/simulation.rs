@@ -1,12 +1,15 @@
 //! The simulation of a document: what moves, and how it is put together anew when the document changes.
 
-use super::build::build;
+use super::build::{Tell, build};
+use super::comparison::side_by_side;
 use super::motion::Motion;
 use super::shared::Outlet;
+use super::stop::Stop;
 use crate::bake::Baked;
 use crate::scene::{Assets, Scene};
 use crate::sim::command::SimCommand;
 use crate::sim::runner::Runner;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -18,12 +21,18 @@ pub(super) struct Simulation {
     scene: Arc<Scene>,
     assets: Arc<Assets>,
     pub(super) motion: Motion,
+    /// Ends the work on a scene.
+    stop: Stop,
+    /// Whether the scene is not what was put together last: the work on it was stopped.
+    is_stale: bool,
+    /// Whether no motion is to be kept: nothing of this document has been put together yet.
+    is_new: bool,
 }
 
 impl Simulation {
     /// Of a scene that is still to be put together.
-    pub(super) fn new(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, outlet: Outlet) -> Self {
-        Self { scene, assets, motion: Motion::new(playing, outlet) }
+    pub(super) fn new(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, outlet: Outlet, stop: Stop) -> Self {
+        Self { scene, assets, motion: Motion::new(playing, outlet), stop, is_stale: false, is_new: true }
     }
 
     /// Puts the scene together and shows its start.
@@ -64,7 +73,7 @@ impl Simulation {
 
     fn edit(&mut self, scene: Arc<Scene>) {
         // What only looks otherwise moves as it did.
-        let moves_alike = self.scene.moves_like(&scene);
+        let moves_alike = !self.is_stale && self.scene.moves_like(&scene);
         self.scene = scene;
         if !moves_alike {
             self.motion.continue_here();
@@ -74,58 +83,87 @@ impl Simulation {
 
     fn open(&mut self, scene: Arc<Scene>, assets: Arc<Assets>) {
         (self.scene, self.assets) = (scene, assets);
+        self.is_new = true;
         self.motion.forget();
         self.rebuild(false);
         self.motion.record_series();
     }
 
     fn reset(&mut self) {
-        self.start_comparison();
-        if !self.motion.restart() {
+        if self.is_stale {
             self.rebuild(false);
+        } else {
+            self.start_comparison();
+            if !self.motion.restart() {
+                self.rebuild(false);
+            }
         }
         self.motion.record_series();
     }
 
-    /// Puts the scene together. After an edit the motion goes on; where that fails, what was there before does.
+    /// Puts the scene together. After an edit the motion goes on; where that fails or is stopped, what was there before does.
     fn rebuild(&mut self, keeps_motion: bool) {
         let scene = Arc::clone(&self.scene);
+        self.is_stale = false;
+        self.motion.status.stopped = false;
         match self.build(&scene) {
-            Ok(baked) => {
-                self.motion.take_up(baked, keeps_motion);
+            Ok(Some(baked)) => {
+                self.motion.take_up(baked, keeps_motion && !self.is_new);
+                self.is_new = false;
                 self.start_comparison();
             }
+            Ok(None) => self.note_stopped(),
             Err(problem) => self.motion.status.failure = Some(problem),
         }
+    }
+
+    /// The scene is not what was put together last.
+    fn note_stopped(&mut self) {
+        self.is_stale = true;
+        // Where something newer made it pointless there is nothing to be said.
+        self.motion.status.stopped = self.stop.is_asked();
     }
 
     /// Puts the ghost together if another one is wanted. While an earlier frame is shown it waits.
     fn rebuild_ghost(&mut self) {
         let Some(scene) = self.motion.replace_ghost() else { return };
         match self.build(&scene) {
-            Ok(baked) => self.motion.runs.start_ghost(scene, Runner::new(baked)),
+            Ok(Some(baked)) => self.motion.runs.start_ghost(scene, Runner::new(baked)),
+            Ok(None) if self.stop.is_asked() => self.motion.note_no_ghost("putting it together was stopped"),
+            Ok(None) => {}
             Err(problem) => self.motion.note_no_ghost(&problem),
         }
     }
 
     fn start_comparison(&mut self) {
-        if let Err(problem) = self.motion.comparison.start(&self.scene, &self.assets) {
-            self.motion.status.failure = Some(problem);
+        let Some(chosen) = self.motion.comparison.replace() else { return };
+        let (scene, assets) = (Arc::clone(&self.scene), Arc::clone(&self.assets));
+        match self.told(|tell| side_by_side(&scene, &assets, &chosen, tell)) {
+            Ok(Some(runs)) => self.motion.comparison.start(runs),
+            Ok(None) => self.note_stopped(),
+            Err(problem) => self.motion.status.failure = Some(problem),
         }
     }
 
-    /// Bakes a scene with the document's models, and shows what is being worked on.
-    fn build(&mut self, scene: &Scene) -> Result<Baked, String> {
+    /// Bakes a scene with the document's models.
+    fn build(&mut self, scene: &Scene) -> Result<Option<Baked>, String> {
+        let assets = Arc::clone(&self.assets);
+        self.told(|tell| build(scene, &assets, tell))
+    }
+
+    /// Shows what is being worked on, and ends it where it is no longer wanted.
+    fn told<T>(&mut self, work: impl FnOnce(&mut Tell<'_>) -> T) -> T {
         let motion = &mut self.motion;
         let mut shown = Instant::now();
-        let baked = build(scene, &self.assets, &mut |name, stage| {
+        let built = work(&mut |name, stage| {
             motion.status.baking = Some(format!("{name}: {stage}"));
             if shown.elapsed() > READABLE {
                 shown = Instant::now();
                 motion.publish();
             }
+            if self.stop.is_set() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         motion.status.baking = None;
-        baked
+        built
     }
 }

@@ -1,8 +1,10 @@
-//! What the simulation thread does when the solver fails.
+//! What the simulation thread does when the solver fails, and when a scene is no longer wanted.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+use super::queue::command_queue;
 use super::shared::{Outlet, Shared};
 use super::simulation::Simulation;
+use super::stop::Stop;
 use crate::scene::Scene;
 use crate::sim::command::SimCommand;
 use crate::sim::runner::Runner;
@@ -38,7 +40,7 @@ fn a_panic_in_the_solver_is_reported_and_a_reset_goes_on() {
     let outlet = Outlet::new(shared.clone(), || {});
     let scene: Scene =
         serde_json::from_str(r#"{"version": 1, "two_layer": [{"id": "ring", "shape": {"ring": {}}}]}"#).unwrap();
-    let mut simulation = Simulation::new(Arc::new(scene), Arc::default(), true, outlet);
+    let mut simulation = Simulation::new(Arc::new(scene), Arc::default(), true, outlet, Stop::default());
     simulation.start();
     runner(&mut simulation).unwrap().body_mut(0).unwrap().add_force(Box::new(Faulty));
     simulation.motion.advance();
@@ -57,4 +59,84 @@ fn a_panic_in_the_solver_is_reported_and_a_reset_goes_on() {
     simulation.handle(SimCommand::Step, 0);
     assert!(simulation.motion.status.failure.is_none());
     assert!(runner(&mut simulation).is_some_and(|runner| runner.world().time() > 0.0));
+}
+
+/// A box of so many particles along its length.
+fn scene(length: u32) -> Arc<Scene> {
+    let size = 0.006 * f64::from(length);
+    let text = format!(
+        r#"{{"version": 1, "bodies": [{{"id": "bar", "shape": {{"box": {{"size": [{size}, 0.03, 0.03]}}}},
+            "material": {{"young_modulus": 1e5, "mass": {{"per_particle": 4e-4}}, "support_radius": 0.015}}}}]}}"#
+    );
+    Arc::new(serde_json::from_str(&text).unwrap())
+}
+
+fn particles(simulation: &mut Simulation) -> Option<usize> {
+    runner(simulation).map(|runner| runner.world().bodies()[0].state().len())
+}
+
+#[test]
+fn a_newer_document_ends_the_work_on_an_older_one_and_is_put_together() {
+    let (sender, receiver) = command_queue();
+    let outlet = Outlet::new(Shared::default(), || {});
+    let mut simulation = Simulation::new(scene(4), Arc::default(), false, outlet, receiver.stop());
+    simulation.start();
+    assert_eq!(particles(&mut simulation), Some(100));
+    let hear = |simulation: &mut Simulation, newer: Option<SimCommand>| {
+        receiver.begin(None).unwrap();
+        while let Some(request) = receiver.next() {
+            // As if it came while the work on this one is going on.
+            newer.iter().for_each(|command| assert!(sender.send(command.clone())));
+            simulation.handle(request.command, request.documents);
+        }
+    };
+    let send = |command: SimCommand| assert!(sender.send(command));
+    send(SimCommand::Edit(scene(5)));
+    hear(&mut simulation, Some(SimCommand::Edit(scene(6))));
+    // The older one was not put together, and nobody is told.
+    assert_eq!(particles(&mut simulation), Some(100));
+    assert!(!simulation.motion.status.stopped && simulation.motion.status.failure.is_none());
+    hear(&mut simulation, None);
+    assert_eq!(particles(&mut simulation), Some(150));
+    assert_eq!(simulation.motion.status.edits, 2);
+    // A document that only looks otherwise than one that was never put together is.
+    send(SimCommand::Edit(scene(7)));
+    let mut named = (*scene(7)).clone();
+    named.name = "another".to_owned();
+    hear(&mut simulation, Some(SimCommand::Edit(Arc::new(named))));
+    assert_eq!(particles(&mut simulation), Some(150));
+    hear(&mut simulation, None);
+    assert_eq!(particles(&mut simulation), Some(175));
+    // One that is opened and edited before it was put together begins anew.
+    simulation.handle(SimCommand::Step, 0);
+    send(SimCommand::Open(scene(8), Arc::default()));
+    hear(&mut simulation, Some(SimCommand::Edit(scene(9))));
+    assert_eq!(particles(&mut simulation), None);
+    hear(&mut simulation, None);
+    assert_eq!(particles(&mut simulation), Some(225));
+    assert_eq!(simulation.motion.replay.recording().len(), 1);
+    simulation.handle(SimCommand::Step, 0);
+    assert!(runner(&mut simulation).is_some_and(|runner| runner.world().time() > 0.0));
+}
+
+#[test]
+fn what_somebody_stops_is_told_and_a_reset_puts_it_together() {
+    let (sender, receiver) = command_queue();
+    let outlet = Outlet::new(Shared::default(), || {});
+    let mut simulation = Simulation::new(scene(4), Arc::default(), false, outlet, receiver.stop());
+    simulation.start();
+    assert!(sender.send(SimCommand::Edit(scene(5))));
+    receiver.begin(None).unwrap();
+    let request = receiver.next().unwrap();
+    sender.stop();
+    simulation.handle(request.command, request.documents);
+    assert_eq!(particles(&mut simulation), Some(100));
+    assert!(simulation.motion.status.stopped && simulation.motion.status.failure.is_none());
+    // The old one still moves.
+    assert!(receiver.next().is_none());
+    simulation.handle(SimCommand::Step, 0);
+    assert!(simulation.motion.status.stopped);
+    simulation.handle(SimCommand::Reset, 0);
+    assert_eq!(particles(&mut simulation), Some(125));
+    assert!(!simulation.motion.status.stopped);
 }

@@ -56,6 +56,11 @@ impl Simulation {
         Some(std::mem::replace(&mut self.published, newest))
     }
 
+    /// Ends the putting together of a scene that is going on just now.
+    pub(crate) fn stop_building(&self) {
+        self.worker.stop_building();
+    }
+
     /// Asks for something.
     pub(crate) fn ask(&self, command: SimCommand) {
         self.worker.send(command);

@@ -8,14 +8,15 @@ use crate::sketch::View;
 use crate::solver::snapshot::BodySnapshot;
 use crate::ui::context::Context;
 use crate::ui::theme::{self, GRID, STROKE_WIDTH};
-use egui::{Align2, FontId, Rect, Stroke, Ui};
+use egui::{Align2, FontId, Painter, Rect, Stroke, Ui};
 use glam::DVec3;
 
-/// Paints the curve that the strokes make so far, and the grab, into the result.
+/// Paints what is too thin, the curve that the strokes make so far, and the grab, into the result.
 pub(super) fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Context) {
     let painter = ui.painter_at(frame.rect);
     let accent = theme::color(cx.tone.pictures().accent);
     let bodies = &cx.simulation.published().snapshot.bodies;
+    paint_thin(&painter, frame, cx);
     // The preview goes with the body, which may have moved from where it is drawn into.
     let middle = |bodies: &[BodySnapshot], index: usize| {
         let points = &bodies.get(index)?.particles;
@@ -36,6 +37,25 @@ pub(super) fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx
         painter.line_segment([from, to], Stroke::new(2.0, accent));
         painter.circle_filled(from, 4.0, accent);
         painter.circle_stroke(to, 5.0, Stroke::new(2.0, accent));
+    }
+}
+
+/// Marks on the parts of bodies that are thinner than their particles resolve, at most for each.
+const MARKS: usize = 300;
+
+/// Marks what the notes call too thin, as long as they do.
+fn paint_thin(painter: &Painter, frame: &ViewFrame, cx: &Context) {
+    let published = cx.simulation.published();
+    if !published.compared.is_empty() {
+        return;
+    }
+    let edge = Stroke::new(1.0, cx.tone.warning());
+    for (body, thin) in published.snapshot.bodies.iter().zip(published.thin.iter()) {
+        for &particle in thin.iter().step_by(thin.len().div_ceil(MARKS).max(1)) {
+            if let Some(at) = body.particles.get(particle as usize).and_then(|&at| frame.screen(at)) {
+                painter.circle_stroke(at, 3.0, edge);
+            }
+        }
     }
 }
 

@@ -1,0 +1,139 @@
+//! From a mesh to the particles that fill it, and what is said of them.
+
+use super::error::BakeError;
+use super::note::Note;
+use crate::geometry::fill::{FillError, FillProgress, FillResolution, fill_with_progress};
+use crate::geometry::placement::Filling;
+use crate::geometry::solid::Solid;
+use crate::geometry::two_layers::{FEW, two_layer_spacing};
+use crate::scene::{Body, MAX_PARTICLES, MeshShape};
+use glam::DVec3;
+use std::ops::ControlFlow;
+
+/// A body of a mesh, and where in the scene it stands.
+#[derive(Clone, Copy)]
+pub(super) struct Meshed<'a> {
+    pub(super) body: &'a Body,
+    pub(super) shape: &'a MeshShape,
+    pub(super) solid: &'a Solid,
+    /// Pointer to the body.
+    pub(super) path: &'a str,
+}
+
+impl Meshed<'_> {
+    /// Whether so much of it is thin that it has to be said.
+    fn is_thin(filling: &Filling) -> bool {
+        filling.thinness.single as f64 > FEW * filling.sample.points.len() as f64
+    }
+
+    /// Particles in parts of hardly more than one layer; none where there are so few that nothing is said.
+    pub(super) fn thin_places(filling: &mut Filling) -> Vec<u32> {
+        if Self::is_thin(filling) { std::mem::take(&mut filling.thinness.places) } else { Vec::new() }
+    }
+
+    /// Fills it; `progress` hears how far that has come.
+    pub(super) fn filled(self, notes: &mut Vec<Note>, progress: &mut FillProgress<'_>) -> Result<Filling, BakeError> {
+        let Self { body, shape, solid, path } = self;
+        let spacing = body.material.spacing();
+        let reach = body.material.spacing_ratio.recip();
+        let fineness = shape.particles.map_or(FillResolution::Spacing(spacing), FillResolution::Particles);
+        let filling =
+            fill_with_progress(solid, fineness, reach, MAX_PARTICLES, progress).map_err(|error| match error {
+                FillError::Cancelled => BakeError::Cancelled,
+                FillError::TooMany { wanted, limit } => {
+                    let share = wanted / limit;
+                    BakeError::TooMany {
+                        path: self.fineness_path(),
+                        what: "lattice points would be needed",
+                        wanted,
+                        limit,
+                        suggested: match shape.particles {
+                            Some(count) => format!("{:.0} particles or fewer", f64::from(count) / (1.03 * share)),
+                            None => format!("{:.2e} m or more", reach * 1.01 * spacing * share.cbrt()),
+                        },
+                    }
+                }
+                FillError::TooFarApart { .. } => {
+                    BakeError::MeshTooWide { path: format!("{path}/shape/mesh/path"), source: error }
+                }
+                FillError::TooThin { flat, total, suggested, .. } => {
+                    let remedy = suggested.map_or_else(
+                        || "two layers would take more particles than are allowed; give it more thickness".to_owned(),
+                        |spacing| self.two_layers(spacing),
+                    );
+                    BakeError::MeshTooThin { path: self.fineness_path(), flat, total, remedy }
+                }
+            })?;
+        self.note(&filling, notes, progress)?;
+        Ok(filling)
+    }
+
+    /// Pointer to what decides how finely it is filled.
+    fn fineness_path(self) -> String {
+        let field = if self.shape.particles.is_some() { "shape/mesh/particles" } else { "material/support_radius" };
+        format!("{}/{field}", self.path)
+    }
+
+    /// What that has to be for a spacing [m].
+    fn fineness_at(self, spacing: f64) -> String {
+        match self.shape.particles {
+            Some(_) => format!("about {} particles", self.solid.particles_at(spacing)),
+            None => format!("a support radius of {:.3e} m", spacing / self.body.material.spacing_ratio),
+        }
+    }
+
+    fn two_layers(self, spacing: f64) -> String {
+        let give = if self.shape.particles.is_some() { "give" } else { "gives" };
+        format!("{} {give} two layers", self.fineness_at(spacing))
+    }
+
+    fn note(self, filling: &Filling, notes: &mut Vec<Note>, progress: &mut FillProgress<'_>) -> Result<(), BakeError> {
+        let Self { body, shape, solid, path } = self;
+        let mut note = |path: String, warning: bool, text: String| notes.push(Note { path, text, warning });
+        let reach = body.material.spacing_ratio.recip();
+        let spacing = filling.sample.spacing;
+        let radius = spacing * reach;
+        let change = radius / body.material.support_radius - 1.0;
+        let total = filling.sample.points.len();
+        if shape.particles.is_some() {
+            note(self.fineness_path(), false, format!("{total} particles at a support radius of {radius:.6} m"));
+        } else if change != 0.0 {
+            let percent = 100.0 * change;
+            let text =
+                format!("made {radius:.6} m ({percent:+.1} %) so that the particles' volume is that of the mesh");
+            note(self.fineness_path(), false, text);
+        }
+        if filling.pruned > 0 {
+            let text = format!("{} lattice points at tips too fine to hold them were left out", filling.pruned);
+            note(format!("{path}/shape/mesh"), false, text);
+        }
+        let thin = &filling.thinness;
+        if Self::is_thin(filling) {
+            let at = thin.places.first().map_or(DVec3::ZERO, |&index| filling.sample.points[index as usize]);
+            // All lattices were tried; whether to go on is still asked.
+            let mut asked = || progress(1, 1);
+            let remedy = match two_layer_spacing(solid, spacing, reach, MAX_PARTICLES as f64, &mut asked) {
+                ControlFlow::Continue(Some(spacing)) => self.two_layers(spacing),
+                ControlFlow::Continue(None) => "two layers would take more particles than are allowed".to_owned(),
+                ControlFlow::Break(()) => return Err(BakeError::Cancelled),
+            };
+            let text = format!(
+                "{} of {total} particles lie in parts hardly more than one layer thick (the first at {:.4?} m), which \
+                 bend too easily: {remedy}",
+                thin.single,
+                at.to_array(),
+            );
+            note(self.fineness_path(), true, text);
+        }
+        if thin.double > 0 {
+            let text = format!(
+                "{} of {total} particles lie in parts two layers thick, which twist a quarter too easily; {} would give \
+                 three layers",
+                thin.double,
+                self.fineness_at(spacing / 1.5)
+            );
+            note(self.fineness_path(), false, text);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,162 @@
+//! A lattice placed in a solid: which of its points lie inside, and which of those others hold.
+
+use super::lattice::LatticeSample;
+use super::solid::Solid;
+use super::thinness::{Thinness, thinness};
+use glam::{DMat3, DVec3, IVec3};
+use rayon::prelude::*;
+use std::ops::RangeInclusive;
+
+/// A filled solid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Filling {
+    /// The particles.
+    pub sample: LatticeSample,
+    /// Particles' volume over the solid's, minus one.
+    pub volume_error: f64,
+    /// Particles in parts of one layer, and of two.
+    pub thinness: Thinness,
+    /// Lattice points inside that were left out because too few others are around them to hold them.
+    pub pruned: usize,
+}
+
+/// Quarters of the spacing by which the lattice is moved along each axis.
+const SHIFTS: i32 = 4;
+
+/// Rows through a surface with holes from which on the lattice is moved along them only.
+const MANY_OPEN_ROWS: f64 = 3000.0;
+
+/// A lattice: its spacing [m] and the position of one of its points [m].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LatticePlacement {
+    /// Spacing [m].
+    pub spacing: f64,
+    origin: DVec3,
+}
+
+/// Lattice points in the boxes around the pieces of a solid: a float, for it may be more than any integer holds.
+pub(crate) fn looked_at(solid: &Solid, spacing: f64) -> f64 {
+    solid.boxes().map(|[min, max]| ((max - min) / spacing + 1.0).element_product()).sum()
+}
+
+fn lattice_at(solid: &Solid, spacing: f64, quarters: [i32; 3]) -> (u32, LatticePlacement) {
+    let shift = DVec3::from_array(quarters.map(|q| f64::from(q) / f64::from(SHIFTS)));
+    let askew = quarters.iter().filter(|&&q| 2 * q % SHIFTS != 0).count() as u32;
+    (askew, LatticePlacement { spacing, origin: 0.5 * (solid.min + solid.max) + spacing * shift })
+}
+
+/// Rows of the lattice that come near a solid: runs of layers along y, by the layer along z, in order.
+fn rows_near(solid: &Solid, lattice: &LatticePlacement) -> Vec<(i32, Vec<RangeInclusive<i32>>)> {
+    let boxes: Vec<[IVec3; 2]> = solid
+        .boxes()
+        .map(|[min, max]| {
+            let [first, last] = [min, max].map(|corner| (corner - lattice.origin) / lattice.spacing);
+            [first.floor().as_ivec3(), last.ceil().as_ivec3()]
+        })
+        .collect();
+    let mut layers: Vec<i32> = boxes.iter().flat_map(|[first, last]| first.z..=last.z).collect();
+    layers.sort_unstable();
+    layers.dedup();
+    let runs = |z: i32| {
+        let mut runs: Vec<[i32; 2]> =
+            boxes.iter().filter(|[first, last]| first.z <= z && z <= last.z).map(|[f, l]| [f.y, l.y]).collect();
+        runs.sort_unstable();
+        let mut joined: Vec<[i32; 2]> = Vec::new();
+        for [from, to] in runs {
+            match joined.last_mut() {
+                Some(last) if last[1] >= from => last[1] = last[1].max(to),
+                _ => joined.push([from, to]),
+            }
+        }
+        joined.into_iter().map(|[from, to]| from..=to).collect()
+    };
+    layers.into_iter().map(|z| (z, runs(z))).collect()
+}
+
+/// Points of a row's stretches, as lattice indices along x.
+fn cells_along(stretches: &[[f64; 2]], lattice: &LatticePlacement) -> impl Iterator<Item = RangeInclusive<i32>> {
+    let LatticePlacement { spacing, origin } = *lattice;
+    stretches.iter().map(move |[from, to]| {
+        let at = |cell: i32| origin.x + spacing * f64::from(cell);
+        let mut first = ((from - origin.x) / spacing).ceil() as i32;
+        let mut last = ((to - origin.x) / spacing).floor() as i32;
+        // The position that a particle gets is what counts, to the last bit.
+        first += i32::from(at(first) < *from);
+        last -= i32::from(at(last) > *to);
+        first..=last
+    })
+}
+
+/// A lattice with how many of its points fall inside, and along how many axes it lies askew.
+pub(crate) type Counted = (usize, u32, LatticePlacement);
+
+/// Positions of a lattice of this spacing, and how many rows were looked at.
+pub(crate) fn placements(solid: &Solid, spacing: f64) -> (Vec<Counted>, usize) {
+    // Rows through a surface with holes cost more: they are tried at half spacings only, or in the middle.
+    let rows: f64 = solid.boxes().map(|[min, max]| (max - min) / spacing + 1.0).map(|rows| rows.y * rows.z).sum();
+    let (shifts, quarters) = match solid.report.closed {
+        true => (SHIFTS, 1),
+        false if rows < MANY_OPEN_ROWS => (SHIFTS / 2, 2),
+        false => (1, 0),
+    };
+    let found: Vec<(Vec<Counted>, usize)> = (0..shifts * shifts)
+        .into_par_iter()
+        .map(|k| {
+            let (y, z) = (quarters * (k % shifts), quarters * (k / shifts));
+            let lattices: Vec<_> = (0..SHIFTS).map(|x| lattice_at(solid, spacing, [x, y, z])).collect();
+            // Rows are shared by the lattices that differ along x only.
+            let origin = lattices[0].1.origin;
+            let rows: Vec<(i32, i32)> = rows_near(solid, &lattices[0].1)
+                .into_iter()
+                .flat_map(|(z, runs)| runs.into_iter().flatten().map(move |y| (y, z)))
+                .collect();
+            let counts: Vec<[usize; SHIFTS as usize]> = rows
+                .par_iter()
+                .map(|&(y, z)| {
+                    let row = solid.scanline(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
+                    std::array::from_fn(|x| cells_along(&row, &lattices[x].1).map(Iterator::count).sum())
+                })
+                .collect();
+            let count = |x: usize| counts.iter().map(|row| row[x]).sum();
+            let lattices = lattices.into_iter().enumerate().map(|(x, (askew, lattice))| (count(x), askew, lattice));
+            (lattices.collect(), rows.len())
+        })
+        .collect();
+    let rows = found.iter().map(|(_, rows)| rows).sum();
+    (found.into_iter().flat_map(|(found, _)| found).collect(), rows)
+}
+
+pub(crate) fn collect(solid: &Solid, lattice: LatticePlacement) -> LatticeSample {
+    let LatticePlacement { spacing, origin } = lattice;
+    let rows: Vec<Vec<IVec3>> = rows_near(solid, &lattice)
+        .into_par_iter()
+        .map(|(z, runs)| {
+            let mut cells = Vec::new();
+            for y in runs.into_iter().flatten() {
+                let row = solid.scanline(origin.y + spacing * f64::from(y), origin.z + spacing * f64::from(z));
+                cells.extend(cells_along(&row, &lattice).flatten().map(|x| IVec3::new(x, y, z)));
+            }
+            cells
+        })
+        .collect();
+    let cells: Vec<IVec3> = rows.into_iter().flatten().collect();
+    let points = cells.iter().map(|cell| origin + spacing * cell.as_dvec3()).collect();
+    LatticeSample { spacing, axes: DMat3::IDENTITY, points, cells }
+}
+
+/// Leaves out points that have hardly any others around them, as at a tip finer than the lattice: nothing could hold
+/// them in place.
+pub(crate) fn prune(solid: &Solid, mut sample: LatticeSample, reach: f64) -> Filling {
+    let before = sample.points.len();
+    let (mut found, mut stray) = thinness(&sample.cells, reach);
+    // Without the strays others may be strays: at a needle, all of them in turn.
+    while stray.iter().any(|&stray| stray) {
+        let mut keep = stray.iter().map(|stray| !stray);
+        sample.points.retain(|_| keep.next().unwrap_or(true));
+        let mut keep = stray.iter().map(|stray| !stray);
+        sample.cells.retain(|_| keep.next().unwrap_or(true));
+        (found, stray) = thinness(&sample.cells, reach);
+    }
+    let volume_error = sample.points.len() as f64 * sample.spacing.powi(3) / solid.volume - 1.0;
+    Filling { volume_error, thinness: found, pruned: before - sample.points.len(), sample }
+}

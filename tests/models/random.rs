@@ -10,7 +10,7 @@ use sinew::scene::{Assets, Body, MeshShape, Scene};
 use std::collections::BTreeMap;
 
 /// Tells every seed that fails, not only the first.
-fn for_every(seeds: impl Iterator<Item = u64>, check: impl Fn(u64) -> Result<(), String> + Sync) {
+pub fn for_every(seeds: impl Iterator<Item = u64>, check: impl Fn(u64) -> Result<(), String> + Sync) {
     let wrong: Vec<String> = seeds
         .collect::<Vec<_>>()
         .into_par_iter()

@@ -1,72 +1,11 @@
 //! A mesh written by the tests' own small writers is read back as it was, in every format.
 
 use crate::shapes::{sphere, torus};
+use crate::writers::{obj, ply, stl, stl_text};
 use glam::DVec3;
 use sinew::geometry::Model;
 use sinew::io::{load_model, write_glb};
-use std::fmt::Write;
 use std::fs;
-
-fn obj(model: &Model) -> Vec<u8> {
-    let mut text = String::new();
-    for p in &model.positions {
-        writeln!(text, "v {} {} {}", p.x, p.y, p.z).expect("written");
-    }
-    for [a, b, c] in &model.triangles {
-        writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1).expect("written");
-    }
-    text.into_bytes()
-}
-
-fn ply(model: &Model, format: &str) -> Vec<u8> {
-    let (vertices, faces) = (model.positions.len(), model.triangles.len());
-    let mut bytes = format!(
-        "ply\nformat {format} 1.0\nelement vertex {vertices}\nproperty double x\nproperty double y\nproperty double z\n\
-         element face {faces}\nproperty list uchar uint vertex_indices\nend_header\n"
-    )
-    .into_bytes();
-    for p in &model.positions {
-        match format {
-            "ascii" => bytes.extend(format!("{} {} {}\n", p.x, p.y, p.z).bytes()),
-            "binary_little_endian" => bytes.extend(p.to_array().iter().flat_map(|c| c.to_le_bytes())),
-            _ => bytes.extend(p.to_array().iter().flat_map(|c| c.to_be_bytes())),
-        }
-    }
-    for [a, b, c] in &model.triangles {
-        match format {
-            "ascii" => bytes.extend(format!("3 {a} {b} {c}\n").bytes()),
-            "binary_little_endian" => {
-                bytes.extend([3].into_iter().chain([a, b, c].iter().flat_map(|i| i.to_le_bytes())));
-            }
-            _ => bytes.extend([3].into_iter().chain([a, b, c].iter().flat_map(|i| i.to_be_bytes()))),
-        }
-    }
-    bytes
-}
-
-fn stl_text(model: &Model) -> Vec<u8> {
-    let mut text = "solid mesh\n".to_owned();
-    for t in &model.triangles {
-        text += "facet normal 0 0 0\nouter loop\n";
-        for p in t.map(|i| model.positions[i as usize]) {
-            writeln!(text, "vertex {} {} {}", p.x, p.y, p.z).expect("written");
-        }
-        text += "endloop\nendfacet\n";
-    }
-    (text + "endsolid mesh\n").into_bytes()
-}
-
-fn stl(model: &Model) -> Vec<u8> {
-    let mut bytes = vec![b' '; 80];
-    bytes.extend((model.triangles.len() as u32).to_le_bytes());
-    for t in &model.triangles {
-        bytes.extend([0; 12]);
-        let corners = t.map(|i| model.positions[i as usize].as_vec3().to_array());
-        bytes.extend(corners.iter().flatten().flat_map(|c| c.to_le_bytes()));
-        bytes.extend([0; 2]);
-    }
-    bytes
-}
 
 /// The greatest distance between corners of the same faces, as a share of the extent.
 fn apart(a: &Model, b: &Model) -> f64 {

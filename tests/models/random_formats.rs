@@ -1,0 +1,197 @@
+//! Meshes made at random go the way of a dropped file: written in every format, read, filled, put together and moved.
+
+use crate::random::for_every;
+use crate::random_meshes::{KINDS, mesh, volume};
+use crate::shapes::single;
+use crate::writers::{glb, gltf, obj, ply, stl, stl_text};
+use glam::DVec3;
+use sinew::bake::{BakeError, bake};
+use sinew::geometry::{FillError, FillResolution, Kernel, Model, Solid, fill};
+use sinew::io::load_assets;
+use sinew::scene::{Assets, Body, Initial, Material, MeshShape, Scene, Shape};
+use sinew::sim::Runner;
+use sinew::test_support::solver::{Skin, SkinShape};
+use std::fs;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Names of the files, and whether the numbers in them are single precision; every kind of mesh meets each of them.
+const FILES: [(&str, bool); 8] = [
+    ("a.obj", false),
+    ("ascii.ply", false),
+    ("little.ply", false),
+    ("big.ply", false),
+    ("text.stl", true),
+    ("binary.stl", true),
+    ("a.gltf", true),
+    ("a.glb", true),
+];
+
+/// Particles that are asked for, one after the other, until one is enough for the shape.
+const COUNTS: [u32; 3] = [60, 400, 4000];
+
+/// Every so manieth is put together and moved for 0.1 s, if [`MOVED`] particles are enough for it: every kind of mesh and
+/// every format is among them.
+const EVERY: u64 = 13;
+const MOVED: u32 = 60;
+
+fn written(model: &Model, file: &str) -> Vec<u8> {
+    match file {
+        "a.obj" => obj(model),
+        "ascii.ply" => ply(model, "ascii"),
+        "little.ply" => ply(model, "binary_little_endian"),
+        "big.ply" => ply(model, "binary_big_endian"),
+        "text.stl" => stl_text(model),
+        "binary.stl" => stl(model),
+        "a.gltf" => gltf(model),
+        _ => glb(model),
+    }
+}
+
+/// A mesh as its file has it, the name of that, and the file's bytes.
+fn file_of(seed: u64) -> (Model, &'static str, Vec<u8>) {
+    let (points, faces, _) = mesh(seed);
+    let mut model = single(points.into_iter().map(DVec3::from_array).collect(), faces);
+    let (name, is_single) = FILES[(seed / KINDS) as usize % FILES.len()];
+    let bytes = written(&model, name);
+    if is_single {
+        model.positions.iter_mut().for_each(|p| *p = p.as_vec3().as_dvec3());
+    }
+    (model, name, bytes)
+}
+
+/// The mesh as a soft body that is thrown onto a floor just below it, in so many particles. It gives by a tenth of its
+/// size under its own weight, whatever its size, so that few steps are needed.
+fn scene(model: &Model, file: &str, particles: u32) -> Scene {
+    let extent = extent(model);
+    let low = model.positions.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+    let mut body = Body::from_mesh("body", MeshShape::new(file).with_particles(particles))
+        .with_material(Material::new(1e5 * extent, 0.3, 1000.0));
+    let speed = extent.sqrt();
+    body.initial = Initial {
+        velocity: [0.3 * speed, -speed, 0.0],
+        angular_velocity: [4.0, -3.0, 6.0].map(|turn| turn / speed),
+        ..Initial::default()
+    };
+    Scene::new("Random").with_floor(low - 0.02 * extent).with_body(body)
+}
+
+fn extent(model: &Model) -> f64 {
+    let (min, max) = model.positions.iter().fold((DVec3::MAX, DVec3::MIN), |(a, b), p| (a.min(*p), b.max(*p)));
+    (max - min).max_element()
+}
+
+/// Its particles and their skin, in the fewest particles that are enough; none where not even the most are.
+fn embedded(solid: &Solid) -> Result<Option<(Vec<DVec3>, Skin)>, String> {
+    for count in COUNTS {
+        match fill(solid, FillResolution::Particles(count), 2.5, 100_000) {
+            Ok(filling) => {
+                let shape = SkinShape {
+                    points: &solid.surface.points,
+                    point_of: &solid.surface.point_of,
+                    normals: &solid.model.normals,
+                    colours: &solid.model.colours,
+                    triangles: &solid.model.triangles,
+                };
+                let (particles, kernel) = (filling.sample.points, Kernel::new(2.5 * filling.sample.spacing));
+                let skin = Skin::embed(&shape, &particles, kernel, &mut |_, _| {}).ok_or("there is no skin")?;
+                return Ok(Some((particles, skin)));
+            }
+            Err(FillError::TooThin { .. }) => {}
+            Err(error) => return Err(error.to_string()),
+        }
+    }
+    Ok(None)
+}
+
+/// Every corner of every face of the solid where the file put it.
+fn faces_are_those_of_the_file(solid: &Solid, file: &Model) -> bool {
+    let corners = |model: &Model| -> Vec<DVec3> {
+        model.triangles.iter().flatten().map(|&i| model.positions[i as usize]).collect()
+    };
+    corners(&solid.model) == corners(file)
+}
+
+fn is_finite(runner: &Runner) -> bool {
+    let snapshot = runner.snapshot();
+    let body = &snapshot.bodies[0];
+    body.skin.iter().chain(&body.particles).all(|x| x.is_finite()) && body.normals.iter().all(|x| x.is_finite())
+}
+
+/// Reads, fills and moves one; whether it could be filled.
+fn tried(seed: u64, folder: &Path) -> Result<bool, String> {
+    let (model, file, bytes) = file_of(seed);
+    fs::write(folder.join(file), bytes).map_err(|error| error.to_string())?;
+    let shape = MeshShape::new(file);
+    let assets = load_assets(&scene(&model, file, 1), folder, &mut |_| {}).map_err(|error| error.to_string())?;
+    let solid = assets.solid(&shape).ok_or("nothing was loaded")?;
+    let expected = volume(seed);
+    if (solid.volume / expected - 1.0).abs() >= 0.02 {
+        return Err(format!("{file}: {:.5e} m³ instead of {expected:.5e}", solid.volume));
+    }
+    if !faces_are_those_of_the_file(solid, &model) {
+        return Err(format!("{file}: its faces are others than those that were written"));
+    }
+    let Some((particles, skin)) = embedded(solid)? else { return Ok(false) };
+    let off = worst(&skin.positions(&particles), &solid.model.positions);
+    if off.is_nan() || off > 1e-9 * extent(&model) {
+        return Err(format!("{file}: the skin is off by {off:e} m at rest"));
+    }
+    if seed.is_multiple_of(EVERY) {
+        moved(&scene(&model, file, MOVED), &assets, &model).map_err(|text| format!("{file}: {text}"))?;
+    }
+    Ok(true)
+}
+
+/// The greatest distance; what is no number counts as the greatest.
+fn worst(found: &[DVec3], expected: &[DVec3]) -> f64 {
+    if found.len() != expected.len() {
+        return f64::INFINITY;
+    }
+    let distances = found.iter().zip(expected).map(|(a, b)| a.distance(*b));
+    distances.fold(0.0, |worst, distance| if distance <= worst { worst } else { distance })
+}
+
+/// Puts a scene together and runs it for 0.1 s; one that is too thin for its particles is refused, which is another test.
+fn moved(scene: &Scene, assets: &Assets, model: &Model) -> Result<(), String> {
+    scene.validate().map_err(|error| error.to_string())?;
+    let baked = match bake(scene, assets) {
+        Ok(baked) => baked,
+        Err(BakeError::MeshTooThin { .. } | BakeError::TooThin { .. }) => return Ok(()),
+        Err(error) => return Err(error.to_string()),
+    };
+    let mut runner = Runner::new(baked);
+    let off = worst(&runner.snapshot().bodies[0].skin, &model_vertices(assets, scene));
+    if off.is_nan() || off > 1e-9 * extent(model) {
+        return Err(format!("the skin of the body is off by {off:e} m at rest"));
+    }
+    for frame in 0..runner.frames_for(0.1) {
+        runner.advance_frame();
+        if !is_finite(&runner) {
+            return Err(format!("frame {frame} is no numbers"));
+        }
+    }
+    runner.world().divergence().map_or(Ok(()), |divergence| Err(divergence.to_string()))
+}
+
+fn model_vertices(assets: &Assets, scene: &Scene) -> Vec<DVec3> {
+    let Shape::Mesh(shape) = &scene.bodies[0].shape else { return Vec::new() };
+    assets.solid(shape).map_or_else(Vec::new, |solid| solid.model.positions.clone())
+}
+
+/// 2,000 meshes through all formats, each filled with as few particles as it takes. Moved for 0.1 s is every thirteenth of
+/// them only: all of them would take minutes.
+#[test]
+fn every_format_is_read_filled_and_moved() {
+    let unfilled = AtomicUsize::new(0);
+    for_every(0..2000, |seed| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        if !tried(seed, folder.path())? {
+            unfilled.fetch_add(1, Ordering::Relaxed);
+        }
+        Ok(())
+    });
+    // Tubes with walls of a fiftieth of their radius.
+    let unfilled = unfilled.into_inner();
+    assert!(unfilled < 100, "{unfilled} are too thin for {} particles", COUNTS[2]);
+}

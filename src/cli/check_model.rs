@@ -4,7 +4,7 @@ use super::error::printable;
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome};
 use crate::geometry::fill::{FillError, FillResolution, fill};
-use crate::geometry::fineness::{BY_ITSELF, fineness};
+use crate::geometry::fineness::by_itself;
 use crate::geometry::solid::Solid;
 use crate::io::{IoError, load_model};
 use crate::scene::{Axis, MAX_PARTICLES, ModelFile, one_line};
@@ -68,7 +68,7 @@ pub(super) fn check_model(path: &Path, options: &ModelOptions, console: &mut Con
     let refused = |refusal| IoError::InFile { file: path.to_owned(), error: Box::new(IoError::Refused(refusal)) };
     let solid = Solid::new(&model).map_err(refused)?;
     console.stage(&"filling it with particles");
-    let by_itself = fineness(&solid, BY_ITSELF);
+    let by_itself = by_itself(&solid, REACH);
     let asked = match (options.support_radius, options.particles) {
         (Some(radius), _) => vec![FillResolution::Spacing(radius / REACH)],
         (None, Some(count)) => vec![FillResolution::Particles(count)],
@@ -81,7 +81,7 @@ pub(super) fn check_model(path: &Path, options: &ModelOptions, console: &mut Con
     for finding in solid.report.findings() {
         console.say(if finding.warning { "warning" } else { "note" }, &finding);
     }
-    if let Some(thin) = &by_itself.given_up {
+    if let Some(thin) = by_itself.said() {
         console.say("warning", &format!("opened by itself it gets {} particles; {thin}", by_itself.particles));
     }
     console.print(&format!("{}\n{}\n{}", contents(&solid, path), parts(&solid).render(), particles.render()))?;

@@ -1,5 +1,6 @@
 //! How many particles a solid takes so that its thin parts have two layers of them.
 
+use super::fill::{FillError, FillResolution, fill};
 use super::solid::Solid;
 use super::thickness::Thickness;
 use glam::DVec3;
@@ -12,6 +13,16 @@ pub(crate) struct Fineness {
     pub particles: u32,
     /// What is thinner than two layers of them, where the greatest number is not enough.
     pub given_up: Option<ThinParts>,
+    /// Whether they are more than the greatest number, as fewer do not hold it together.
+    pub is_forced: bool,
+}
+
+impl Fineness {
+    /// What a person should know of it; none where every part has its layers.
+    pub(crate) fn said(&self) -> Option<String> {
+        let forced = "fewer would not hold it together, and so many do not run in real time";
+        if self.is_forced { Some(forced.to_owned()) } else { self.given_up.map(|thin| thin.to_string()) }
+    }
 }
 
 /// Parts that have fewer than two layers of particles.
@@ -29,7 +40,7 @@ pub(crate) struct ThinParts {
 
 /// Numbers of particles with which a model opens that nobody has said anything about. The first does for most shapes; up to
 /// the second, for thin parts, it runs in real time on one core; up to the last where much of it would be lost.
-pub(crate) const BY_ITSELF: [u32; 3] = [800, 3000, 50_000];
+const BY_ITSELF: [u32; 3] = [800, 3000, 50_000];
 
 /// Share of the matter that may be thinner than two layers without a word: rims and tips.
 const RIMS: f64 = 0.01;
@@ -40,11 +51,31 @@ const LAYERS: f64 = 2.0;
 /// Share of the matter that has to be thinner than two layers for more than the usual particles to be taken.
 const MUCH: f64 = 0.6;
 
+/// Particles up to which a model is opened that falls apart in fewer, and how many it may have in all.
+const MOST_FORCED: u32 = 1_000_000;
+const MOST: usize = 2_000_000;
+
+/// How finely a solid is filled that nobody has said anything about; `reach` is the support radius over the spacing.
+pub(crate) fn by_itself(solid: &Solid, reach: f64) -> Fineness {
+    let found = fineness(solid, BY_ITSELF);
+    if found.given_up.is_none() {
+        return found;
+    }
+    match fill(solid, FillResolution::Particles(found.particles), reach, MOST) {
+        Err(FillError::TooThin { suggested: Some(spacing), .. }) if solid.particles_at(spacing) <= MOST_FORCED => {
+            Fineness { particles: solid.particles_at(spacing), is_forced: true, ..found }
+        }
+        _ => found,
+    }
+}
+
 /// As few particles as give every part of a solid two layers: from `least` to `usual`, and up to `most` of them where much
 /// of it would be lost otherwise.
-pub(crate) fn fineness(solid: &Solid, [least, usual, most]: [u32; 3]) -> Fineness {
+fn fineness(solid: &Solid, [least, usual, most]: [u32; 3]) -> Fineness {
     let found = Thickness::of(solid);
-    let Some(thickness) = found.of_all_but(RIMS) else { return Fineness { particles: least, given_up: None } };
+    let Some(thickness) = found.of_all_but(RIMS) else {
+        return Fineness { particles: least, given_up: None, is_forced: false };
+    };
     let wanted = (solid.volume / (thickness / LAYERS).powi(3)).ceil();
     let up_to = |most: u32| {
         // More than any integer holds is more than is allowed.
@@ -52,7 +83,7 @@ pub(crate) fn fineness(solid: &Solid, [least, usual, most]: [u32; 3]) -> Finenes
         let spacing = (solid.volume / f64::from(particles)).cbrt();
         let thin = found.thinner_than(LAYERS * spacing).filter(|_| wanted > f64::from(most));
         let given_up = thin.map(|(share, at)| ThinParts { share, at, thickness, wanted });
-        Fineness { particles, given_up }
+        Fineness { particles, given_up, is_forced: false }
     };
     let usually = up_to(usual);
     if usually.given_up.is_some_and(|thin| thin.share > MUCH) { up_to(most) } else { usually }
@@ -74,7 +105,6 @@ impl fmt::Display for ThinParts {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::fill::{FillResolution, fill};
     use crate::geometry::lattice::Cuboid;
     use crate::geometry::mesh::box_surface;
     use crate::geometry::model::{MeshData, Model};
@@ -94,12 +124,27 @@ mod tests {
         let filling = fill(&plate(0.005), FillResolution::Particles(found.particles), 2.5, 100_000).expect("a filling");
         assert_eq!(filling.thinness.single, 0);
         // A thick one takes no more than it has to.
-        assert_eq!(fineness(&plate(0.04), [800, 3000, 10_000]), Fineness { particles: 800, given_up: None });
+        assert_eq!(
+            fineness(&plate(0.04), [800, 3000, 10_000]),
+            Fineness { particles: 800, given_up: None, is_forced: false }
+        );
         // Where all of it is thin more are taken, and then no more.
         let found = fineness(&plate(0.002), [800, 3000, 50_000]);
         assert!((13_990..=14_010).contains(&found.particles) && found.given_up.is_none(), "{found:?}");
         let given_up = fineness(&plate(0.002), [800, 3000, 10_000]).given_up.expect("too thin");
         assert!(given_up.share > 0.97 && (given_up.thickness - 0.002).abs() < 1e-6, "{given_up:?}");
         assert!((given_up.wanted / 14_000.0 - 1.0).abs() < 0.01, "{given_up:?}");
+    }
+
+    #[test]
+    fn what_falls_apart_in_the_most_gets_as_many_as_hold_it_together() {
+        // One layer of 50,000 particles is 0.5 mm thick.
+        let found = by_itself(&plate(0.000_58), 2.5);
+        assert!(found.is_forced && (100_000..MOST_FORCED).contains(&found.particles), "{found:?}");
+        let filling = fill(&plate(0.000_58), FillResolution::Particles(found.particles), 2.5, MOST).expect("a filling");
+        assert_eq!(filling.thinness.single, 0);
+        assert!(filling.volume_error.abs() < 0.02, "{}", filling.volume_error);
+        // A thick one is left as it is.
+        assert!(by_itself(&plate(0.04), 2.5) == fineness(&plate(0.04), BY_ITSELF));
     }
 }

@@ -100,9 +100,10 @@ impl OpenSurface {
             (0..caps_bvh.nodes().len()).map(|node| caps_bvh.triangles(node).iter().map(area).sum()).collect();
         // Caps lie between the points of the surface.
         let corners = || capped.iter().flatten().map(|&i| points[i as usize]);
-        let bounds = match capped.is_empty() {
-            true => [DVec3::ZERO; 2],
-            false => [corners().fold(DVec3::INFINITY, DVec3::min), corners().fold(DVec3::NEG_INFINITY, DVec3::max)],
+        let bounds = if capped.is_empty() {
+            [DVec3::ZERO; 2]
+        } else {
+            [corners().fold(DVec3::INFINITY, DVec3::min), corners().fold(DVec3::NEG_INFINITY, DVec3::max)]
         };
         let step = if capped.is_empty() { 1.0 } else { (bounds[1] - bounds[0]).length() / LOOKS };
         Self { points, capped, capped_index, caps, caps_bvh, caps_far, cap_areas, bounds, step, known: HashMap::new() }

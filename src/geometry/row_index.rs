@@ -94,12 +94,13 @@ impl RowIndex {
     }
 
     fn sort(&mut self, seen: &[Seen]) {
-        // Half a cell, and a little more than that.
-        let half = 0.500_001 * self.scale.map(|scale| if scale > 0.0 { scale.recip() } else { 1.0 });
+        let width = self.scale.map(|scale| if scale > 0.0 { scale.recip() } else { 1.0 });
+        // A little more than half a cell: round-off decides which one a row on the border looks into.
+        let half = 0.500_1 * width;
         let mut entries: Vec<[u32; 2]> = Vec::with_capacity(2 * seen.len());
         for (face, seen) in seen.iter().enumerate() {
             for [y, z] in self.covered(seen) {
-                let middle = self.min + 2.0 * half * DVec2::new(y as f64 + 0.5, z as f64 + 0.5);
+                let middle = self.min + width * DVec2::new(y as f64 + 0.5, z as f64 + 0.5);
                 if seen.turn == 0.0 || !seen.is_beside(middle, half) {
                     entries.push([(z * self.cells[0] + y) as u32, face as u32]);
                 }

@@ -179,6 +179,7 @@ mod tests {
     use crate::geometry::mesh::{TriangleMesh, box_surface};
     use crate::geometry::model::{MeshData, Model};
     use glam::DMat3;
+    use std::slice;
 
     fn solid(meshes: &[TriangleMesh]) -> Solid {
         let mut model = Model::default();
@@ -231,7 +232,8 @@ mod tests {
             ("cube", boxed([0.0; 3], [1.0; 3]), 1.0),
         ] {
             for mesh in [turned(mesh.clone()), mesh] {
-                let (less, more) = (share(&[mesh.clone()], 0.95 * thickness), share(&[mesh], 1.05 * thickness));
+                let (less, more) =
+                    (share(slice::from_ref(&mesh), 0.95 * thickness), share(slice::from_ref(&mesh), 1.05 * thickness));
                 assert!(less < 0.02 && more > 0.97, "{name}: {less} below {thickness} m, {more} up to it");
             }
         }
@@ -245,7 +247,7 @@ mod tests {
         let out = boxed([1.4, 0.0, 0.0], [2.0, 0.1, 1.0]);
         let bar = boxed([4.0, 0.0, 0.0], [0.1, 0.1, 5.0]);
         let tube = tube(4.0, 0.05, 0.5);
-        let of_tube = solid(&[tube.clone()]).volume;
+        let of_tube = solid(slice::from_ref(&tube)).volume;
         for (name, meshes, thin) in [
             ("plate beside", vec![block(), beside], 0.2 / 1.2),
             ("plate out of it", vec![block(), out], 0.19 / 1.19),

@@ -56,7 +56,7 @@ struct Row {
     /// Which of them are short enough, from the first on; not the one to nowhere.
     steps: u64,
     /// How many they are from the first to the last.
-    width: u32,
+    width: i32,
 }
 
 /// Lattice steps shorter than `reach`, none left out. They are looked at row by row, as bits: there are dozens of them to
@@ -66,9 +66,9 @@ fn rows_within(reach: f64) -> Vec<Row> {
     let n = (reach.ceil() as i32).min(31);
     let across = (-n..=n).flat_map(|z| (-n..=n).map(move |y| IVec3::new(-n, y, z)));
     let row = |first: IVec3| {
-        let width = 2 * n as u32 + 1;
-        let is_short = |k: &u32| {
-            let step = first + IVec3::X * *k as i32;
+        let width = 2 * n + 1;
+        let is_short = |k: &i32| {
+            let step = first + IVec3::X * *k;
             step != IVec3::ZERO && step.as_dvec3().length() < reach
         };
         Row { first, steps: (0..width).filter(is_short).map(|k| 1 << k).sum(), width }
@@ -93,7 +93,7 @@ impl Around {
             let mut there = occupied.row(cell + row.first, row.width) & row.steps;
             let (mut count, mut sum, mut squares) = (0, 0, 0);
             while there != 0 {
-                let x = row.first.x + there.trailing_zeros() as i32;
+                let x = row.first.x + there.trailing_zeros().cast_signed();
                 (count, sum, squares) = (count + 1, sum + x, squares + x * x);
                 there &= there - 1;
             }
@@ -168,10 +168,10 @@ impl Occupied {
     }
 
     /// Which of so many cells along x, from one on, hold a particle, as bits.
-    fn row(&self, cell: IVec3, width: u32) -> u64 {
+    fn row(&self, cell: IVec3, width: i32) -> u64 {
         let at = cell - self.first;
         let mut block = at >> BLOCK;
-        let last = (at.x + width as i32 - 1) >> BLOCK;
+        let last = (at.x + width - 1) >> BLOCK;
         let [layer, bit] = within(at.with_x(0));
         let mut row = 0;
         while block.x <= last {

@@ -50,7 +50,10 @@ fn paint_thin(painter: &Painter, frame: &ViewFrame, cx: &Context) {
         return;
     }
     let edge = Stroke::new(1.0, cx.tone.warning());
-    for (body, thin) in published.snapshot.bodies.iter().zip(published.thin.iter()) {
+    for (index, (body, thin)) in published.snapshot.bodies.iter().zip(published.thin.iter()).enumerate() {
+        if cx.scene().any_body(index).is_some_and(|body| body.hidden()) {
+            continue;
+        }
         for &particle in thin.iter().step_by(thin.len().div_ceil(MARKS).max(1)) {
             if let Some(at) = body.particles.get(particle as usize).and_then(|&at| frame.screen(at)) {
                 painter.circle_stroke(at, 3.0, edge);

@@ -27,14 +27,13 @@ const ROWS: usize = 1600;
 const LEAST_ROWS: usize = 4;
 const MOST_BOXES: usize = 2000;
 
+/// Share of the extent beyond a face at which it is looked whether that lies in another piece.
+const BEYOND: f64 = 1e-8;
+
 impl Thickness {
     /// Looks at a solid.
     pub(crate) fn of(solid: &Solid) -> Self {
-        let surface = Faces {
-            points: &solid.surface.points,
-            faces: &solid.surface.faces,
-            bvh: Bvh::new(&solid.surface.points, &solid.surface.faces),
-        };
+        let surface = Faces::of(solid);
         let points = points_inside(solid);
         let mut found: Vec<(f64, DVec3)> = points.par_iter().filter_map(|&point| surface.thickness(point)).collect();
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -98,9 +97,27 @@ struct Faces<'a> {
     points: &'a [DVec3],
     faces: &'a [[u32; 3]],
     bvh: Bvh,
+    /// Those that are not within another piece.
+    skin: Vec<[u32; 3]>,
+    skin_bvh: Bvh,
 }
 
-impl Faces<'_> {
+impl<'a> Faces<'a> {
+    fn of(solid: &'a Solid) -> Self {
+        let (points, faces) = (solid.surface.points.as_slice(), solid.surface.faces.as_slice());
+        let beyond = BEYOND * solid.size().length();
+        let is_skin = |face: &&[u32; 3]| {
+            let [a, b, c] = face.map(|i| points[i as usize]);
+            let outwards = (b - a).cross(c - a).normalize_or_zero();
+            !solid.contains((a + b + c) / 3.0 + beyond * outwards)
+        };
+        let shares = solid.report.closed && (solid.report.pieces > 1 || solid.report.crossings > 0);
+        let skin: Vec<[u32; 3]> =
+            if shares { faces.par_iter().filter(is_skin).copied().collect() } else { faces.to_vec() };
+        let [bvh, skin_bvh] = [faces, skin.as_slice()].map(|faces| Bvh::new(points, faces));
+        Self { points, faces, bvh, skin, skin_bvh }
+    }
+
     /// How thick the matter around a point is [m], and the nearest place of the surface [m]; none where the ways out run
     /// through a hole.
     fn thickness(&self, point: DVec3) -> Option<(f64, DVec3)> {
@@ -112,7 +129,7 @@ impl Faces<'_> {
     /// The way through a point along the normal of the nearest surface [m], its middle, and the nearest place of the
     /// surface.
     fn through(&self, point: DVec3) -> Option<(f64, DVec3, DVec3)> {
-        let (_, _, place) = nearest_face(self.points, self.faces, &self.bvh, point)?;
+        let (_, _, place) = nearest_face(self.points, &self.skin, &self.skin_bvh, point)?;
         let along = (point - place).try_normalize()?;
         let [ahead, back] = [self.leaves(point, along)?, self.leaves(point, -along)?];
         Some((ahead + back, point + 0.5 * (ahead - back) * along, place))

@@ -7,13 +7,13 @@ use sinew::scene::{Assets, Body, Material, MeshShape, Scene};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-/// Three bodies: one that is filled quickly, one that is too thin for its particles in places, and a box.
+/// Three bodies: one that is filled quickly, one that is thin on one side, and a box.
 fn scene() -> (Scene, Assets) {
     let mut assets = Assets::default();
     let mesh = |model: Model| TriangleMesh { positions: model.positions, triangles: model.triangles };
     assets.insert_mesh("ball", &mesh(sphere(12, 0.05))).expect("a solid");
     let mut flat = torus(24, 12, 0.05, 0.02);
-    flat.positions.iter_mut().for_each(|p| p.z *= if p.x > 0.0 { 0.25 } else { 1.0 });
+    flat.positions.iter_mut().for_each(|p| p.z *= if p.x > 0.0 { 0.6 } else { 1.0 });
     assets.insert_mesh("ring", &mesh(flat)).expect("a solid");
     let material = Material::new(1e5, 0.33, 1000.0);
     let body = |name: &str, x: f64| {

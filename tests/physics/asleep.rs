@@ -27,7 +27,7 @@ fn row() -> Scene {
         cube.id = id.to_owned();
         cube
     };
-    in_space(cube("flying", 0.0, 0.8)).with_body(cube("hit", 0.08, 0.0)).with_body(cube("apart", 0.5, 0.0))
+    in_space(cube("flying", 0.0, 0.8)).with_body(cube("hit", 0.16, 0.0)).with_body(cube("apart", 0.8, 0.0))
 }
 
 fn evaluations(runner: &Runner) -> Vec<u64> {
@@ -53,8 +53,8 @@ fn they_wake_in_time_and_move_as_if_they_had_never_slept() {
     advance(&mut runner, 1);
     let second = evaluations(&runner);
     assert!(second[0] > first[0] && second[1..] == first[1..], "{first:?}, {second:?}");
-    advance(&mut runner, 10);
-    (0..12).for_each(|_| world.advance_frame());
+    advance(&mut runner, 14);
+    (0..16).for_each(|_| world.advance_frame());
     let after = evaluations(&runner);
     assert!(after[1] > second[1] && after[2] == second[2], "{second:?}, {after:?}");
     for (one, other) in runner.world().bodies().iter().zip(world.bodies()) {

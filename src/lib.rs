@@ -118,7 +118,7 @@
 //! SI units throughout: metres, kilograms, seconds, newtons, pascals; angles in degrees in scenes and reports, in
 //! radians in the code. Frames are right-handed with Y up. A body is described in its *model frame* and put into the
 //! world by its placement; capital X in formulae is the rest position, small x the present one. State and forces are
-//! f64. Parallel loops write by index and sums run in a fixed order, so that the number of threads changes nothing.
+//! f64; what a fast matrix computes on the way to them is f32. Parallel loops write by index and sums run in a fixed order, so that the number of threads changes nothing.
 //!
 //! # Glossary
 //!
@@ -134,7 +134,8 @@
 //! - *volume fraction* l: share of the material around a point that is fibre. *Matrix fraction*: 1 - l, the share of the
 //!   matrix's energy that is left there (eq. 18).
 //! - *stencil*: the offsets of the lattice within h with their weights, the same for every particle. *Brick*: four
-//!   places of the lattice in a row along x, computed at once. *Pair list*: the same forces, neighbour by neighbour.
+//!   places of the lattice in a row along x (eight in f32), computed at once. *Pair list*: the same forces, neighbour by
+//!   neighbour. *Fast*: the stencil in f32, on deviations from the body's rigid motion; *exact*: all else, in f64.
 //! - *two-layer body*: an outer and an inner *layer* of particles joined by springs, with gas inside (the two-layer
 //!   paper's). It has no matrix and no fibres.
 //! - *skin*: the surface that is drawn, carried by the particles. *Rig*: how it hangs on them. *Arm*: the way to a point too

@@ -15,7 +15,7 @@ pub mod solver {
     pub use crate::solver::forces::fibre::breaking::BreakLimits;
     pub use crate::solver::forces::fibre::{FibreForce, FibreRest};
     pub use crate::solver::forces::springs::{SpringGroup, Springs};
-    pub use crate::solver::forces::{Elasticity, MatrixForce};
+    pub use crate::solver::forces::{Elasticity, EvaluationKind, MatrixForce};
     pub use crate::solver::layers::Layers;
     pub use crate::solver::neighbourhood::Neighbourhood;
     pub use crate::solver::skin::{Skin, SkinShape};

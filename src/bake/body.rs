@@ -11,7 +11,7 @@ use super::stage::{BakeStage, Tell};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{fibres, room, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, Mass, Scene};
+use crate::scene::{Body, BodyKind, Mass, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
@@ -65,14 +65,18 @@ pub(super) fn draft(
     let state = initial_state(body, &sample.points, &regions, mass, path)?;
 
     let fractions = fibres::fractions(body, &sample.points, kernel, &placed);
-    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(MatrixForce::new(
+    let matrix = MatrixForce::new(
         Arc::clone(&neighbourhood),
         sample.points.as_slice().into(),
         Elasticity::new(material.young_modulus, material.poisson_ratio, spacing),
         volume,
         fibres::matrix_fractions(&fractions),
         orientation,
-    ))];
+    );
+    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(match material.precision {
+        Precision::Exact => matrix,
+        Precision::Fast => matrix.fast(),
+    })];
     let rods = fibres::rods(body, &embedder, volume, &placed);
     let strongest = fibres::strongest(body, &placed, &rods);
     let mut matrix_alone = None;

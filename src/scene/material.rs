@@ -25,6 +25,9 @@ pub struct Material {
     /// How a fibre's volume fraction falls off with the distance from its structure particles, out to h.
     #[serde(default)]
     pub volume_fraction_falloff: Falloff,
+    /// How exactly the matrix's forces are computed.
+    #[serde(default)]
+    pub precision: Precision,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
@@ -48,6 +51,7 @@ impl Material {
             spacing_ratio: default_spacing_ratio(),
             damping: Damping::default(),
             volume_fraction_falloff: Falloff::default(),
+            precision: Precision::default(),
             extra: Extra::new(),
         }
     }
@@ -68,6 +72,12 @@ impl Material {
     #[must_use]
     pub fn with_damping(self, pair: f64, air: f64) -> Self {
         Self { damping: Damping { pair, air, ..self.damping }, ..self }
+    }
+
+    /// With forces of the matrix computed in f32, in place of f64.
+    #[must_use]
+    pub fn in_fast_precision(self) -> Self {
+        Self { precision: Precision::Fast, ..self }
     }
 
     /// Particle spacing D [m].
@@ -117,6 +127,18 @@ pub enum Falloff {
     Linear,
     /// Not at all within h.
     Constant,
+}
+
+/// How exactly the matrix's forces are computed. Positions, velocities, fibres, contact and energies are f64 in any case.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Precision {
+    /// In f64, to round-off.
+    #[default]
+    Exact,
+    /// In f32, from deviations from the body's rigid motion: up to twice as fast, and off by some millionths of the
+    /// greatest force.
+    Fast,
 }
 
 fn default_poisson() -> f64 {

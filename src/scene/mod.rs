@@ -42,7 +42,7 @@ pub use fibre::{
 };
 pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
-pub use material::{Damping, Falloff, Mass, Material, USUAL_SUPPORT_RADIUS};
+pub use material::{Damping, Falloff, Mass, Material, Precision, USUAL_SUPPORT_RADIUS};
 pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 #[cfg(feature = "gui")]
 pub(crate) use naming::UNTITLED;

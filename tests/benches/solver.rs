@@ -1,7 +1,10 @@
 //! Force evaluations and stroke lifting, one thread: `cargo bench`.
 //!
 //! Divan prints times per evaluation; items per second are particles (matrix), structure particles (fibres), springs or
-//! faces (two-layer bodies).
+//! faces (two-layer bodies). The matrix in f32 against f64 comes last, or alone by `cargo bench --bench solver precision`.
+#![allow(clippy::print_stdout, reason = "a benchmark's results")]
+
+mod precision;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -22,12 +25,21 @@ use std::sync::Arc;
 fn main() {
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool of this process");
     divan::main();
+    // Under `cargo bench` without a filter, or with this one.
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments == ["--bench"] || arguments.iter().any(|argument| argument == "precision") {
+        precision::print_ratios();
+    }
 }
 
 const D: f64 = 0.006;
 
 /// A block of layers at the paper's spacing with four vertical fibres of one vertex a layer.
-fn block([x, y, z]: [u32; 3], rest_shape: &str) -> World {
+fn block(layers: [u32; 3], rest_shape: &str) -> World {
+    bake(&block_scene(layers, rest_shape), &Assets::default()).expect("a world").world
+}
+
+fn block_scene([x, y, z]: [u32; 3], rest_shape: &str) -> Scene {
     let d = D;
     let size = [f64::from(x) * d, f64::from(y) * d, f64::from(z) * d];
     let fibres: Vec<serde_json::Value> = [[-0.012, -0.012], [-0.012, 0.012], [0.012, -0.012], [0.012, 0.012]]
@@ -50,8 +62,7 @@ fn block([x, y, z]: [u32; 3], rest_shape: &str) -> World {
             "material": {"young_modulus": 5e7, "mass": {"per_particle": 4e-4}, "support_radius": 0.015}
         }]
     });
-    let scene: Scene = serde_json::from_value(scene).expect("a scene");
-    bake(&scene, &Assets::default()).expect("a world").world
+    serde_json::from_value(scene).expect("a scene")
 }
 
 /// The forces of a block, and its particles slightly out of their places.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use sinew::bake::bake;
 use sinew::io::scene_from_json;
-use sinew::scene::{Assets, IntegratorKind, Scene};
+use sinew::scene::{Assets, IntegratorKind, Precision, Scene};
 use sinew::solver::Dynamics;
 use sinew::solver::Energies;
 use sinew::solver::Force;
@@ -94,6 +94,13 @@ fn everything_that_a_scene_may_hold_goes_back_exactly() {
     assert!(broken.bodies()[0].breaks().count() >= 2, "{} breaks", broken.bodies()[0].breaks().count());
     assert!(met, "the panel is held up");
     goes_back_exactly(&world, 36);
+}
+
+#[test]
+fn in_fast_precision() {
+    let mut scene = scene_from_json(CROWD).unwrap();
+    scene.bodies[0].material.precision = Precision::Fast;
+    goes_back_exactly(&baked(&scene), 12);
 }
 
 #[test]

@@ -80,6 +80,15 @@ fn the_matrix_force_is_the_gradient_of_its_energy() {
 }
 
 #[test]
+fn the_fast_matrix_force_is_the_gradient_of_the_same_energy() {
+    let mut bar = short_bar(5e7);
+    bar.material = bar.material.in_fast_precision();
+    let error = gradient_error(&in_space(bar), deformation(), 0.1);
+    println!("{error:e}");
+    assert!(error < 1e-6, "{error:e}");
+}
+
+#[test]
 fn fibre_forces_are_the_gradients_of_their_energies() {
     for rest in [RestShape::Straight, RestShape::AsDrawn] {
         let scene = with_fibre(fibre("f", curved(), rigidity(3e4, 40.0), 0.6, rest));

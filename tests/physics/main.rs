@@ -8,6 +8,7 @@ mod breaking;
 mod checkpoints;
 mod common;
 mod conservation;
+mod fast;
 mod fibres;
 mod fibres_implicit;
 mod fields;

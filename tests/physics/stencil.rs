@@ -14,16 +14,16 @@ use std::sync::Arc;
 
 const YOUNG_MODULUS: f64 = 2e5;
 
-fn filled(size: [f64; 3], axes: DMat3) -> LatticeSample {
+pub fn filled(size: [f64; 3], axes: DMat3) -> LatticeSample {
     fill_box(&Cuboid { center: DVec3::new(0.3, 0.1, -0.2), size: D * DVec3::from_array(size) }, D, axes)
 }
 
-fn turned() -> DMat3 {
+pub fn turned() -> DMat3 {
     DMat3::from_axis_angle(DVec3::new(1.0, 2.0, 0.5).normalize_or_zero(), 0.6)
 }
 
 /// A ball with a hole through it and a rod that sticks out: rows with gaps, ends of every kind.
-fn irregular(axes: DMat3) -> LatticeSample {
+pub fn irregular(axes: DMat3) -> LatticeSample {
     let mut sample = filled([19.0, 19.0, 30.0], DMat3::IDENTITY);
     let inside = |cell: IVec3| {
         let y = cell.as_dvec3() - DVec3::new(9.2, 8.9, 9.4);
@@ -37,7 +37,7 @@ fn irregular(axes: DMat3) -> LatticeSample {
 }
 
 /// Both evaluations of a sample, at a ratio of spacing to support radius and some matrix fraction at every particle.
-fn evaluations(sample: &LatticeSample, ratio: f64, varying: bool, orientation: DQuat) -> [MatrixForce; 2] {
+pub fn evaluations(sample: &LatticeSample, ratio: f64, varying: bool, orientation: DQuat) -> [MatrixForce; 2] {
     let volume = D.powi(3);
     let neighbourhood = Neighbourhood::on_lattice(sample, Kernel::new(D / ratio), volume).expect("no thin part");
     let matrix_fraction = |i| if varying { 0.5 + 0.5 * wobble(i, 77).x } else { 1.0 };
@@ -55,7 +55,7 @@ fn evaluations(sample: &LatticeSample, ratio: f64, varying: bool, orientation: D
     [stencil, pairs]
 }
 
-fn deformed(sample: &LatticeSample, orientation: DQuat, noise: f64, salt: u64) -> ParticleState {
+pub fn deformed(sample: &LatticeSample, orientation: DQuat, noise: f64, salt: u64) -> ParticleState {
     let gradient = DMat3::from_cols_array(&[1.06, 0.02, 0.0, 0.05, 0.93, 0.03, -0.04, 0.0, 1.02]);
     let bend = |x: DVec3| 2.0 * DVec3::new(x.y * x.y, -x.x * x.z, x.z * x.z);
     let positions: Vec<DVec3> = sample
@@ -68,7 +68,7 @@ fn deformed(sample: &LatticeSample, orientation: DQuat, noise: f64, salt: u64) -
     ParticleState { positions, velocities: vec![DVec3::ZERO; n], masses: vec![1.0; n] }
 }
 
-fn forces(force: &mut MatrixForce, state: &ParticleState) -> Vec<DVec3> {
+pub fn forces(force: &mut MatrixForce, state: &ParticleState) -> Vec<DVec3> {
     let mut forces = vec![DVec3::ZERO; state.len()];
     force.add_forces(0.0, state, &mut forces);
     forces

@@ -19,7 +19,7 @@ pub(crate) use force::total_forces;
 pub use force::{Force, StepLimit};
 pub use grab::Grab;
 pub(crate) use gravity::Gravity;
-pub use matrix::{Elasticity, MatrixForce};
+pub use matrix::{Elasticity, EvaluationKind, MatrixForce};
 pub(crate) use pair_damping::PairDamping;
 pub(crate) use pressure::Pressure;
 pub(crate) use springs::Springs;

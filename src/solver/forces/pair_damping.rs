@@ -4,7 +4,7 @@
 //! a row at a time: positions and velocities are copied to rows along x, each with empty places beyond both ends, where
 //! a neighbour along x is the number beside. An empty place has no weight in any bond.
 
-use super::bricks::{Alignment, Bricks, CELLS, Palette, brick_and_lane};
+use super::bricks::{Alignment, Bricks, Palette, brick_and_lane};
 use super::force::{Force, StepLimit};
 use crate::solver::energy::Energies;
 use crate::solver::neighbourhood::Neighbourhood;
@@ -116,13 +116,13 @@ impl PairDamping {
 impl NearBonds {
     /// The bonds of particles with these weights by offset.
     fn new(cells: &[IVec3], weights: &[HashMap<IVec3, f64>]) -> Self {
-        let Bricks { positions: bricks, places: in_bricks, .. } = Bricks::new(cells, Alignment::default());
+        let Bricks { positions: bricks, places: in_bricks, .. } = Bricks::new(cells, Alignment::plain(LANES));
         let (beginnings, length) = along_rows(&bricks);
         let begin = |brick: IVec3| beginnings.get(&brick).copied().unwrap_or(LANES as u32);
         let mut places = Vec::with_capacity(cells.len());
         let mut of_brick = vec![[Lanes4::default(); BONDS]; bricks.len()];
         for (&place, weights) in in_bricks.iter().zip(weights) {
-            let (brick, lane) = brick_and_lane(place);
+            let (brick, lane) = brick_and_lane::<Lanes4>(place);
             places.push(begin(bricks[brick]) + lane as u32);
             let steps = ROWS.iter().zip(STEPS);
             let steps = steps.flat_map(|(&(y, z), steps)| steps.iter().map(move |&dx| IVec3::new(dx, y, z)));
@@ -208,7 +208,7 @@ fn window(along: &[f64], begin: u32) -> &[f64; 3 * LANES] {
 /// The places `dx` beside those of a window's brick.
 #[inline(always)]
 fn beside<S: Simd>(simd: S, window: &[f64; 3 * LANES], dx: i32) -> f64x4<S> {
-    let at = (CELLS + dx) as usize;
+    let at = (LANES as i32 + dx) as usize;
     f64x4::from_slice(simd, &window[at..at + LANES])
 }
 
@@ -240,7 +240,7 @@ impl Force for PairDamping {
             sums.par_chunks_mut(CHUNK).enumerate().for_each(work);
         }
         for (force, &place) in forces.iter_mut().zip(&bonds.in_bricks) {
-            let (brick, lane) = brick_and_lane(place);
+            let (brick, lane) = brick_and_lane::<Lanes4>(place);
             *force += *rate * vector_of(&sums[brick], lane);
         }
     }

@@ -1,74 +1,124 @@
 //! Registers and what they are loaded from.
 
-use fearless_simd::{Simd, f64x4, f64x8, prelude::*};
+use bytemuck::{Pod, Zeroable};
+use fearless_simd::{Simd, f32x8, f64x4, f64x8, prelude::*};
 use glam::{DQuat, DVec3};
 
-/// Particles side by side in all but the sums of fibres.
+/// Particles side by side where forces are exact, in all but the sums of fibres.
 pub(crate) const LANES: usize = 4;
 
-/// A number of each of four particles, in memory.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(C, align(32))]
-pub(crate) struct Lanes4(pub [f64; LANES]);
+/// A number of each of several particles, side by side in memory.
+pub(crate) trait Lanes: Pod + Default + Send + Sync {
+    /// How many particles there are.
+    const COUNT: usize;
+    /// Whether numbers are too short for positions: they hold deviations along the axes of the body then.
+    const SHORT: bool;
+    /// The same numbers in a register.
+    type Register<S: Simd>: Wide<Set = S, Memory = Self>;
 
-/// A number of each of eight particles, in memory.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(C, align(64))]
-pub(crate) struct Lanes8(pub [f64; 8]);
+    /// The same number for all.
+    fn splat(value: f64) -> Self;
 
-impl Lanes4 {
-    /// The same number for all four.
-    pub(crate) fn splat(value: f64) -> Self {
-        Self([value; LANES])
-    }
+    /// The number of one particle.
+    fn get(&self, lane: usize) -> f64;
+
+    /// Changes the number of one particle.
+    fn set(&mut self, lane: usize, value: f64);
 }
 
 /// A number of each of several particles, in a register.
-pub(crate) trait Wide: SimdFloat<<Self as Wide>::Set, Element = f64> {
+pub(crate) trait Wide: SimdFloat<<Self as Wide>::Set> {
     /// The instruction set that the register belongs to.
     type Set: Simd;
     /// The same numbers in memory.
-    type Memory: Copy + Default;
+    type Memory: Lanes;
+
+    /// The same number for all.
+    fn constant(simd: Self::Set, value: f64) -> Self;
 
     fn load(simd: Self::Set, lanes: &Self::Memory) -> Self;
 
     fn store(self) -> Self::Memory;
+
+    /// Consecutive numbers of a line from a place on.
+    fn read(simd: Self::Set, line: &[Self::Memory], place: usize) -> Self;
 }
 
-impl<S: Simd> Wide for f64x4<S> {
-    type Set = S;
-    type Memory = Lanes4;
+/// Numbers in memory, and the register that they fit.
+macro_rules! lanes {
+    ($(#[$about:meta])* $name:ident([$number:ident; $count:literal]), $register:ident, $align:literal, $short:literal) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+        #[repr(C, align($align))]
+        pub(crate) struct $name(pub [$number; $count]);
 
-    #[inline(always)]
-    fn load(simd: S, lanes: &Lanes4) -> Self {
-        Self::simd_from(simd, lanes.0)
-    }
+        #[allow(clippy::unnecessary_cast, clippy::cast_lossless, reason = "the numbers may be f64")]
+        impl Lanes for $name {
+            const COUNT: usize = $count;
+            const SHORT: bool = $short;
+            type Register<S: Simd> = $register<S>;
 
-    #[inline(always)]
-    fn store(self) -> Lanes4 {
-        Lanes4(self.into())
-    }
+            fn splat(value: f64) -> Self {
+                Self([value as $number; $count])
+            }
+
+            #[inline(always)]
+            fn get(&self, lane: usize) -> f64 {
+                self.0[lane] as f64
+            }
+
+            #[inline(always)]
+            fn set(&mut self, lane: usize, value: f64) {
+                self.0[lane] = value as $number;
+            }
+        }
+
+        #[allow(clippy::unnecessary_cast, reason = "the numbers may be f64")]
+        impl<S: Simd> Wide for $register<S> {
+            type Set = S;
+            type Memory = $name;
+
+            #[inline(always)]
+            fn constant(simd: S, value: f64) -> Self {
+                Self::simd_from(simd, value as $number)
+            }
+
+            #[inline(always)]
+            fn load(simd: S, lanes: &$name) -> Self {
+                Self::simd_from(simd, lanes.0)
+            }
+
+            #[inline(always)]
+            fn store(self) -> $name {
+                $name(self.into())
+            }
+
+            #[inline(always)]
+            fn read(simd: S, line: &[$name], place: usize) -> Self {
+                let line: &[$number] = bytemuck::cast_slice(line);
+                Self::from_slice(simd, &line[place..place + $count])
+            }
+        }
+    };
 }
 
-impl<S: Simd> Wide for f64x8<S> {
-    type Set = S;
-    type Memory = Lanes8;
-
-    #[inline(always)]
-    fn load(simd: S, lanes: &Lanes8) -> Self {
-        Self::simd_from(simd, lanes.0)
-    }
-
-    #[inline(always)]
-    fn store(self) -> Lanes8 {
-        Lanes8(self.into())
-    }
+lanes! {
+    /// Four particles, exact.
+    Lanes4([f64; 4]), f64x4, 32, false
+}
+lanes! {
+    /// Eight particles, exact.
+    Lanes8([f64; 8]), f64x8, 64, false
+}
+lanes! {
+    /// Eight particles, fast.
+    Short8([f32; 8]), f32x8, 32, true
 }
 
 /// Several numbers of the same particles.
 #[inline(always)]
 pub(crate) fn load_all<V: Wide, const N: usize>(simd: V::Set, lanes: &[V::Memory; N]) -> [V; N] {
-    let mut values = [V::simd_from(simd, 0.0); N];
+    let mut values = [V::constant(simd, 0.0); N];
     for k in 0..N {
         values[k] = V::load(simd, &lanes[k]);
     }
@@ -85,14 +135,14 @@ pub(super) fn store_all<V: Wide, const N: usize>(values: [V; N]) -> [V::Memory; 
     lanes
 }
 
-/// The vector of one of four particles.
+/// The vector of one of several particles.
 #[inline(always)]
-pub(crate) fn vector_of(lanes: &[Lanes4; 3], lane: usize) -> DVec3 {
-    DVec3::new(lanes[0].0[lane], lanes[1].0[lane], lanes[2].0[lane])
+pub(crate) fn vector_of<L: Lanes>(lanes: &[L; 3], lane: usize) -> DVec3 {
+    DVec3::new(lanes[0].get(lane), lanes[1].get(lane), lanes[2].get(lane))
 }
 
-/// The quaternion of one of four particles.
+/// The quaternion of one of several particles.
 #[inline(always)]
-pub(crate) fn quaternion_of(lanes: &[Lanes4; 4], lane: usize) -> DQuat {
-    DQuat::from_xyzw(lanes[0].0[lane], lanes[1].0[lane], lanes[2].0[lane], lanes[3].0[lane])
+pub(crate) fn quaternion_of<L: Lanes>(lanes: &[L; 4], lane: usize) -> DQuat {
+    DQuat::from_xyzw(lanes[0].get(lane), lanes[1].get(lane), lanes[2].get(lane), lanes[3].get(lane))
 }

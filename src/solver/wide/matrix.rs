@@ -15,10 +15,10 @@ impl<V: Wide> Mat3x<V> {
     #[inline(always)]
     pub(crate) fn splat(simd: V::Set, m: &DMat3) -> Self {
         let columns = m.to_cols_array_2d();
-        let mut matrix = Self([Vec3x::splat(V::simd_from(simd, 0.0)); 3]);
+        let mut matrix = Self([Vec3x::splat(V::constant(simd, 0.0)); 3]);
         for c in 0..3 {
             for r in 0..3 {
-                matrix.0[c][r] = V::simd_from(simd, columns[c][r]);
+                matrix.0[c][r] = V::constant(simd, columns[c][r]);
             }
         }
         matrix
@@ -26,16 +26,26 @@ impl<V: Wide> Mat3x<V> {
 
     /// The rotation matrices of unit quaternions.
     #[inline(always)]
-    pub(crate) fn from_quat(Quatx([x, y, z, w]): Quatx<V>) -> Self {
-        let one = V::simd_from(x.token(), 1.0);
+    pub(crate) fn from_quat(q: Quatx<V>) -> Self {
+        let mut rotation = Self::from_quat_beyond_identity(q);
+        let one = V::constant(q.0[0].token(), 1.0);
+        for k in 0..3 {
+            rotation.0[k][k] = one + rotation.0[k][k];
+        }
+        rotation
+    }
+
+    /// The rotation matrices of unit quaternions less the identity: exact to the numbers' own size for small turns.
+    #[inline(always)]
+    pub(crate) fn from_quat_beyond_identity(Quatx([x, y, z, w]): Quatx<V>) -> Self {
         let (x2, y2, z2) = (x + x, y + y, z + z);
         let (xx, xy, xz) = (x * x2, x * y2, x * z2);
         let (yy, yz, zz) = (y * y2, y * z2, z * z2);
         let (wx, wy, wz) = (w * x2, w * y2, w * z2);
         Self([
-            Vec3x([one - (yy + zz), xy + wz, xz - wy]),
-            Vec3x([xy - wz, one - (xx + zz), yz + wx]),
-            Vec3x([xz + wy, yz - wx, one - (xx + yy)]),
+            Vec3x([-(yy + zz), xy + wz, xz - wy]),
+            Vec3x([xy - wz, -(xx + zz), yz + wx]),
+            Vec3x([xz + wy, yz - wx, -(xx + yy)]),
         ])
     }
 
@@ -49,6 +59,13 @@ impl<V: Wide> Mat3x<V> {
     #[inline(always)]
     pub(crate) fn outer(a: Vec3x<V>, b: Vec3x<V>) -> Self {
         Self([a * b[0], a * b[1], a * b[2]])
+    }
+
+    /// `aᵀ`.
+    #[inline(always)]
+    pub(crate) fn transpose(self) -> Self {
+        let Self([a, b, c]) = self;
+        Self([Vec3x([a[0], b[0], c[0]]), Vec3x([a[1], b[1], c[1]]), Vec3x([a[2], b[2], c[2]])])
     }
 
     /// `aᵀ b`.

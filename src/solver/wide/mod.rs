@@ -10,7 +10,7 @@ mod quaternion;
 mod rotation;
 mod vector;
 
-pub(crate) use lanes::{LANES, Lanes4, Lanes8, Wide, load_all, quaternion_of, vector_of};
+pub(crate) use lanes::{LANES, Lanes, Lanes4, Lanes8, Short8, Wide, load_all, quaternion_of, vector_of};
 pub(crate) use matrix::Mat3x;
 pub(crate) use quaternion::Quatx;
 pub(crate) use rotation::nearest_rotations;

@@ -37,7 +37,7 @@ impl<V: Wide> Quatx<V> {
     pub(crate) fn normalize(self) -> Self {
         let Self([x, y, z, w]) = self;
         let vector = Vec3x([x, y, z]);
-        let inverse = V::simd_from(x.token(), 1.0) / w.mul_add(w, vector.dot(vector)).sqrt();
+        let inverse = V::constant(x.token(), 1.0) / w.mul_add(w, vector.dot(vector)).sqrt();
         Self([x * inverse, y * inverse, z * inverse, w * inverse])
     }
 }

@@ -1,43 +1,66 @@
-//! The rotations nearest to four deformation gradients, by the iteration of [`crate::solver::rotation`] on all at once.
+//! The rotations nearest to several deformation gradients, by the iteration of [`crate::solver::rotation`] on all at once.
 
-use super::lanes::{LANES, Lanes4, Wide};
+use super::lanes::{Lanes, Wide, quaternion_of};
 use super::matrix::Mat3x;
 use super::quaternion::Quatx;
 use super::vector::Vec3x;
 use crate::solver::rotation::{LAST_STEP, LONGEST_NEWTON_STEP, nearest_rotation};
-use fearless_simd::{Simd, f64x4, prelude::*};
-use glam::{DMat3, DQuat};
+use fearless_simd::prelude::*;
+use glam::DMat3;
 
 /// Newton's iteration is given up for the scalar one, which takes every case, after this many steps.
 const MOST_STEPS: usize = 6;
 /// Error of a rotation [rad] that is no more than that of its numbers.
 const ROUND_OFF: f64 = 1e-15;
+/// The same of short numbers.
+const SHORT_ROUND_OFF: f64 = 1e-8;
+/// What squares of short numbers are multiplied by before they are cubed.
+const SHORT_UNIT: f64 = 1e9;
+/// Angle [rad] below which the step that is taken leaves no error that short numbers hold: it is of its third power, and
+/// of its square times the strain.
+const LAST_SHORT_STEP: f64 = 5e-4;
 
-/// [`nearest_rotation`] of four deformation gradients `f` from warm starts `q`.
+/// [`nearest_rotation`] of several deformation gradients `f` from warm starts `q`.
+///
+/// Short numbers hold what deformation gradients are beyond the identity, and rotations near it are as exact as that.
 #[inline(always)]
-pub(crate) fn nearest_rotations<S: Simd>(f: Mat3x<f64x4<S>>, q: Quatx<f64x4<S>>) -> Quatx<f64x4<S>> {
+pub(crate) fn nearest_rotations<V: Wide>(f: Mat3x<V>, q: Quatx<V>) -> Quatx<V> {
     match newton(f, q) {
         Some(found) => found,
         None => one_by_one(&f, &q),
     }
 }
 
-/// Newton's iteration on all four; none if one of them cannot be trusted to it.
+/// Newton's iteration on all of them; none if one of them cannot be trusted to it.
 #[inline(always)]
-fn newton<S: Simd>(f: Mat3x<f64x4<S>>, mut q: Quatx<f64x4<S>>) -> Option<Quatx<f64x4<S>>> {
-    let simd = q.0[0].simd;
-    let (one, half, minus_half) = (f64x4::splat(simd, 1.0), f64x4::splat(simd, 0.5), f64x4::splat(simd, -0.5));
-    let zero = f64x4::splat(simd, 0.0);
-    let regular_from = f64x4::splat(simd, 1e-9);
-    let longest = f64x4::splat(simd, 0.25 * LONGEST_NEWTON_STEP * LONGEST_NEWTON_STEP);
-    let last = f64x4::splat(simd, 0.25 * LAST_STEP * LAST_STEP);
-    let exact = f64x4::splat(simd, 0.25 * ROUND_OFF * ROUND_OFF);
+fn newton<V: Wide>(f: Mat3x<V>, mut q: Quatx<V>) -> Option<Quatx<V>> {
+    let simd = q.0[0].token();
+    let short = V::Memory::SHORT;
+    let (one, half, minus_half) = (V::constant(simd, 1.0), V::constant(simd, 0.5), V::constant(simd, -0.5));
+    let zero = V::constant(simd, 0.0);
+    let regular_from = V::constant(simd, 1e-9);
+    let longest = V::constant(simd, 0.25 * LONGEST_NEWTON_STEP * LONGEST_NEWTON_STEP);
+    let (last, exact) = if short { (LAST_SHORT_STEP, SHORT_ROUND_OFF) } else { (LAST_STEP, ROUND_OFF) };
+    let last = V::constant(simd, 0.25 * last * last);
+    // The cube of a small square would be too small for short numbers.
+    let (unit, unit_cubed) = (V::constant(simd, SHORT_UNIT), SHORT_UNIT * SHORT_UNIT * SHORT_UNIT);
+    let exact = V::constant(simd, 0.25 * exact * exact * if short { unit_cubed } else { 1.0 });
     let mut before = zero;
-    let mut s = Mat3x::from_quat(q).transpose_mul(f);
+    // S, or S less the identity where numbers are short.
+    let mut s = if short {
+        let turn = Mat3x::from_quat_beyond_identity(q);
+        turn.transpose() + f + turn.transpose_mul(f)
+    } else {
+        Mat3x::from_quat(q).transpose_mul(f)
+    };
     for _ in 0..MOST_STEPS {
         let spin = Vec3x([s[1][2] - s[2][1], s[2][0] - s[0][2], s[0][1] - s[1][0]]);
         // tr(S) I - S, symmetric, and its adjugate.
-        let (k00, k11, k22) = (s[1][1] + s[2][2], s[0][0] + s[2][2], s[0][0] + s[1][1]);
+        let (mut k00, mut k11, mut k22) = (s[1][1] + s[2][2], s[0][0] + s[2][2], s[0][0] + s[1][1]);
+        if short {
+            let two = one + one;
+            (k00, k11, k22) = (k00 + two, k11 + two, k22 + two);
+        }
         let k01 = minus_half * (s[0][1] + s[1][0]);
         let k02 = minus_half * (s[0][2] + s[2][0]);
         let k12 = minus_half * (s[1][2] + s[2][1]);
@@ -61,48 +84,55 @@ fn newton<S: Simd>(f: Mat3x<f64x4<S>>, mut q: Quatx<f64x4<S>>) -> Option<Quatx<f
         }
         q = q.turned_by(h);
         // The error left is to this step's square as this step is to the square of the one before.
-        let exact = (square * square * square).simd_lt(exact * before * before);
+        let scaled = if short { square * unit } else { square };
+        let exact = (scaled * scaled * scaled).simd_lt(exact * before * before);
         if (exact | square.simd_lt(last)).all_true() {
             return Some(q.normalize());
         }
         before = square;
         // The turn (h, 1) / sqrt(1 + h²) as a matrix, taken off S.
         let scale = one / (one + square);
-        let diagonal = scale * (one - square);
         let t = h * (scale + scale);
+        // Of short numbers, what the turn is beyond the identity.
+        let diagonal = if short { -(scale + scale) * square } else { scale * (one - square) };
         let (t01, t02, t12) = (t[0] * h[1], t[0] * h[2], t[1] * h[2]);
         let turn = Mat3x([
             Vec3x([t[0].mul_add(h[0], diagonal), t01 + t[2], t02 - t[1]]),
             Vec3x([t01 - t[2], t[1].mul_add(h[1], diagonal), t12 + t[0]]),
             Vec3x([t02 + t[1], t12 - t[0], t[2].mul_add(h[2], diagonal)]),
         ]);
-        s = turn.transpose_mul(s);
+        let turned = turn.transpose_mul(s);
+        s = if short { turn.transpose() + s + turned } else { turned };
     }
     None
 }
 
-/// The scalar iteration for each of the four: far from the start, singular, inverted.
+/// The scalar iteration for each of them: far from the start, singular, inverted.
 #[cold]
 #[inline(never)]
-fn one_by_one<S: Simd>(f: &Mat3x<f64x4<S>>, q: &Quatx<f64x4<S>>) -> Quatx<f64x4<S>> {
-    let simd = q.0[0].simd;
-    let f: [[[f64; LANES]; 3]; 3] = f.0.map(|column| column.0.map(Into::into));
-    let mut q: [[f64; LANES]; 4] = q.0.map(Into::into);
-    for k in 0..LANES {
-        let gradient = DMat3::from_cols_array_2d(&f.map(|column| column.map(|entry| entry[k])));
-        let start = DQuat::from_array(q.map(|entry| entry[k]));
+fn one_by_one<V: Wide>(f: &Mat3x<V>, q: &Quatx<V>) -> Quatx<V> {
+    let simd = q.0[0].token();
+    let f = f.0.map(|column| column.0.map(Wide::store));
+    let mut q = q.store();
+    for k in 0..V::Memory::COUNT {
+        let mut gradient = DMat3::from_cols_array_2d(&f.map(|column| column.map(|entry| entry.get(k))));
+        if V::Memory::SHORT {
+            gradient += DMat3::IDENTITY;
+        }
+        let start = quaternion_of(&q, k);
         for (entry, found) in q.iter_mut().zip(nearest_rotation(gradient, start.normalize()).to_array()) {
-            entry[k] = found;
+            entry.set(k, found);
         }
     }
-    Quatx(q.map(|entry| f64x4::load(simd, &Lanes4(entry))))
+    Quatx::load(simd, &q)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use fearless_simd::{Level, dispatch};
-    use glam::DVec3;
+    use crate::solver::wide::LANES;
+    use fearless_simd::{Level, Simd, dispatch, f64x4};
+    use glam::{DQuat, DVec3};
     use std::array::from_fn;
 
     fn batch(f: &[DMat3; LANES], start: &[DQuat; LANES]) -> [DQuat; LANES] {

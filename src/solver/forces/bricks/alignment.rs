@@ -1,39 +1,42 @@
 //! How a lattice is cut into bricks.
 
-use crate::solver::wide::LANES;
 use glam::{DMat3, IVec3};
 use std::collections::HashSet;
 
-/// Cells of a brick, one for each lane.
-pub(crate) const CELLS: i32 = 4;
-const _: () = assert!(CELLS as usize == LANES, "a brick fills its lanes");
-
-/// Which axis of the lattice the rows run along, and where bricks begin on it.
-#[derive(Clone, Copy, Debug, Default)]
+/// Which axis of the lattice the rows run along, how long the bricks are and where they begin on it.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Alignment {
     /// The axis: 0 x, 1 y, 2 z.
     axis: usize,
-    /// Cells by which bricks begin before a multiple of four.
+    /// Cells of a brick, one for each lane.
+    length: i32,
+    /// Cells by which bricks begin before a multiple of their length.
     phase: i32,
 }
 
 impl Alignment {
-    /// Every alignment, the plain one first.
-    fn all() -> impl Iterator<Item = Self> {
-        (0..3).flat_map(|axis| (0..CELLS).map(move |phase| Self { axis, phase }))
+    /// Bricks of so many lanes along x.
+    pub(crate) fn plain(lanes: usize) -> Self {
+        Self { axis: 0, length: lanes as i32, phase: 0 }
+    }
+
+    /// Every alignment of bricks of so many lanes, the plain one first.
+    fn all(lanes: usize) -> impl Iterator<Item = Self> {
+        let plain = Self::plain(lanes);
+        (0..3).flat_map(move |axis| (0..plain.length).map(move |phase| Self { axis, phase, ..plain }))
     }
 
     /// The alignment of fewest bricks; another than the plain one only where that saves some.
-    pub(crate) fn of_fewest_bricks(cells: &[IVec3]) -> Self {
-        let bricks = |cut: Self| cells.iter().map(|&cell| brick_of(cut.cell(cell))).collect::<HashSet<_>>().len();
+    pub(crate) fn of_fewest_bricks(cells: &[IVec3], lanes: usize) -> Self {
+        let bricks = |cut: Self| cells.iter().map(|&cell| cut.brick_of(cut.cell(cell))).collect::<HashSet<_>>().len();
         let mut best: Option<(usize, Self)> = None;
-        for cut in Self::all() {
+        for cut in Self::all(lanes) {
             let count = bricks(cut);
             if best.is_none_or(|(least, _)| 20 * count < 19 * least) {
                 best = Some((count, cut));
             }
         }
-        best.map_or(Self::default(), |(_, cut)| cut)
+        best.map_or(Self::plain(lanes), |(_, cut)| cut)
     }
 
     /// A lattice index along the rows: the axes in turn, so that they stay right-handed, rows first, begun at the
@@ -53,14 +56,19 @@ impl Alignment {
             _ => DMat3::from_cols(z, x, y),
         }
     }
-}
 
-/// Brick of a cell: its x in units of bricks.
-pub(super) fn brick_of(cell: IVec3) -> IVec3 {
-    IVec3::new(cell.x.div_euclid(CELLS), cell.y, cell.z)
-}
+    /// Cells of a brick.
+    pub(crate) fn length(self) -> i32 {
+        self.length
+    }
 
-/// Lane of a cell within its brick.
-pub(super) fn lane_of(cell: IVec3) -> usize {
-    cell.x.rem_euclid(CELLS) as usize
+    /// Brick of a cell along the rows: its x in units of bricks.
+    pub(super) fn brick_of(self, cell: IVec3) -> IVec3 {
+        IVec3::new(cell.x.div_euclid(self.length), cell.y, cell.z)
+    }
+
+    /// Lane of a cell along the rows within its brick.
+    pub(super) fn lane_of(self, cell: IVec3) -> usize {
+        cell.x.rem_euclid(self.length) as usize
+    }
 }

@@ -1,4 +1,5 @@
-//! Particles of a lattice in bricks of four along a row, so that vector code takes four neighbours of a row at a time.
+//! Particles of a lattice in bricks of four or eight along a row, so that vector code takes as many neighbours of a row
+//! at a time.
 //!
 //! ```text
 //!   a row of the lattice      . o o o o o o .      o a particle, . a cell without one
@@ -12,6 +13,6 @@ mod alignment;
 mod layout;
 mod palette;
 
-pub(crate) use alignment::{Alignment, CELLS};
+pub(crate) use alignment::Alignment;
 pub(crate) use layout::{Bricks, NO_PARTICLE, brick_and_lane};
 pub(crate) use palette::Palette;

@@ -1,6 +1,6 @@
 //! What many bricks have in common.
 
-use crate::solver::wide::Lanes4;
+use crate::solver::wide::Lanes;
 use std::collections::HashMap;
 
 /// Constants of bricks, each set of them kept once: inside a body all bricks have the same.
@@ -11,14 +11,14 @@ pub(crate) struct Palette<T> {
 
 impl<T> Palette<T> {
     /// The palette of bricks with these numbers; sets of the same bits become one entry.
-    pub(crate) fn new<const N: usize>(bricks: impl Iterator<Item = [Lanes4; N]>) -> Self
+    pub(crate) fn new<L: Lanes, const N: usize>(bricks: impl Iterator<Item = [L; N]>) -> Self
     where
-        T: From<[Lanes4; N]>,
+        T: From<[L; N]>,
     {
-        let mut known: HashMap<Vec<u64>, u32> = HashMap::new();
+        let mut known: HashMap<Vec<u8>, u32> = HashMap::new();
         let (mut entries, mut of_brick) = (Vec::new(), Vec::new());
         for numbers in bricks {
-            let key = numbers.iter().flat_map(|lanes| lanes.0).map(f64::to_bits).collect();
+            let key = bytemuck::cast_slice::<L, u8>(&numbers).to_vec();
             of_brick.push(*known.entry(key).or_insert_with(|| {
                 entries.push(T::from(numbers));
                 entries.len() as u32 - 1

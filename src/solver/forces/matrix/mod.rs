@@ -42,12 +42,15 @@
 //! The bracket is the particle's own, known after the first pass. On the right, neighbours enter by constant weights
 //! alone; u_ji is expanded like this only where that pays, by the stencil.
 //!
-//! # Two evaluations
+//! # Evaluations
 //!
 //! They give the same forces up to round-off:
 //!
 //! - *stencil*, for particles on a lattice: an offset there has the same weight all over the body, so that whole rows
 //!   of particles are added at a time, without looking any neighbour up. The one in use wherever it can be.
+//! - *stencil in f32*, where a scene asks for it: positions, turns and strains are taken from the rigid motion of the
+//!   body, R_b and its mean place, which stay f64, and forces are summed in its axes. So numbers are as small as the
+//!   deformation, and so are their errors; a body that flies, spins or rests unstrained is exact.
 //! - *pair list*: particle by particle through its neighbours, four to five times slower. It takes any spacing, says in
 //!   few lines what is computed, and is what the stencil is held against.
 //!
@@ -55,7 +58,7 @@
 //!
 //! ```text
 //!           x -->                                                   o  a particle,  .  a place without one
-//! row y + 1             [. o o o] [o o o o] [o o . .]               [       ]  a brick: four places along x
+//! row y + 1             [. o o o] [o o o o] [o o . .]               [       ]  a brick: four places along x, or eight
 //! row y                 [o o o o] [o o o o] [o o o .]
 //! row y - 1             [o o o o] [o . . .]
 //!
@@ -78,6 +81,7 @@
 //! ```
 
 mod elasticity;
+mod evaluation;
 mod force;
 mod mean_rotation;
 mod pair_list;
@@ -86,4 +90,5 @@ mod stencil;
 mod von_mises;
 
 pub use elasticity::Elasticity;
+pub use evaluation::EvaluationKind;
 pub use force::MatrixForce;

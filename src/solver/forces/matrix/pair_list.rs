@@ -2,6 +2,7 @@
 //! side in a register.
 
 use super::elasticity::Elasticity;
+use super::evaluation::{Evaluation, EvaluationKind};
 use super::mean_rotation::mean_rotation;
 use super::reference::ReferenceConfiguration;
 use crate::solver::neighbourhood::outer;
@@ -42,24 +43,26 @@ impl PairList {
     pub(super) fn new(rotations: Vec<DQuat>) -> Self {
         Self { level: Level::new(), rotations, buffers: Scratch::default() }
     }
+}
 
-    /// Memory of the rotations [bytes].
-    pub(super) fn bytes(&self) -> usize {
-        size_of_val(&*self.rotations)
-    }
-
-    /// Rotation of particle i at the last evaluation.
-    pub(super) fn rotation(&self, i: usize) -> DQuat {
+impl Evaluation for PairList {
+    fn rotation(&self, i: usize) -> DQuat {
         self.rotations[i]
     }
 
-    /// Adds the forces [N].
-    pub(super) fn add_forces(
-        &mut self,
-        reference: &ReferenceConfiguration,
-        state: &ParticleState,
-        forces: &mut [DVec3],
-    ) {
+    fn bytes(&self) -> usize {
+        size_of_val(&*self.rotations)
+    }
+
+    fn kind(&self) -> EvaluationKind {
+        EvaluationKind::PairList
+    }
+
+    fn clone_box(&self) -> Box<dyn Evaluation> {
+        Box::new(self.clone())
+    }
+
+    fn add_forces(&mut self, reference: &ReferenceConfiguration, state: &ParticleState, forces: &mut [DVec3]) {
         let Self { level, rotations, buffers } = self;
         let n = rotations.len();
         let PairListBuffers { deviations, stresses, own } = &mut **buffers;

@@ -2,8 +2,8 @@
 //! and stands for every place without particles; and the chunks that they are worked on in.
 
 use super::line_buffer::MAX_SITES;
-use super::row_table::ROWS;
-use crate::solver::forces::bricks::{Alignment, Bricks, CELLS};
+use super::row_table::{ROWS, rows_within};
+use crate::solver::forces::bricks::{Alignment, Bricks, NO_PARTICLE};
 use crate::solver::neighbourhood::Lattice;
 use glam::{DMat3, DVec3, IVec3};
 use std::collections::HashMap;
@@ -34,13 +34,13 @@ pub(super) struct Chunk {
 }
 
 impl Layout {
-    /// Lays out the particles of a lattice for stencils over the first `rows` of [`ROWS`].
-    pub(super) fn new(lattice: &Lattice, rows: usize) -> Self {
-        let alignment = Alignment::of_fewest_bricks(&lattice.cells);
+    /// Lays out the particles of a lattice for stencils of |o|² up to `norm_squared`, in bricks of so many lanes.
+    pub(super) fn new(lattice: &Lattice, norm_squared: usize, lanes: usize) -> Self {
+        let alignment = Alignment::of_fewest_bricks(&lattice.cells, lanes);
         let bricks = Bricks::new(&lattice.cells, alignment);
         let count = lattice.cells.len().max(1) as f64;
         let mean = lattice.cells.iter().map(|&cell| alignment.cell(cell).as_dvec3()).sum::<DVec3>() / count;
-        let corner = |brick: &IVec3| IVec3::new(CELLS * brick.x, brick.y, brick.z).as_dvec3() - mean;
+        let corner = |brick: &IVec3| IVec3::new(alignment.length() * brick.x, brick.y, brick.z).as_dvec3() - mean;
         let mut layout = Self {
             axes: alignment.axes(&lattice.axes),
             corners: bricks.positions.iter().map(corner).collect(),
@@ -50,18 +50,19 @@ impl Layout {
             neighbours: Vec::new(),
             bricks,
         };
-        layout.add_chunks(rows);
+        layout.add_chunks(norm_squared);
         layout
     }
 
-    /// Bricks at [`ROWS`] around a site.
+    /// Bricks at [`ROWS`] around every site that has any.
     #[inline(always)]
-    pub(super) fn neighbours<const N: usize>(&self, site: u32) -> &[u32; N] {
-        &self.neighbours.as_chunks().0[site as usize]
+    pub(super) fn neighbours<const N: usize>(&self) -> &[[u32; N]] {
+        self.neighbours.as_chunks().0
     }
 
-    fn add_chunks(&mut self, rows: usize) {
-        let index: HashMap<IVec3, u32> = (1..).zip(&self.bricks.positions).map(|(k, &brick)| (brick, k)).collect();
+    fn add_chunks(&mut self, norm_squared: usize) {
+        let numbers = (1..).zip(&self.bricks.positions).map(|(k, &brick)| (brick, k)).collect();
+        let index = BrickIndex { numbers, norm_squared };
         let bricks = self.bricks.positions.clone();
         let mut first = 0;
         while first < bricks.len() {
@@ -73,25 +74,25 @@ impl Layout {
                 let (brick, site) = (self.site_of.len(), self.sites.len());
                 self.chunks.push(Chunk { bricks: brick..brick, sites: site..site });
             }
-            self.add_row(&bricks[first..last], &index, rows);
+            self.add_row(&bricks[first..last], &index);
             first = last;
         }
     }
 
     /// Adds a row of bricks to the last chunk.
-    fn add_row(&mut self, row: &[IVec3], index: &HashMap<IVec3, u32>, rows: usize) {
+    fn add_row(&mut self, row: &[IVec3], index: &BrickIndex) {
         let Some(start) = self.chunks.last().map(|chunk| chunk.sites.start) else { return };
-        let before = self.site(row[0] - IVec3::X, index, rows);
+        let before = self.site_beside(row[0], -1, index);
         // Two empty sites beside each other are as good as one.
         if before.is_some() || self.sites[start..].last() != Some(&None) {
             self.sites.push(before);
         }
         for &brick in row {
-            let site = self.site(brick, index, rows);
+            let site = self.site(brick, index);
             self.site_of.push((self.sites.len() - start) as u32);
             self.sites.push(site);
         }
-        let after = self.site(row[row.len() - 1] + IVec3::X, index, rows);
+        let after = self.site_beside(row[row.len() - 1], 1, index);
         self.sites.push(after);
         if let Some(chunk) = self.chunks.last_mut() {
             chunk.bricks.end = self.site_of.len();
@@ -99,9 +100,31 @@ impl Layout {
         }
     }
 
+    /// The neighbours of the site beside the end of a row, on the side of negative or positive x, if a particle of the
+    /// row's last brick has any there.
+    fn site_beside(&mut self, brick: IVec3, side: i32, index: &BrickIndex) -> Option<u32> {
+        let beside = brick + side * IVec3::X;
+        let (first, last) = self.ends(index.number(brick))?;
+        let reached = ROWS[..rows_within(index.norm_squared)].iter().any(|&(y, z)| {
+            let Some((begin, end)) = self.ends(index.number(beside + IVec3::new(0, y, z))) else { return false };
+            let length = self.bricks.lanes() as i32;
+            let step = if side < 0 { first + length - end } else { begin + length - last };
+            (step * step + y * y + z * z) as usize <= index.norm_squared
+        });
+        if reached { self.site(beside, index) } else { None }
+    }
+
+    /// First and last lane of a brick that are taken; none of the empty brick.
+    fn ends(&self, number: u32) -> Option<(i32, i32)> {
+        let particles = self.bricks.particles((number as usize).checked_sub(1)?);
+        let taken = |&particle: &u32| particle != NO_PARTICLE;
+        Some((particles.iter().position(taken)? as i32, particles.iter().rposition(taken)? as i32))
+    }
+
     /// The neighbours of a site, if there are any.
-    fn site(&mut self, at: IVec3, index: &HashMap<IVec3, u32>, rows: usize) -> Option<u32> {
-        let around = ROWS[..rows].iter().map(|&(y, z)| index.get(&(at + IVec3::new(0, y, z))).copied().unwrap_or(0));
+    fn site(&mut self, at: IVec3, index: &BrickIndex) -> Option<u32> {
+        let rows = rows_within(index.norm_squared);
+        let around = ROWS[..rows].iter().map(|&(y, z)| index.number(at + IVec3::new(0, y, z)));
         let start = self.neighbours.len();
         self.neighbours.extend(around);
         if self.neighbours[start..].iter().all(|&brick| brick == 0) {
@@ -109,6 +132,20 @@ impl Layout {
             return None;
         }
         Some((start / rows) as u32)
+    }
+}
+
+/// Numbers of the bricks by where they lie, and how far a stencil reaches among them.
+struct BrickIndex {
+    numbers: HashMap<IVec3, u32>,
+    /// Greatest |o|² of the stencil.
+    norm_squared: usize,
+}
+
+impl BrickIndex {
+    /// Number of a brick; that of the empty one where none is.
+    fn number(&self, brick: IVec3) -> u32 {
+        self.numbers.get(&brick).copied().unwrap_or(0)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Work on slices and chunks, on one thread or on all.
 
 use super::line_buffer::LineBuffer;
+use crate::solver::wide::Lanes;
 use rayon::prelude::*;
 
 /// Bricks or particles that a thread copies at a time.
@@ -16,11 +17,11 @@ pub(super) fn over_slices<T: Send>(parallel: bool, slice: &mut [T], work: impl F
 }
 
 /// Calls `work` with every task and a buffer.
-pub(super) fn over_tasks<T: Send>(
+pub(super) fn over_tasks<T: Send, L: Lanes>(
     parallel: bool,
     tasks: impl Iterator<Item = T>,
-    lines: &mut LineBuffer,
-    work: impl Fn(T, &mut LineBuffer) + Send + Sync,
+    lines: &mut LineBuffer<L>,
+    work: impl Fn(T, &mut LineBuffer<L>) + Send + Sync,
 ) {
     if parallel {
         let tasks: Vec<T> = tasks.collect();

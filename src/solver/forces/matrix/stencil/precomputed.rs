@@ -6,6 +6,7 @@ use super::row_stencil::StencilWeights;
 use super::row_table::{MAX_NORM_SQUARED, rows_within};
 use crate::solver::forces::bricks::Palette;
 use crate::solver::forces::matrix::reference::ReferenceConfiguration;
+use crate::solver::wide::Lanes;
 use std::array::from_fn;
 
 /// Rows of a stencil of |o|² up to 6.
@@ -23,26 +24,27 @@ pub(super) enum StencilSize {
 }
 
 impl StencilSize {
-    fn rows(self) -> usize {
+    /// Greatest |o|².
+    fn norm_squared(self) -> usize {
         match self {
-            Self::UpTo6 => ROWS_UP_TO_6,
-            Self::UpTo11 => ROWS_UP_TO_11,
+            Self::UpTo6 => 6,
+            Self::UpTo11 => MAX_NORM_SQUARED,
         }
     }
 }
 
 /// What does not change.
-pub(super) struct Precomputed {
+pub(super) struct Precomputed<L> {
     pub(super) layout: Layout,
-    pub(super) weights: StencilWeights,
+    pub(super) weights: StencilWeights<L>,
     pub(super) size: StencilSize,
-    pub(super) rest: Palette<BrickRest>,
-    pub(super) matrix_volumes: Vec<MatrixVolume>,
+    pub(super) rest: Palette<BrickRest<L>>,
+    pub(super) matrix_volumes: Vec<MatrixVolume<L>>,
     /// Spacing D [m].
     pub(super) spacing: f64,
 }
 
-impl Precomputed {
+impl<L: Lanes> Precomputed<L> {
     /// Layout, weights and rest data of a body; none where the support holds too many particles.
     pub(super) fn new(reference: &ReferenceConfiguration) -> Option<Self> {
         let lattice = reference.neighbourhood.lattice();
@@ -54,7 +56,7 @@ impl Precomputed {
             None | Some(0..=6) => StencilSize::UpTo6,
             Some(_) => StencilSize::UpTo11,
         };
-        let layout = Layout::new(lattice, size.rows());
+        let layout = Layout::new(lattice, size.norm_squared(), L::COUNT);
         Some(Self {
             weights: StencilWeights::new(weights, lattice.spacing),
             spacing: lattice.spacing,

@@ -84,16 +84,7 @@ pub(super) fn draft(
         matrix_alone = Some(forces.clone());
         forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
     }
-    let gravity = DVec3::from_array(scene.gravity);
-    if gravity != DVec3::ZERO {
-        forces.push(Box::new(Gravity { acceleration: gravity }));
-    }
-    if material.damping.pair > 0.0 {
-        forces.push(Box::new(PairDamping::new(material.damping.pair, &neighbourhood)));
-    }
-    if material.damping.air > 0.0 {
-        forces.push(Box::new(AirDrag { rate: material.damping.air }));
-    }
+    forces.extend(weight_and_damping(scene, body, &neighbourhood));
 
     progress(name, BakeStage::StableStep)?;
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
@@ -146,6 +137,23 @@ pub(super) fn draft(
     };
     note_pins(scene, &body.pins, &parts, Following::of_solid(body), path, notes);
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
+}
+
+/// Gravity, damping between particles and drag of the air, as many of them as there are.
+fn weight_and_damping(scene: &Scene, body: &Body, neighbourhood: &Neighbourhood) -> Vec<Box<dyn Force>> {
+    let damping = &body.material.damping;
+    let mut forces: Vec<Box<dyn Force>> = Vec::new();
+    let gravity = DVec3::from_array(scene.gravity);
+    if gravity != DVec3::ZERO {
+        forces.push(Box::new(Gravity { acceleration: gravity }));
+    }
+    if damping.pair > 0.0 {
+        forces.push(Box::new(PairDamping::new(damping.pair, neighbourhood)));
+    }
+    if damping.air > 0.0 {
+        forces.push(Box::new(AirDrag { rate: damping.air }));
+    }
+    forces
 }
 
 /// Particles are balls of radius D / 2, as stiff against others as the material.

@@ -33,7 +33,7 @@ const BEYOND: f64 = 1e-8;
 impl Thickness {
     /// Looks at a solid.
     pub(crate) fn of(solid: &Solid) -> Self {
-        let surface = Faces::of(solid);
+        let surface = Surface::of(solid);
         let points = points_inside(solid);
         let mut found: Vec<(f64, DVec3)> = points.par_iter().filter_map(|&point| surface.thickness(point)).collect();
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -93,7 +93,7 @@ fn points_inside(solid: &Solid) -> Vec<DVec3> {
 }
 
 /// The surface of a solid.
-struct Faces<'a> {
+struct Surface<'a> {
     points: &'a [DVec3],
     faces: &'a [[u32; 3]],
     bvh: Bvh,
@@ -102,7 +102,7 @@ struct Faces<'a> {
     skin_bvh: Bvh,
 }
 
-impl<'a> Faces<'a> {
+impl<'a> Surface<'a> {
     fn of(solid: &'a Solid) -> Self {
         let (points, faces) = (solid.surface.points.as_slice(), solid.surface.faces.as_slice());
         let beyond = BEYOND * solid.size().length();

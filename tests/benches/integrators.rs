@@ -2,6 +2,7 @@
 //!
 //! Prints the share of real time that each reaches at 60 frames a second on one thread, and its ratio to leap-frog's, all in
 //! one run and in turns. Above 1 a scene plays faster than it happens.
+#![allow(clippy::print_stdout, reason = "a table is what it is for")]
 
 use sinew::bake::bake;
 use sinew::io::{load_assets, load_scene};
@@ -31,9 +32,8 @@ const RUNS: u32 = 3;
 
 fn main() {
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool of this process");
-    print!("{:>16}", "");
-    KINDS.iter().for_each(|kind| print!(" {:>24}", kind.name()));
-    println!();
+    let names = KINDS.map(|kind| format!("{:>24}", kind.name())).join(" ");
+    println!("{:>16} {names}", "");
     for name in SCENES {
         let scene = load_scene(Path::new(&format!("scenes/{name}.json"))).expect("a scene that ships");
         let runners = KINDS.map(|kind| runner(scene.clone(), kind));
@@ -43,15 +43,16 @@ fn main() {
                 *best = f64::max(*best, share(runner.clone()));
             }
         }
-        print!("{name:>16}");
-        best.iter().for_each(|share| print!(" {:>13.4} x {:>8.2}", share, share / best[0]));
-        println!();
+        let shares = best.map(|share| format!("{share:>13.4} x {:>8.2}", share / best[0])).join(" ");
+        println!("{name:>16} {shares}");
     }
 }
 
 fn runner(mut scene: Scene, kind: IntegratorKind) -> Runner {
     scene.time.frames_per_second = 60.0;
-    scene.bodies.iter_mut().for_each(|body| body.integrator = kind.into());
+    for body in &mut scene.bodies {
+        body.integrator = kind.into();
+    }
     let assets = load_assets(&scene, Path::new("scenes"), &mut |_| {}).expect("models that ship");
     Runner::new(bake(&scene, &assets).expect("a world"))
 }
@@ -59,6 +60,8 @@ fn runner(mut scene: Scene, kind: IntegratorKind) -> Runner {
 /// Simulated over wall seconds.
 fn share(mut runner: Runner) -> f64 {
     let start = Instant::now();
-    (0..FRAMES).for_each(|_| runner.advance_frame());
+    for _ in 0..FRAMES {
+        runner.advance_frame();
+    }
     runner.world().time() / start.elapsed().as_secs_f64()
 }

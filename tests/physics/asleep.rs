@@ -4,7 +4,7 @@ use crate::common::*;
 use glam::DVec3;
 use sinew::scene::Scene;
 use sinew::sim::Runner;
-use sinew::solver::{Energies, Force, ParticleState};
+use sinew::solver::{Body, Energies, Force, ParticleState};
 
 /// Does nothing, and does not say until when.
 #[derive(Clone)]
@@ -24,14 +24,14 @@ impl Force for Watchful {
 fn row() -> Scene {
     let cube = |id: &str, x: f64, speed: f64| {
         let mut cube = block([4, 4, 4], 1e5).with_translation([x, 0.0, 0.0]).with_velocity([speed, 0.0, 0.0]);
-        cube.id = id.to_owned();
+        id.clone_into(&mut cube.id);
         cube
     };
     in_space(cube("flying", 0.0, 0.8)).with_body(cube("hit", 0.16, 0.0)).with_body(cube("apart", 0.8, 0.0))
 }
 
 fn evaluations(runner: &Runner) -> Vec<u64> {
-    runner.world().bodies().iter().map(|body| body.evaluations()).collect()
+    runner.world().bodies().iter().map(Body::evaluations).collect()
 }
 
 fn advance(runner: &mut Runner, frames: u32) {

@@ -90,7 +90,7 @@ fn linear_deformations_leave_no_force_inside() {
     let found = forces(&mut fast, &state);
     let greatest = found.iter().map(|f| f.length()).fold(0.0, f64::max);
     let [low, high] =
-        [sample.cells.iter().copied().reduce(|a, b| a.min(b)), sample.cells.iter().copied().reduce(|a, b| a.max(b))];
+        [sample.cells.iter().copied().reduce(glam::IVec3::min), sample.cells.iter().copied().reduce(glam::IVec3::max)];
     let inside = |cell: glam::IVec3| {
         let to_side = (cell - low.unwrap()).min(high.unwrap() - cell).min_element();
         to_side >= 4

@@ -86,7 +86,9 @@ fn a_newer_document_ends_the_work_on_an_older_one_and_is_put_together() {
         receiver.begin(None).unwrap();
         while let Some(request) = receiver.next() {
             // As if it came while the work on this one is going on.
-            newer.iter().for_each(|command| assert!(sender.send(command.clone())));
+            if let Some(command) = &newer {
+                assert!(sender.send(command.clone()));
+            }
             simulation.handle(request.command, request.documents);
         }
     };

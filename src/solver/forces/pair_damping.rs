@@ -208,7 +208,7 @@ fn window(along: &[f64], begin: u32) -> &[f64; 3 * LANES] {
 /// The places `dx` beside those of a window's brick.
 #[inline(always)]
 fn beside<S: Simd>(simd: S, window: &[f64; 3 * LANES], dx: i32) -> f64x4<S> {
-    let at = (LANES as i32 + dx) as usize;
+    let at = LANES.saturating_add_signed(dx as isize);
     f64x4::from_slice(simd, &window[at..at + LANES])
 }
 

@@ -44,8 +44,7 @@ impl World {
             return vec![false; awake.len()];
         }
         if awake.contains(&true) && awake.contains(&false) {
-            let reaches: Vec<Reach> =
-                self.bodies.iter().map(|body| Reach::of(body, self.plan.frame_seconds)).collect();
+            let reaches: Vec<Reach> = self.bodies.iter().map(|body| Reach::of(body, self.plan.frame_seconds)).collect();
             let mut next: Vec<usize> = (0..awake.len()).filter(|&body| awake[body]).collect();
             while let Some(body) = next.pop() {
                 for other in 0..awake.len() {

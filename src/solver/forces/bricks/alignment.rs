@@ -17,6 +17,7 @@ pub(crate) struct Alignment {
 impl Alignment {
     /// Bricks of so many lanes along x.
     pub(crate) fn plain(lanes: usize) -> Self {
+        #[allow(clippy::cast_possible_wrap, reason = "a register has a handful")]
         Self { axis: 0, length: lanes as i32, phase: 0 }
     }
 

@@ -198,6 +198,7 @@ impl<S: Simd, L: Lanes, const M: usize, const N: usize> RowStencil<'_, S, L, M, 
 
     /// Puts them where they are read from.
     #[inline(always)]
+    #[allow(clippy::unused_self, reason = "its type knows the reach")]
     pub(super) fn put_deviations(
         &self,
         sums: &DeviationRows<L::Register<S>>,
@@ -277,6 +278,7 @@ impl<S: Simd, L: Lanes, const M: usize, const N: usize> RowStencil<'_, S, L, M, 
 
     /// Puts them where they are read ahead and behind.
     #[inline(always)]
+    #[allow(clippy::unused_self, reason = "its type knows the reach")]
     pub(super) fn put_stresses(
         &self,
         [even, odd]: &StressRows<L::Register<S>>,

@@ -23,6 +23,7 @@ pub(super) fn summary(report: &Report, world: &World, source: &str) -> String {
         },
     );
     text += &pace(report);
+    text += &fallbacks(report);
     for part in [bodies(report, world), measures(&report.measures), breaks(report, world), energies(report)] {
         if !part.is_empty() {
             text += "\n";
@@ -30,6 +31,17 @@ pub(super) fn summary(report: &Report, world: &World, source: &str) -> String {
         }
     }
     text
+}
+
+/// Which implicit steps were not taken as they were meant; nothing where all were.
+fn fallbacks(report: &Report) -> String {
+    let cut = report.bodies.iter().filter(|body| body.halved_steps > 0);
+    cut.map(|body| {
+        let (name, steps) = (one_line(&body.name), body.steps);
+        let (halved, handed_over) = (body.halved_steps, body.handed_over_steps);
+        format!("{name}: of {steps} implicit steps {halved} were halved and {handed_over} parts taken by leap-frog\n")
+    })
+    .fold(String::new(), |text, line| text + &line)
 }
 
 /// How fast the run was, against the clock.

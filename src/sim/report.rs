@@ -69,6 +69,10 @@ pub struct BodyReport {
     pub steps: u64,
     /// Force evaluations made.
     pub evaluations: u64,
+    /// Implicit steps that were taken in two halves, since no solution was found for the whole.
+    pub halved_steps: u64,
+    /// Implicit steps, whole or halved, that leap-frog took over.
+    pub handed_over_steps: u64,
     /// Why the body was stopped; null if it was not.
     pub diverged: Option<String>,
     /// Energies [J].
@@ -168,6 +172,8 @@ impl BodyReport {
             first_break: body.breaks().map(|at| at.time).reduce(f64::min),
             steps: body.steps(),
             evaluations: body.evaluations(),
+            halved_steps: body.fallbacks().halved,
+            handed_over_steps: body.fallbacks().handed_over,
             diverged: body.divergence().map(ToString::to_string),
             energy: body.energies(time),
             linear_momentum: state.linear_momentum().to_array(),

@@ -5,7 +5,7 @@ mod parts;
 
 pub use parts::{BodyParts, FibreLine, RestScale};
 
-use super::dynamics::Dynamics;
+use super::dynamics::{Dynamics, Fallbacks};
 use super::easing::Easing;
 use super::embedding::EmbeddingWeights;
 use super::energy::Energies;
@@ -49,6 +49,7 @@ pub struct Body {
     guarded: bool,
     steps: u64,
     evaluations: u64,
+    fallbacks: Fallbacks,
     last_good: ParticleState,
     divergence: Option<Divergence>,
 }
@@ -66,6 +67,7 @@ impl Body {
             guarded: true,
             steps: 0,
             evaluations: 0,
+            fallbacks: Fallbacks::default(),
             last_good: parts.state.clone(),
             divergence: None,
             parts,
@@ -167,6 +169,7 @@ impl Body {
         }
         self.steps = other.steps;
         self.evaluations = other.evaluations;
+        self.fallbacks = other.fallbacks;
         self.current = false;
         true
     }
@@ -201,6 +204,11 @@ impl Body {
     /// Force evaluations made.
     pub fn evaluations(&self) -> u64 {
         self.evaluations
+    }
+
+    /// How often implicit steps were halved or handed to leap-frog.
+    pub fn fallbacks(&self) -> Fallbacks {
+        self.fallbacks
     }
 
     /// Breaks of its fibres, those of one force in the order of time.
@@ -274,15 +282,8 @@ impl Body {
             }
             let dt = self.parts.dt;
             let start = time + f64::from(k) * dt;
-            let mut dynamics = Dynamics {
-                forces: &mut self.parts.forces,
-                constraints: &self.parts.constraints,
-                grabs: &mut self.grabs,
-                net: &mut self.net,
-                current: &mut self.current,
-                evaluations: &mut self.evaluations,
-            };
-            self.parts.integrator.step(&mut dynamics, &mut self.parts.state, start, dt);
+            let (mut dynamics, state, integrator) = self.dynamics();
+            integrator.step(&mut dynamics, state, start, dt);
             let end = start + dt;
             let BodyParts { forces, layers, state, .. } = &mut self.parts;
             let granted = |plane: usize| room_contact(forces)?.easing(plane).map(|easing| easing.at(end).0);
@@ -301,20 +302,28 @@ impl Body {
         }
     }
 
+    /// What an integrator sees of the body, the state that it steps, and the integrator.
+    fn dynamics(&mut self) -> (Dynamics<'_>, &mut ParticleState, &mut dyn Integrator) {
+        let parts = &mut self.parts;
+        let dynamics = Dynamics {
+            forces: &mut parts.forces,
+            constraints: &parts.constraints,
+            grabs: &mut self.grabs,
+            net: &mut self.net,
+            current: &mut self.current,
+            evaluations: &mut self.evaluations,
+            fallbacks: &mut self.fallbacks,
+        };
+        (dynamics, &mut parts.state, &mut *parts.integrator)
+    }
+
     /// Makes the net forces those of the present state, so that reactions can be read.
     pub(super) fn update_net_forces(&mut self, time: f64) {
         if self.current || self.divergence.is_some() {
             return;
         }
-        let mut dynamics = Dynamics {
-            forces: &mut self.parts.forces,
-            constraints: &self.parts.constraints,
-            grabs: &mut self.grabs,
-            net: &mut self.net,
-            current: &mut self.current,
-            evaluations: &mut self.evaluations,
-        };
-        dynamics.evaluate_end(time, &mut self.parts.state);
+        let (mut dynamics, state, _) = self.dynamics();
+        dynamics.evaluate_end(time, state);
     }
 
     /// Stops the body before numbers that are no longer meaningful spread.

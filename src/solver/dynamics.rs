@@ -6,6 +6,15 @@ use super::linear_algebra::vectors::axpy;
 use super::state::ParticleState;
 use glam::DVec3;
 
+/// How often implicit steps were not what was asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Fallbacks {
+    /// Steps that were taken in two halves, since no solution was found for the whole.
+    pub halved: u64,
+    /// Steps, whole or halved, that leap-frog took over.
+    pub handed_over: u64,
+}
+
 /// The forces and constraints of one body during one step. The grabs are forces like those of the body's list, and come
 /// after them.
 ///
@@ -18,6 +27,7 @@ pub struct Dynamics<'a> {
     pub(super) net: &'a mut Vec<DVec3>,
     pub(super) current: &'a mut bool,
     pub(super) evaluations: &'a mut u64,
+    pub(super) fallbacks: &'a mut Fallbacks,
 }
 
 impl Dynamics<'_> {

@@ -36,7 +36,7 @@ mod wide;
 pub(crate) mod world;
 
 pub use body::{Body, BodyParts, Divergence, FibreLine, RestScale};
-pub use dynamics::Dynamics;
+pub use dynamics::{Dynamics, Fallbacks};
 pub use easing::Easing;
 pub use embedding::EmbeddingWeights;
 pub use energy::Energies;

@@ -1,6 +1,7 @@
 //! What the motion of one body goes on from.
 
 use super::{Body, Divergence};
+use crate::solver::dynamics::Fallbacks;
 use crate::solver::forces::{Force, Grab, MatrixForce};
 use crate::solver::integrators::Integrator;
 use crate::solver::layers::Layers;
@@ -27,6 +28,7 @@ pub(in crate::solver) struct BodyCheckpoint {
     current: bool,
     steps: u64,
     evaluations: u64,
+    fallbacks: Fallbacks,
     divergence: Option<Divergence>,
 }
 
@@ -59,6 +61,7 @@ impl Body {
             current: self.current,
             steps: self.steps,
             evaluations: self.evaluations,
+            fallbacks: self.fallbacks,
             divergence: self.divergence.clone(),
         }
     }
@@ -81,6 +84,7 @@ impl Body {
         self.current = kept.current;
         self.steps = kept.steps;
         self.evaluations = kept.evaluations;
+        self.fallbacks = kept.fallbacks;
         self.divergence.clone_from(&kept.divergence);
         // A stopped body stands in its last good state; another takes its own at the start of the next frame.
         self.last_good.clone_from(&self.parts.state);

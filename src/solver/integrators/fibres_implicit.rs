@@ -130,11 +130,13 @@ impl FibresImplicit {
             return;
         }
         if halvings < MOST_HALVINGS {
+            dynamics.fallbacks.halved += 1;
             let half = 0.5 * dt;
             self.advance(dynamics, state, [time, half], halvings + 1);
             self.advance(dynamics, state, [time + half, half], halvings + 1);
             return;
         }
+        dynamics.fallbacks.handed_over += 1;
         dynamics.evaluate_end(time, state);
         // The other forces alone were stable at the step that was halved so often.
         let others = 2.0 / (dt * f64::from(1 << MOST_HALVINGS));

@@ -72,7 +72,9 @@ impl RowIndex {
         let mut this =
             Self { min: DVec2::new(low.y, low.z) - wider, max: DVec2::new(high.y, high.z) + wider, ..Self::default() };
         let seen: Vec<Seen> = faces.iter().map(|&face| Seen::new(points, face, wider)).collect();
-        let mut width = (size.y * size.z / (CELLS * faces.len() as f64)).sqrt();
+        // Seen along a plane they all lie in, they have no area.
+        let least = (size.y.max(size.z) / MOST_CELLS).max(f64::MIN_POSITIVE);
+        let mut width = (size.y * size.z / (CELLS * faces.len() as f64)).sqrt().max(least);
         loop {
             this.divide(width);
             let covered: usize = seen.iter().map(|seen| this.covered(seen).count()).sum();
@@ -151,6 +153,17 @@ impl RowIndex {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn flat_faces_are_found_too() {
+        let points = |by: DVec3| [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE].map(|point| by * point).to_vec();
+        for by in [DVec3::new(1.0, 1.0, 0.0), DVec3::X, DVec3::ZERO] {
+            let index = RowIndex::new(&points(by), &[[0, 1, 2], [1, 2, 3]]);
+            let mut found = Vec::new();
+            index.visit([0.0, 0.0], |face| found.push(face));
+            assert!(found.contains(&0), "{by}: {found:?}");
+        }
+    }
 
     #[test]
     fn no_face_that_a_row_meets_is_left_out() {

@@ -1,9 +1,9 @@
 //! How thick a solid is, place by place: what its particles have to be spaced by so that every part has two layers.
 //!
 //! Looked at are points spread evenly through the volume, so that shares of them are shares of the matter. At each the
-//! thickness is the way through it along the normal of the nearest surface, or the same at the middle of that way where
-//! that is less: near the rim of a plate the nearest surface is the rim, from which the way runs through the whole of it,
-//! but the middle of that way lies within the plate.
+//! thickness is the way through it along the normal of the nearest surface, or along that which is the nearest one's at the
+//! middle of this way, where that is less: near the rim of a plate the nearest surface is the rim, from which the way runs
+//! through the whole of it, but at the middle of that way it is the plate's.
 
 use super::bvh::Bvh;
 use super::inside::spread;
@@ -121,18 +121,23 @@ impl<'a> Surface<'a> {
     /// How thick the matter around a point is [m], and the nearest place of the surface [m]; none where the ways out run
     /// through a hole.
     fn thickness(&self, point: DVec3) -> Option<(f64, DVec3)> {
-        let (way, middle, place) = self.through(point)?;
-        let further = self.through(middle).map_or(f64::INFINITY, |(way, ..)| way);
-        Some((way.min(further), place))
+        let (along, place) = self.normal(point)?;
+        let [ahead, back] = self.through(point, along)?;
+        let across = self.normal(point + 0.5 * (ahead - back) * along);
+        let across = across.and_then(|(across, _)| self.through(point, across));
+        let way = across.map_or(f64::INFINITY, |[ahead, back]| ahead + back);
+        Some((way.min(ahead + back), place))
     }
 
-    /// The way through a point along the normal of the nearest surface [m], its middle, and the nearest place of the
-    /// surface.
-    fn through(&self, point: DVec3) -> Option<(f64, DVec3, DVec3)> {
+    /// The direction from the nearest place of the surface to a point inside, and that place [m].
+    fn normal(&self, point: DVec3) -> Option<(DVec3, DVec3)> {
         let (_, _, place) = nearest_face(self.points, &self.skin, &self.skin_bvh, point)?;
-        let along = (point - place).try_normalize()?;
-        let [ahead, back] = [self.leaves(point, along)?, self.leaves(point, -along)?];
-        Some((ahead + back, point + 0.5 * (ahead - back) * along, place))
+        Some(((point - place).try_normalize()?, place))
+    }
+
+    /// The ways out from a point in a direction and against it [m].
+    fn through(&self, point: DVec3, along: DVec3) -> Option<[f64; 2]> {
+        Some([self.leaves(point, along)?, self.leaves(point, -along)?])
     }
 
     /// How far a ray from a point inside runs until the surface no longer turns around it; none if it gets out by a hole.

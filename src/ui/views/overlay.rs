@@ -4,6 +4,7 @@ use super::frame::ViewFrame;
 use super::grab::grabbed_point;
 use super::kind::PaneKind;
 use super::sketching::Sketching;
+use crate::scene::AnyBody;
 use crate::sketch::View;
 use crate::solver::snapshot::BodySnapshot;
 use crate::ui::context::Context;
@@ -51,7 +52,7 @@ fn paint_thin(painter: &Painter, frame: &ViewFrame, cx: &Context) {
     }
     let edge = Stroke::new(1.0, cx.tone.warning());
     for (index, (body, thin)) in published.snapshot.bodies.iter().zip(published.thin.iter()).enumerate() {
-        if cx.scene().any_body(index).is_some_and(|body| body.hidden()) {
+        if cx.scene().any_body(index).is_some_and(AnyBody::hidden) {
             continue;
         }
         for &particle in thin.iter().step_by(thin.len().div_ceil(MARKS).max(1)) {

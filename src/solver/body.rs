@@ -2,6 +2,7 @@
 
 pub(super) mod checkpoint;
 mod parts;
+mod rest;
 
 pub use parts::{BodyParts, FibreLine, RestScale};
 
@@ -365,34 +366,5 @@ impl Body {
         }
         energies.contact += self.contact_energy;
         energies
-    }
-
-    /// Whether nothing of its own would change anything from `time` [s] on: it is at rest, and no force is yet to come, go or
-    /// be evaluated.
-    pub(super) fn may_sleep(&self, time: f64) -> bool {
-        let grabs = self.grabs.iter().map(|grab| grab as &dyn Force);
-        let mut forces = self.parts.forces.iter().map(|force| &**force).chain(grabs);
-        self.divergence.is_some()
-            || (self.current && self.at_rest(time) && forces.all(|force| force.changes_until() <= time))
-    }
-
-    /// Whether nothing moves and nothing pushes: prescribed motions have ended, the largest net force on a free
-    /// particle and the largest kinetic energy of a particle are below the body's rest scales.
-    pub fn at_rest(&self, time: f64) -> bool {
-        if self.divergence.is_some() {
-            return true;
-        }
-        let is_eased = room_contact(&self.parts.forces).is_some_and(|contact| contact.end() > time);
-        if is_eased || self.parts.constraints.iter().any(|constraint| constraint.motion.end() > time) {
-            return false;
-        }
-        let mut free: Vec<DVec3> = (0..self.net.len()).map(|i| self.net_force(i)).collect();
-        for constraint in &self.parts.constraints {
-            constraint.mask(&mut free);
-        }
-        let ParticleState { velocities, masses, .. } = &self.parts.state;
-        let force = free.iter().map(|f| f.length()).fold(0.0, f64::max);
-        let energy = velocities.iter().zip(masses).map(|(v, m)| 0.5 * m * v.length_squared()).fold(0.0, f64::max);
-        force < self.parts.rest_scale.force && energy < self.parts.rest_scale.energy
     }
 }

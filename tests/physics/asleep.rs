@@ -91,3 +91,16 @@ fn a_world_at_rest_takes_no_steps_and_its_time_goes_on() {
     assert_eq!(evaluations(&runner), before);
     assert!((runner.world().time() - 0.5).abs() < 1e-12);
 }
+
+#[test]
+fn a_stiff_body_that_begins_to_fall_does_not_sleep() {
+    // So stiff that its weight is no force to speak of beside what it can bear.
+    let mut scene = in_space(block([4, 4, 4], 1e10));
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.time.frames_per_second = 1000.0;
+    let mut runner = runner(&scene);
+    let start = runner.world().bodies()[0].state().center().y;
+    advance(&mut runner, 20);
+    let fallen = start - runner.world().bodies()[0].state().center().y;
+    assert!((fallen - 0.5 * 9.81 * 0.02_f64.powi(2)).abs() < 1e-9, "{fallen}");
+}

@@ -168,5 +168,5 @@ fn momenta_and_energy_hardly_drift() {
     println!("linear {linear:.1e}, angular {angular:.1e}, energy {trend:.1e} off that of f64");
     assert!(linear < 1e-13, "{linear:e}");
     assert!(angular < 1e-7, "{angular:e}");
-    assert!(trend.abs() < 1e-3, "{trend:e}");
+    assert!(trend.abs() < 5e-3, "{trend:e}");
 }

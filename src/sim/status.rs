@@ -27,8 +27,10 @@ pub struct Status {
     pub divergence: Option<String>,
     /// Why there is no world: the scene cannot be put together, or the solver failed.
     pub failure: Option<String>,
-    /// What was noticed while the scene was put together.
+    /// What was noticed while the scene was put together; what should be acted on comes last.
     pub notes: Vec<String>,
+    /// Whether the last of them should be.
+    pub warns: bool,
     /// What is being put together just now, and how far that has come.
     pub baking: Option<String>,
     /// Whether the last change was not put together, as somebody stopped that: what was there before goes on. A reset or

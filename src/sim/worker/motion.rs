@@ -146,6 +146,8 @@ impl Motion {
     /// Takes up a scene that was put together: from its start, or in the present motion.
     pub(super) fn take_up(&mut self, mut baked: Baked, keeps_motion: bool) {
         let thin = std::mem::take(&mut baked.thin);
+        baked.notes.sort_by_key(|note| note.warning);
+        self.status.warns = baked.notes.last().is_some_and(|note| note.warning);
         self.status.notes = baked.notes.iter().map(ToString::to_string).collect();
         self.status.failure = None;
         self.runs.live.take_up(Runner::new(baked), thin, keeps_motion);
@@ -168,6 +170,7 @@ impl Motion {
     /// Says why there is no ghost.
     pub(super) fn note_no_ghost(&mut self, problem: &str) {
         self.status.notes.push(format!("There is no ghost: {problem}"));
+        self.status.warns = true;
     }
 
     /// Nothing is left of the last document.

@@ -47,7 +47,7 @@ impl App {
                 more => format!(" (and {more} more: `sinew check` lists them)"),
             };
             let said = self.cx.scene().with_names(text) + &more;
-            self.cx.say(Severity::Warning, said);
+            self.cx.say(if now.status.warns { Severity::Warning } else { Severity::Note }, said);
         }
         self.breaks.watch(before, &mut self.cx);
         if now.compared.len() != before.compared.len() {

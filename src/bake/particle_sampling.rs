@@ -122,16 +122,7 @@ impl ParticleSampling<'_> {
                 };
                 Skin::try_embed(&shape, particles, kernel, progress)
             }
-            Source::Mesh(solid) => {
-                let shape = SkinShape {
-                    points: &solid.surface.points,
-                    point_of: &solid.surface.point_of,
-                    normals: &solid.model.normals,
-                    colours: &solid.model.colours,
-                    triangles: &solid.model.triangles,
-                };
-                Skin::try_embed(&shape, particles, kernel, progress)
-            }
+            Source::Mesh(solid) => Skin::try_embed(&SkinShape::of(solid), particles, kernel, progress),
         }
     }
 

@@ -12,6 +12,7 @@ use super::skin_weights::{Carried, FARTHEST, SkinEmbedder};
 use crate::geometry::kernel::Kernel;
 use crate::geometry::linear_map::LinearMap;
 use crate::geometry::rig::{Rig, Shading};
+use crate::geometry::solid::Solid;
 use crate::geometry::subdivide::rounded;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -54,6 +55,19 @@ pub struct SkinShape<'a> {
     pub colours: &'a [[f32; 4]],
     /// Vertex indices of the faces.
     pub triangles: &'a [[u32; 3]],
+}
+
+impl<'a> SkinShape<'a> {
+    /// The surface of a solid as its model has it.
+    pub fn of(solid: &'a Solid) -> Self {
+        Self {
+            points: &solid.surface.points,
+            point_of: &solid.surface.point_of,
+            normals: &solid.model.normals,
+            colours: &solid.model.colours,
+            triangles: &solid.model.triangles,
+        }
+    }
 }
 
 /// Points embedded before it is said how far the work has come.

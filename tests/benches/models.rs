@@ -19,15 +19,8 @@ fn main() {
 /// Particles and skin of a solid.
 fn filled(solid: &Solid, particles: u32) -> (Vec<DVec3>, Skin) {
     let sample = fill(solid, FillResolution::Particles(particles), 2.5, 2_000_000).expect("a filling").sample;
-    let shape = SkinShape {
-        points: &solid.surface.points,
-        point_of: &solid.surface.point_of,
-        normals: &solid.model.normals,
-        colours: &solid.model.colours,
-        triangles: &solid.model.triangles,
-    };
     let kernel = Kernel::new(2.5 * sample.spacing);
-    let skin = Skin::embed(&shape, &sample.points, kernel, &mut |_, _| {}).expect("a skin");
+    let skin = Skin::embed(&SkinShape::of(solid), &sample.points, kernel, &mut |_, _| {}).expect("a skin");
     (sample.points, skin)
 }
 

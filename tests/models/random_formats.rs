@@ -86,15 +86,9 @@ fn embedded(solid: &Solid) -> Result<Option<(Vec<DVec3>, Skin)>, String> {
     for count in COUNTS {
         match fill(solid, FillResolution::Particles(count), 2.5, 100_000) {
             Ok(filling) => {
-                let shape = SkinShape {
-                    points: &solid.surface.points,
-                    point_of: &solid.surface.point_of,
-                    normals: &solid.model.normals,
-                    colours: &solid.model.colours,
-                    triangles: &solid.model.triangles,
-                };
                 let (particles, kernel) = (filling.sample.points, Kernel::new(2.5 * filling.sample.spacing));
-                let skin = Skin::embed(&shape, &particles, kernel, &mut |_, _| {}).ok_or("there is no skin")?;
+                let skin =
+                    Skin::embed(&SkinShape::of(solid), &particles, kernel, &mut |_, _| {}).ok_or("there is no skin")?;
                 return Ok(Some((particles, skin)));
             }
             Err(FillError::TooThin { .. }) => {}

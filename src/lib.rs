@@ -118,7 +118,8 @@
 //! SI units throughout: metres, kilograms, seconds, newtons, pascals; angles in degrees in scenes and reports, in
 //! radians in the code. Frames are right-handed with Y up. A body is described in its *model frame* and put into the
 //! world by its placement; capital X in formulae is the rest position, small x the present one. State and forces are
-//! f64; what a fast matrix computes on the way to them is f32. Parallel loops write by index and sums run in a fixed order, so that the number of threads changes nothing.
+//! f64; what a fast matrix computes on the way to them is f32. Parallel loops write by index and sums run in a fixed order,
+//! so that the number of threads changes nothing.
 //!
 //! # Glossary
 //!
@@ -155,6 +156,8 @@
 //! - *world*: bodies and panels at one time. *State*: positions, velocities and masses of a body.
 //! - *frame*: the time from one picture to the next. *Outer step*: a part of it for which contact between bodies and with
 //!   panels is evaluated once. *Sub-step*: one of a body's own steps in that.
+//! - *fibres implicit*: fibres' forces found together with where they bring the particles, so that their stiffness does not
+//!   set the step; all else by leap-frog.
 //! - *stable step*: the longest step under which a body's small motions do not grow. *Safety*: the share of it in use.
 //! - *body contact*: the push between two bodies. *Grab*: the pull at a point of a body. *Strike*: an impulse on a whole
 //!   body.

@@ -136,7 +136,7 @@ pub enum Precision {
     /// In f64, to round-off.
     #[default]
     Exact,
-    /// In f32, from deviations from the body's rigid motion: up to twice as fast, and off by some millionths of the
+    /// In f32, from deviations from the body's rigid motion: up to 1.7 times as fast, and off by some millionths of the
     /// greatest force.
     Fast,
 }

@@ -42,7 +42,7 @@ impl MatrixForce {
         Self { reference, evaluation }
     }
 
-    /// The same force in f32, on deviations from the body's rigid motion: up to twice as fast, and exact to some
+    /// The same force in f32, on deviations from the body's rigid motion: up to 1.7 times as fast, and exact to some
     /// 1e-6 of the greatest force. For a force that has just been made; one without a stencil stays as it is.
     #[must_use]
     pub fn fast(self) -> Self {

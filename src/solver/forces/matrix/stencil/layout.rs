@@ -100,9 +100,9 @@ impl Layout {
         }
     }
 
-    #[allow(clippy::cast_possible_wrap, reason = "a register has a handful of lanes")]
     /// The neighbours of the site beside the end of a row, on the side of negative or positive x, if a particle of the
     /// row's last brick has any there.
+    #[allow(clippy::cast_possible_wrap, reason = "a register has a handful of lanes")]
     fn site_beside(&mut self, brick: IVec3, side: i32, index: &BrickIndex) -> Option<u32> {
         let beside = brick + side * IVec3::X;
         let (first, last) = self.ends(index.number(brick))?;
@@ -115,8 +115,8 @@ impl Layout {
         if reached { self.site(beside, index) } else { None }
     }
 
-    #[allow(clippy::cast_possible_wrap, reason = "a register has a handful of lanes")]
     /// First and last lane of a brick that are taken; none of the empty brick.
+    #[allow(clippy::cast_possible_wrap, reason = "a register has a handful of lanes")]
     fn ends(&self, number: u32) -> Option<(i32, i32)> {
         let particles = self.bricks.particles((number as usize).checked_sub(1)?);
         let taken = |&particle: &u32| particle != NO_PARTICLE;

@@ -50,7 +50,7 @@ pub struct BodyReport {
     pub fibres: usize,
     /// Vertices of all fibres.
     pub structure_particles: usize,
-    /// How it is stepped: the integrator's word, as in scene files.
+    /// How it is stepped: the integrator's word, as in scene files; "other" once a program has given the body its own.
     pub integrator: &'static str,
     /// Why, where the scene leaves that open and it is not the usual one; null otherwise.
     pub integrator_reason: Option<String>,

@@ -90,6 +90,7 @@ impl Body {
     /// Steps it from now on by `integrator`. The time step stays as it was chosen for the one before.
     pub fn set_integrator(&mut self, integrator: Box<dyn Integrator>) {
         self.parts.integrator = integrator;
+        (self.parts.integrator_word, self.parts.integrator_reason) = ("other", None);
     }
 
     /// Steps it by `dt` [s] from now on, where `stable_dt` [s] is the greatest step that its integrator takes.

@@ -191,6 +191,7 @@ fn forces_and_integrators_of_others_are_right_by_default() {
     let body = world.body_mut(0).unwrap();
     body.add_force(Box::new(Fatigue::default()));
     body.set_integrator(Box::new(TwoStep::default()));
+    assert_eq!(body.parts().integrator_word, "other");
     goes_back_exactly(&world, 12);
 }
 

@@ -29,7 +29,7 @@ pub struct BodyParts {
     pub forces: Vec<Box<dyn Force>>,
     /// How it is stepped.
     pub integrator: Box<dyn Integrator>,
-    /// The integrator's word, as in scene files.
+    /// The integrator's word, as in scene files; "other" once a program has given the body one of its own.
     pub integrator_word: &'static str,
     /// Why it was chosen, where the scene leaves that open and it is not the usual one.
     pub integrator_reason: Option<String>,

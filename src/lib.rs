@@ -102,6 +102,7 @@
 //! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
 //! | fibres far stiffer than their matrix | `solver::integrators::fibres_implicit`; chosen in `bake::integrator` |
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
+//! | implicit steps: the matrix, how a stage is solved, what becomes of one that is not | `solver::implicit` |
 //! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact` |
 //! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::easing`; what is said of it: `bake::overlaps` |
 //! | pins that cannot be meant | `bake::pins` |
@@ -164,6 +165,8 @@
 //! - *overlap*: of bodies that start inside one another, the room or a panel. *Allowance*: the depth that contact grants
 //!   such a one. *Easing*: an allowance that fades.
 //! - *asleep*: a body at rest that nothing comes near; it takes no steps.
+//! - *stage*: an implicit equation for the end, or a point, of a step. *Chord step*: one towards its solution, by a matrix
+//!   that stays. *Fallback*: a step that was halved, or handed over to leap-frog, because a stage was not solved.
 //! - *divergence*: a motion that can no longer be computed; the body is stopped. *Break*: of a fibre, past its limits.
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of

@@ -17,6 +17,7 @@ use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
     AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, MatrixForce, PairDamping, StepLimit,
 };
+use crate::solver::integrators::LeapFrog;
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
@@ -96,6 +97,7 @@ pub(super) fn draft(
     notes.extend(stepping.note(path));
     let integrator = integrator(stepping.integrator);
     let stable_dt = resistance.stable_step(integrator.as_ref());
+    let explicit_dt = resistance.stable_step(&LeapFrog::default());
     let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| match (parameter, strongest) {
         (SolidParameter::Fibres, Some(fibre)) => format!("{path}/fibres/{fibre}/stiffness"),
         (parameter, _) => format!("{path}/{}", parameter.pointer()),
@@ -132,6 +134,7 @@ pub(super) fn draft(
         mean_neighbours: neighbourhood.mean_neighbours(),
         dt: stable_dt,
         stable_dt,
+        explicit_dt,
         limited_by,
         step_parameter: step_parameter(scene).to_owned(),
     };

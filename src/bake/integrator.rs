@@ -4,8 +4,8 @@ use super::note::Note;
 use crate::scene::{IntegratorChoice, IntegratorKind, Scene, TimeStep};
 use crate::solver::forces::{FibreForce, Force};
 use crate::solver::integrators::{
-    BackwardEuler, ExplicitEuler, FibresImplicit, Integrator, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet,
-    work_of_a_step,
+    BackwardEuler, Bdf2, ExplicitEuler, FibresImplicit, ImplicitMidpoint, Integrator, LeapFrog, Midpoint, Newmark, Rk4,
+    Sdirk2, SymplecticEuler, TrBdf2, Verlet, work_of_a_step,
 };
 use crate::solver::state::ParticleState;
 
@@ -75,5 +75,10 @@ pub(super) fn integrator(kind: IntegratorKind) -> Box<dyn Integrator> {
         IntegratorKind::SymplecticEuler => Box::new(SymplecticEuler::default()),
         IntegratorKind::Verlet => Box::new(Verlet::default()),
         IntegratorKind::BackwardEuler => Box::new(BackwardEuler::default()),
+        IntegratorKind::TrBdf2 => Box::new(TrBdf2::default()),
+        IntegratorKind::Sdirk2 => Box::new(Sdirk2::default()),
+        IntegratorKind::ImplicitMidpoint => Box::new(ImplicitMidpoint::default()),
+        IntegratorKind::Bdf2 => Box::new(Bdf2::default()),
+        IntegratorKind::Newmark => Box::new(Newmark::default()),
     }
 }

@@ -4,6 +4,7 @@ use super::draft::Draft;
 use super::error::BakeError;
 use crate::scene::{Scene, TimeStep};
 use crate::solver::body_contact::stiffness_between;
+use crate::solver::integrators::{Integrator, LeapFrog};
 use crate::solver::world::StepPlan;
 
 /// More steps than this to one frame are refused: nothing would be seen to happen.
@@ -31,7 +32,8 @@ pub(super) fn step_plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, Bak
                 }
             }
             let wanted = drafts.iter().map(|draft| count(draft.parts.stable_dt)).collect();
-            (frame, wanted, count(stable_contact_step(drafts)))
+            let under_panels = if scene.panels.is_empty() { f64::INFINITY } else { stable_panel_step(drafts) };
+            (frame, wanted, count(stable_contact_step(drafts).min(under_panels)))
         }
         TimeStep::Manual(manual) => {
             let count = manual.substeps_per_frame;
@@ -47,11 +49,28 @@ pub(super) fn step_plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, Bak
     Ok(StepPlan { frame_seconds, outer_steps, substeps })
 }
 
+/// Greatest outer step [s] that resolves the contact of panels with bodies whose own steps are not bounded; those of all
+/// others resolve it by themselves.
+fn stable_panel_step(drafts: &[Draft]) -> f64 {
+    let unbounded = drafts.iter().filter(|draft| draft.parts.stable_dt.is_infinite());
+    let steps = unbounded.map(|draft| {
+        let law = &draft.parts.contact;
+        let lightest = lightest(draft);
+        let damping = law.damping.max(law.sticking) / lightest;
+        LeapFrog::default().stable_step((law.stiffness / lightest).sqrt(), damping)
+    });
+    steps.fold(f64::INFINITY, f64::min)
+}
+
+/// Mass of a body's lightest particle [kg].
+fn lightest(draft: &Draft) -> f64 {
+    draft.parts.state.masses.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
 /// Greatest outer step [s] that resolves the contact between any two bodies; infinite without any.
 fn stable_contact_step(drafts: &[Draft]) -> f64 {
     // A particle of a surface may carry several others.
     const CARRIED: f64 = 4.0;
-    let lightest = |draft: &Draft| draft.parts.state.masses.iter().copied().fold(f64::INFINITY, f64::min);
     let mut fastest: f64 = 0.0;
     for (index, a) in drafts.iter().enumerate() {
         for b in &drafts[index + 1..] {

@@ -14,6 +14,7 @@ use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::constraint::{Constraint, PrescribedMotion};
 use crate::solver::embedding::EmbeddingWeights;
 use crate::solver::forces::{AirDrag, Contact, ContactLaw, Force, Grab, Gravity, Pressure};
+use crate::solver::integrators::LeapFrog;
 use crate::solver::layers::Layers;
 use crate::solver::modes::fastest_modes;
 use crate::solver::state::ParticleState;
@@ -73,6 +74,7 @@ pub(super) fn draft(
     let modes = fastest_modes(&mut probed(body), &at_rest, model.radius);
     let stable_dt = modes.greatest_stable_step(integrator.as_ref());
     let stable_steps = stable_steps(|integrator| modes.greatest_stable_step(integrator));
+    let explicit_dt = modes.greatest_stable_step(&LeapFrog::default());
     let limited_by = limits::of_two_layer(body, &modes, integrator.as_ref(), &at_rest, model.radius, probed)
         .map(|parameter| format!("{path}/{parameter}"));
     let law = contact.law;
@@ -105,6 +107,7 @@ pub(super) fn draft(
         state,
         dt: stable_dt,
         stable_dt,
+        explicit_dt,
         limited_by,
         step_parameter: step_parameter(scene).to_owned(),
     };

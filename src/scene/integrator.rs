@@ -107,4 +107,14 @@ integrators! {
     Verlet "verlet" "Verlet";
     /// Backward Euler: order 1, stable at any step, takes energy.
     BackwardEuler "backward_euler" "Backward Euler";
+    /// Trapezoidal rule and backward difference: order 2, stable at any step, two stages; keeps slow motion.
+    TrBdf2 "tr_bdf2" "TR-BDF2";
+    /// Two backward Euler stages: order 2, stable at any step; takes spin.
+    Sdirk2 "sdirk2" "SDIRK2";
+    /// Implicit midpoint: order 2, stable at any step, keeps momenta; stiff motion rings on.
+    ImplicitMidpoint "implicit_midpoint" "Implicit midpoint";
+    /// Second backward difference: order 2, stable at any step, one stage; takes energy.
+    Bdf2 "bdf2" "BDF2";
+    /// Newmark with the average acceleration: order 2, stable at any step; stiff motion rings on.
+    Newmark "newmark" "Newmark";
 }

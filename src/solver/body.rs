@@ -6,7 +6,7 @@ mod rest;
 
 pub use parts::{BodyParts, FibreLine, RestScale};
 
-use super::dynamics::{Dynamics, Fallbacks};
+use super::dynamics::{Dynamics, Fallbacks, energies};
 use super::easing::Easing;
 use super::embedding::EmbeddingWeights;
 use super::energy::Energies;
@@ -127,7 +127,7 @@ impl Body {
                 let [stiffness, damping] = layers.grab;
                 Grab { point, target, stiffness, damping, until: f64::INFINITY }
             }
-            None => Grab::scaled(point, target, &self.parts.state, self.parts.dt),
+            None => Grab::scaled(point, target, &self.parts.state, self.parts.resolved_dt()),
         };
         self.grabs_mut().push(grab);
     }
@@ -315,6 +315,10 @@ impl Body {
             current: &mut self.current,
             evaluations: &mut self.evaluations,
             fallbacks: &mut self.fallbacks,
+            rest: &parts.rest,
+            reach: parts.reach,
+            explicit_dt: parts.explicit_dt,
+            rest_force: parts.rest_scale.force,
         };
         (dynamics, &mut parts.state, &mut *parts.integrator)
     }
@@ -338,7 +342,7 @@ impl Body {
         let cause = match fault {
             _ if !finite => "a velocity is no longer a number".to_owned(),
             Some(fault) => fault.to_owned(),
-            None if self.guarded && fastest * self.parts.dt > self.parts.reach => {
+            None if self.guarded && fastest * self.parts.resolved_dt() > self.parts.reach => {
                 format!("a particle reached {fastest:.3e} m/s")
             }
             None => return,
@@ -360,11 +364,7 @@ impl Body {
 
     /// Energies of the present state.
     pub fn energies(&self, time: f64) -> Energies {
-        let mut energies = Energies { kinetic: self.parts.state.kinetic_energy(), ..Energies::default() };
-        let grabs = self.grabs.iter().map(|grab| grab as &dyn Force);
-        for force in self.parts.forces.iter().map(|force| &**force).chain(grabs) {
-            force.add_energy(time, &self.parts.state, &mut energies);
-        }
+        let mut energies = energies(&self.parts.forces, &self.grabs, time, &self.parts.state);
         energies.contact += self.contact_energy;
         energies
     }

@@ -1,10 +1,11 @@
 //! What an integrator sees of a body: forces in, accelerations out.
 
 use super::constraint::Constraint;
-use super::forces::{FibreForce, Force, Grab};
+use super::energy::Energies;
+use super::forces::{AirDrag, Contact, FibreForce, Force, Grab, Gravity, MatrixForce, PairDamping, Pressure, Springs};
 use super::linear_algebra::vectors::axpy;
 use super::state::ParticleState;
-use glam::DVec3;
+use glam::{BVec3, DVec3};
 
 /// How often implicit steps were not what was asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,6 +29,14 @@ pub struct Dynamics<'a> {
     pub(super) current: &'a mut bool,
     pub(super) evaluations: &'a mut u64,
     pub(super) fallbacks: &'a mut Fallbacks,
+    /// Where the particles are at rest [m], world.
+    pub(super) rest: &'a [DVec3],
+    /// A length of the particles' neighbourhood [m].
+    pub(super) reach: f64,
+    /// Greatest stable step of leap-frog [s].
+    pub(super) explicit_dt: f64,
+    /// Net force on a particle below which it counts as at rest [N].
+    pub(super) rest_force: f64,
 }
 
 impl Dynamics<'_> {
@@ -61,6 +70,30 @@ impl Dynamics<'_> {
     pub fn evaluate_end(&mut self, time: f64, state: &mut ParticleState) {
         self.evaluate(time, state);
         *self.current = true;
+    }
+
+    /// Evaluates at the state that a step has left, unless the forces are those already.
+    pub(super) fn make_current(&mut self, time: f64, state: &mut ParticleState) {
+        if !*self.current {
+            self.evaluate_end(time, state);
+        }
+    }
+
+    /// Forgets whose forces these are, since the state is another.
+    pub(super) fn make_outdated(&mut self) {
+        *self.current = false;
+    }
+
+    /// Energies of a state, by the last evaluation, which was there.
+    pub(super) fn energies(&self, time: f64, state: &ParticleState) -> Energies {
+        energies(self.forces, self.grabs, time, state)
+    }
+
+    /// Acceleration [m/s²] of the centre of mass by the last evaluation, nothing of it along held axes.
+    pub(super) fn acceleration_of_the_whole(&self, state: &ParticleState) -> DVec3 {
+        let mut free = self.net.clone();
+        self.mask(&mut free);
+        free.iter().sum::<DVec3>() / state.mass()
     }
 
     /// The fibres of the body, if it has any.
@@ -100,18 +133,52 @@ impl Dynamics<'_> {
         }
     }
 
-    /// Adds the first-order change of all forces [N] under a change of positions and one of velocities.
-    pub fn derivative(&mut self, time: f64, state: &ParticleState, change: [&[DVec3]; 2], out: &mut [DVec3]) {
-        for force in all_forces(self.forces, self.grabs) {
-            force.add_derivative(time, state, change, out);
-        }
-    }
-
     /// Zeroes what a field has along held axes.
     pub fn mask(&self, field: &mut [DVec3]) {
         for constraint in self.constraints {
             constraint.mask(field);
         }
+    }
+
+    /// The force of its matrix, if it has one.
+    pub(super) fn matrix(&self) -> Option<&MatrixForce> {
+        self.forces.iter().find_map(|force| force.downcast_ref())
+    }
+
+    /// The contact with the room, if there is any.
+    pub(super) fn contact(&self) -> Option<&Contact> {
+        self.forces.iter().find_map(|force| force.downcast_ref())
+    }
+
+    /// Gravity [m/s²].
+    pub(super) fn gravity(&self) -> DVec3 {
+        self.forces.iter().filter_map(|force| force.downcast_ref::<Gravity>()).map(|gravity| gravity.acceleration).sum()
+    }
+
+    /// Axes along which each of `n` particles is held.
+    pub(super) fn held(&self, n: usize) -> Vec<BVec3> {
+        let mut held = vec![BVec3::FALSE; n];
+        for constraint in self.constraints {
+            for &i in &constraint.particles {
+                held[i as usize] |= constraint.locked;
+            }
+        }
+        held
+    }
+
+    /// Whether nothing that it could hold on to acts on it: moved as a whole, it feels the same forces.
+    pub(super) fn floats(&self, time: f64, state: &ParticleState) -> bool {
+        let is_own = |force: &dyn Force| {
+            force.downcast_ref::<Contact>().is_some_and(|contact| !contact.is_touched(time, &state.positions))
+                || force.downcast_ref::<MatrixForce>().is_some()
+                || force.downcast_ref::<FibreForce>().is_some()
+                || force.downcast_ref::<PairDamping>().is_some()
+                || force.downcast_ref::<Springs>().is_some()
+                || force.downcast_ref::<Pressure>().is_some()
+                || force.downcast_ref::<Gravity>().is_some()
+                || force.downcast_ref::<AirDrag>().is_some()
+        };
+        self.constraints.is_empty() && self.grabs.is_empty() && self.forces.iter().all(|force| is_own(&**force))
     }
 
     /// Brings `state` onto the constraints at `time` [s].
@@ -125,4 +192,14 @@ impl Dynamics<'_> {
 fn all_forces<'a>(forces: &'a mut [Box<dyn Force>], grabs: &'a mut [Grab]) -> impl Iterator<Item = &'a mut dyn Force> {
     let grabs = grabs.iter_mut().map(|grab| grab as &mut dyn Force);
     forces.iter_mut().map(|force| &mut **force).chain(grabs)
+}
+
+/// Energies of a body in a state to which its forces were last evaluated.
+pub(super) fn energies(forces: &[Box<dyn Force>], grabs: &[Grab], time: f64, state: &ParticleState) -> Energies {
+    let mut energies = Energies { kinetic: state.kinetic_energy(), ..Energies::default() };
+    let grabs = grabs.iter().map(|grab| grab as &dyn Force);
+    for force in forces.iter().map(|force| &**force).chain(grabs) {
+        force.add_energy(time, state, &mut energies);
+    }
+    energies
 }

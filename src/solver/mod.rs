@@ -14,6 +14,7 @@ pub(crate) mod embedding;
 pub(crate) mod energy;
 pub(crate) mod field;
 pub(crate) mod forces;
+mod implicit;
 pub(crate) mod integrators;
 pub(crate) mod layers;
 pub(crate) mod linear_algebra;

@@ -1,5 +1,4 @@
-//! Forces of two-layer bodies against finite differences of their energies, and their derivatives against those of the
-//! forces.
+//! Forces of two-layer bodies against finite differences of their energies.
 
 use crate::common::baked;
 use crate::two_layer::{ball, ring, two_layer, with};
@@ -75,36 +74,6 @@ fn spring_and_gas_forces_are_the_gradient_of_their_energy() {
                 let slope = (8.0 * (moved(1.0) - moved(-1.0)) - (moved(2.0) - moved(-2.0))) / (12.0 * h);
                 assert!((exact[i][axis] + slope).abs() < 1e-8 * scale, "body {index}, particle {i}, axis {axis}");
             }
-        }
-    }
-}
-
-#[test]
-fn derivatives_are_those_of_the_forces() {
-    for index in 0..4 {
-        // At rest the damping has no part that turns with the springs, which the derivative leaves out.
-        let (mut forces, state) = body(index, 0.0);
-        let flat = if index % 2 == 0 { DVec3::new(1.0, 1.0, 0.0) } else { DVec3::ONE };
-        let dx: Vec<DVec3> = (0..state.len()).map(|i| flat * wobble(3 * i + 7, 1.0)).collect();
-        let dv: Vec<DVec3> = (0..state.len()).map(|i| flat * wobble(5 * i + 2, 1.0)).collect();
-        let mut exact = vec![DVec3::ZERO; state.len()];
-        for force in &mut forces {
-            force.add_derivative(0.0, &state, [&dx, &dv], &mut exact);
-        }
-        let h = 1e-6;
-        let mut at = |share: f64| {
-            let mut moved = state.clone();
-            for i in 0..state.len() {
-                moved.positions[i] += share * h * dx[i];
-                moved.velocities[i] += share * h * dv[i];
-            }
-            total(&mut forces, &moved)
-        };
-        let (ahead, behind) = (at(1.0), at(-1.0));
-        let scale = exact.iter().map(|f| f.length()).fold(0.0, f64::max);
-        for i in 0..state.len() {
-            let slope = (ahead[i] - behind[i]) / (2.0 * h);
-            assert!(exact[i].distance(slope) < 1e-7 * scale, "body {index}, particle {i}: {} {slope}", exact[i]);
         }
     }
 }

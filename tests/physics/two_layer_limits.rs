@@ -115,6 +115,11 @@ fn orders_of_convergence_in_free_oscillation() {
         (SYMPLECTIC, 1.0),
         (IntegratorKind::BackwardEuler, 1.0),
         (IntegratorKind::Verlet, 2.0),
+        (IntegratorKind::TrBdf2, 2.0),
+        (IntegratorKind::Sdirk2, 2.0),
+        (IntegratorKind::ImplicitMidpoint, 2.0),
+        (IntegratorKind::Bdf2, 2.0),
+        (IntegratorKind::Newmark, 2.0),
     ] {
         let found = fit(&damped_scene, integrator);
         println!("{integrator:?}: {found:.3}");

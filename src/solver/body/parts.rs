@@ -53,11 +53,20 @@ pub struct BodyParts {
     pub dt: f64,
     /// Greatest stable time step that was measured [s].
     pub stable_dt: f64,
+    /// Greatest stable time step of leap-frog [s].
+    pub explicit_dt: f64,
     /// JSON pointer of the parameter that chooses the time step, named when the body diverges.
     pub step_parameter: String,
     /// JSON pointer of the parameter that sets the stable step: of all, halving it raises that step most. None where no
     /// single one does by more than a hundredth.
     pub limited_by: Option<String>,
+}
+
+impl BodyParts {
+    /// A step that follows the body's stiffest motion [s]: its own, or leap-frog's where its own is not bounded by that.
+    pub(super) fn resolved_dt(&self) -> f64 {
+        if self.stable_dt.is_finite() { self.dt } else { self.dt.min(self.explicit_dt) }
+    }
 }
 
 /// Scales below which a body counts as at rest.

@@ -25,12 +25,6 @@ impl Force for AirDrag {
         StepLimit { damping_rate: self.rate, ..StepLimit::default() }
     }
 
-    fn add_derivative(&mut self, _time: f64, state: &ParticleState, [_, dv]: [&[DVec3]; 2], out: &mut [DVec3]) {
-        for ((out, &dv), &mass) in out.iter_mut().zip(dv).zip(&state.masses) {
-            *out -= self.rate * mass * dv;
-        }
-    }
-
     fn changes_until(&self) -> f64 {
         0.0
     }

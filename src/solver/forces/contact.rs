@@ -3,8 +3,9 @@
 use super::force::{Force, StepLimit};
 use crate::solver::easing::Easing;
 use crate::solver::energy::Energies;
+use crate::solver::neighbourhood::outer;
 use crate::solver::state::ParticleState;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 /// How a particle, a ball of the law's radius, is pushed out of what it touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,6 +82,43 @@ impl Contact {
         self.eased.iter().find(|(index, _)| *index == plane).map(|(_, easing)| easing)
     }
 
+    /// How far plane `index` is granted to be crossed at `time`: the depth [m] and its rate [m/s].
+    fn allowance(&self, index: usize, time: f64) -> Option<[f64; 2]> {
+        self.easing(index).map(|easing| <[f64; 2]>::from(easing.at(time)))
+    }
+
+    /// How deep [m] a particle at `x` is in plane `index` at `time` [s]; negative where it does not touch it.
+    fn depth(&self, index: usize, time: f64, x: DVec3) -> f64 {
+        let plane = &self.planes[index];
+        let left = self.allowance(index, time).map_or(0.0, |[left, _]| left);
+        self.law.radius - ((x - plane.point).dot(plane.normal) + left)
+    }
+
+    /// Particles that touch a plane at `time` [s], with the planes.
+    pub(crate) fn touching(&self, time: f64, positions: &[DVec3]) -> Vec<(u32, u32)> {
+        let pairs = (0..self.planes.len()).flat_map(|plane| (0..positions.len()).map(move |i| (i, plane)));
+        let touching = pairs.filter(|&(i, plane)| self.depth(plane, time, positions[i]) > 0.0);
+        touching.map(|(i, plane)| (i as u32, plane as u32)).collect()
+    }
+
+    /// Whether any particle touches a plane at `time` [s].
+    pub(crate) fn is_touched(&self, time: f64, positions: &[DVec3]) -> bool {
+        (0..self.planes.len()).any(|plane| positions.iter().any(|&x| self.depth(plane, time, x) > 0.0))
+    }
+
+    /// How plane `index` resists a particle that touches it [N/m], where velocities change by `1/h` of positions: by its
+    /// stiffness and damping along the normal, and across it as far as the particle sticks.
+    pub(crate) fn resistance(&self, index: usize, time: f64, x: DVec3, velocity: DVec3, h: f64) -> DMat3 {
+        let ContactLaw { stiffness, damping, friction, sticking, .. } = self.law;
+        let normal = self.planes[index].normal;
+        let velocity = velocity + self.allowance(index, time).map_or(0.0, |[_, rate]| rate) * normal;
+        let along = outer(normal, normal);
+        let push = (stiffness * self.depth(index, time, x) - damping * velocity.dot(normal)).max(0.0);
+        let slip = (velocity - velocity.dot(normal) * normal).length();
+        let across = if sticking * slip <= friction * push { sticking } else { friction * push / slip };
+        along * (stiffness + damping / h) + (DMat3::IDENTITY - along) * (across / h)
+    }
+
     /// When the body has been eased out of everything [s].
     pub(crate) fn end(&self) -> f64 {
         self.eased.iter().map(|(_, easing)| easing.end()).fold(f64::NEG_INFINITY, f64::max)
@@ -90,7 +128,7 @@ impl Contact {
 impl Force for Contact {
     fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
         for (index, plane) in self.planes.iter().enumerate() {
-            let allowance = self.easing(index).map(|easing| <[f64; 2]>::from(easing.at(time)));
+            let allowance = self.allowance(index, time);
             for (i, force) in forces.iter_mut().enumerate() {
                 let gap = (state.positions[i] - plane.point).dot(plane.normal);
                 let velocity = state.velocities[i];

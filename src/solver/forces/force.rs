@@ -31,10 +31,11 @@ pub trait Force: Any + Send + Sync {
         StepLimit::default()
     }
 
-    /// Adds how the force [N] changes, to first order, when positions change by the first and velocities by the second
-    /// field: the Hessian-vector product of implicit integrators. By central differences unless a force knows better.
-    fn add_derivative(&mut self, time: f64, state: &ParticleState, change: [&[DVec3]; 2], out: &mut [DVec3]) {
-        derivative_by_differences(self, time, state, change, out);
+    /// Groups of particles such that the force on one hangs only on the motion of itself and of those in its groups:
+    /// implicit integrators ask for stiffnesses there. Without any, none hangs on another; a force that ties more than it
+    /// says is still stepped rightly, but with more evaluations.
+    fn couplings(&self) -> Vec<Vec<u32>> {
+        Vec::new()
     }
 
     /// Until when [s] it may change though nothing moves. One that does not say so may at any time, and its body never sleeps.
@@ -102,35 +103,4 @@ pub(crate) fn total_forces(forces: &mut [Box<dyn Force>], state: &ParticleState)
         force.add_forces(0.0, state, &mut sum);
     }
     sum
-}
-
-/// [`Force::add_derivative`] by central differences.
-fn derivative_by_differences<F: Force + ?Sized>(
-    force: &mut F,
-    time: f64,
-    state: &ParticleState,
-    [dx, dv]: [&[DVec3]; 2],
-    out: &mut [DVec3],
-) {
-    /// A change of this size in the largest component [m or m/s] is small against any body.
-    const STEP: f64 = 1e-6;
-    let largest = dx.iter().chain(dv).map(|v| v.abs().max_element()).fold(0.0, f64::max);
-    if largest == 0.0 {
-        return;
-    }
-    let step = STEP / largest;
-    let mut moved = state.clone();
-    let mut at = |sign: f64| {
-        for i in 0..state.len() {
-            moved.positions[i] = state.positions[i] + sign * step * dx[i];
-            moved.velocities[i] = state.velocities[i] + sign * step * dv[i];
-        }
-        let mut forces = vec![DVec3::ZERO; state.len()];
-        force.add_forces(time, &moved, &mut forces);
-        forces
-    };
-    let (ahead, behind) = (at(1.0), at(-1.0));
-    for ((out, ahead), behind) in out.iter_mut().zip(ahead).zip(behind) {
-        *out += (ahead - behind) / (2.0 * step);
-    }
 }

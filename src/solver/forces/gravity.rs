@@ -24,8 +24,6 @@ impl Force for Gravity {
         energies.gravity -= moment.dot(self.acceleration);
     }
 
-    fn add_derivative(&mut self, _: f64, _: &ParticleState, _: [&[DVec3]; 2], _: &mut [DVec3]) {}
-
     fn changes_until(&self) -> f64 {
         0.0
     }

@@ -2,7 +2,6 @@
 
 use super::force::Force;
 use crate::solver::energy::Energies;
-use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -63,24 +62,6 @@ impl Surface {
             }
         }
     }
-
-    /// Adds `scale` times the change of the volume's gradient under a displacement `dx`.
-    fn add_gradient_change(&self, positions: &[DVec3], dx: &[DVec3], scale: f64, out: &mut [DVec3]) {
-        match self {
-            Self::Polygon { .. } => self.add_gradient(dx, scale, out),
-            Self::Faces(faces) => {
-                for &[a, b, c] in faces.iter() {
-                    let (a, b, c) = (a as usize, b as usize, c as usize);
-                    let (ab, ac) = (positions[b] - positions[a], positions[c] - positions[a]);
-                    let area = (dx[b] - dx[a]).cross(ac) + ab.cross(dx[c] - dx[a]);
-                    let push = (scale / 6.0) * area;
-                    out[a] += push;
-                    out[b] += push;
-                    out[c] += push;
-                }
-            }
-        }
-    }
 }
 
 /// Gas at `P = nRT / V` between surfaces: `f = P grad V`, the exact negative gradient of `-nRT ln V`.
@@ -93,13 +74,25 @@ pub(crate) struct Pressure {
     pub energy_scale: f64,
     /// Surfaces with +1 or -1.
     pub surfaces: Vec<(Surface, f64)>,
-    scratch: Scratch<Vec<DVec3>>,
+    /// A pressure [Pa] that stays whatever the volume.
+    frozen: Option<f64>,
 }
 
 impl Pressure {
     /// Gas of `energy_scale` nRT [J] between these surfaces.
     pub(crate) fn new(energy_scale: f64, surfaces: Vec<(Surface, f64)>) -> Self {
-        Self { energy_scale, surfaces, scratch: Scratch::default() }
+        Self { energy_scale, surfaces, frozen: None }
+    }
+
+    /// Keeps the pressure from here on as it is at `positions` [m]: particles feel only those beside them then.
+    pub(crate) fn freeze(&mut self, positions: &[DVec3]) {
+        self.frozen = Some(self.pressure(positions));
+    }
+
+    /// The pressure [Pa]. Inside out there is none that means anything, and a body that ends a step so is stopped.
+    fn pressure(&self, positions: &[DVec3]) -> f64 {
+        let volume = self.volume(positions);
+        self.frozen.unwrap_or(if volume > 0.0 { self.energy_scale / volume } else { 0.0 })
     }
 
     /// Volume of the gas [m³], or area [m²].
@@ -110,9 +103,7 @@ impl Pressure {
 
 impl Force for Pressure {
     fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        let volume = self.volume(&state.positions);
-        // Inside out there is no pressure that means anything, and a body that ends a step so is stopped.
-        let pressure = if volume > 0.0 { self.energy_scale / volume } else { 0.0 };
+        let pressure = self.pressure(&state.positions);
         for (surface, sign) in &self.surfaces {
             surface.add_gradient(&state.positions, sign * pressure, forces);
         }
@@ -122,20 +113,14 @@ impl Force for Pressure {
         energies.pressure -= self.energy_scale * self.volume(&state.positions).ln();
     }
 
-    fn add_derivative(&mut self, _time: f64, state: &ParticleState, [dx, _]: [&[DVec3]; 2], out: &mut [DVec3]) {
-        let volume = self.volume(&state.positions);
-        let pressure = self.energy_scale / volume;
-        self.scratch.clear();
-        self.scratch.resize(state.len(), DVec3::ZERO);
-        for (surface, sign) in &self.surfaces {
-            surface.add_gradient(&state.positions, *sign, &mut self.scratch);
-            surface.add_gradient_change(&state.positions, dx, sign * pressure, out);
-        }
-        let growth: f64 = self.scratch.iter().zip(dx).map(|(gradient, dx)| gradient.dot(*dx)).sum();
-        let loss = -pressure / volume * growth;
-        for (out, gradient) in out.iter_mut().zip(&*self.scratch) {
-            *out += loss * *gradient;
-        }
+    fn couplings(&self) -> Vec<Vec<u32>> {
+        let of = |(surface, _): &(Surface, f64)| -> Vec<Vec<u32>> {
+            match surface {
+                Surface::Polygon { edges, .. } => edges.iter().map(|edge| edge.to_vec()).collect(),
+                Surface::Faces(faces) => faces.iter().map(|face| face.to_vec()).collect(),
+            }
+        };
+        self.surfaces.iter().flat_map(of).collect()
     }
 
     fn fault(&self, state: &ParticleState) -> Option<&'static str> {

@@ -96,25 +96,8 @@ impl Force for Springs {
         }
     }
 
-    fn add_derivative(&mut self, _time: f64, state: &ParticleState, [dx, dv]: [&[DVec3]; 2], out: &mut [DVec3]) {
-        for group in &self.groups {
-            for ([a, b], rest) in self.of(group) {
-                let d = state.positions[b] - state.positions[a];
-                let length = d.length();
-                if length == 0.0 {
-                    continue;
-                }
-                let n = d / length;
-                let (x, v) = (dx[b] - dx[a], dv[b] - dv[a]);
-                let along = n.dot(x);
-                // Compressed springs push sideways; what that takes from the stiffness is left out, so that a Newton
-                // step stays a step downhill.
-                let across = (1.0 - rest / length).max(0.0);
-                let change = group.stiffness * (along * n + across * (x - along * n)) + group.damping * v.dot(n) * n;
-                out[a] += change;
-                out[b] -= change;
-            }
-        }
+    fn couplings(&self) -> Vec<Vec<u32>> {
+        self.ends.iter().map(|ends| ends.to_vec()).collect()
     }
 
     fn step_limit(&self, state: &ParticleState) -> StepLimit {

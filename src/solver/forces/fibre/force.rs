@@ -148,6 +148,10 @@ impl Force for FibreForce {
         }
     }
 
+    fn couplings(&self) -> Vec<Vec<u32>> {
+        self.fibres.iter().flat_map(FibreRest::couplings).collect()
+    }
+
     fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
         let before = self.broken.breaks.len();
         let (mut first, mut first_bend, mut first_edge) = (0, 0, 0);

@@ -123,6 +123,18 @@ impl FibreRest {
         vertices.chain(curved.flat_map(|(k, rest)| rest.turn.weights.iter().map(move |&(particle, _)| (k, particle))))
     }
 
+    /// The particles around every two vertices of an edge and every three of a bend, with those that turn it.
+    pub(super) fn couplings(&self) -> impl Iterator<Item = Vec<u32>> {
+        let around = |vertices: &[EmbeddingWeights], turn: &[(u32, DVec3)]| {
+            let carried = vertices.iter().flat_map(|vertex| vertex.weights.iter().map(|&(particle, _)| particle));
+            carried.chain(turn.iter().map(|&(particle, _)| particle)).collect()
+        };
+        let edges = self.vertices.windows(2).map(move |ends| around(ends, &[]));
+        let bends = self.vertices.windows(3).zip(&self.bends);
+        let turn_of = |bend: &'_ Bend| bend.curved.as_ref().map_or_else(Vec::new, |curved| curved.turn.weights.clone());
+        edges.chain(bends.map(move |(vertices, bend)| around(vertices, &turn_of(bend))))
+    }
+
     /// Force [N] that edge `k` carries between vertices at `x`; negative where it is pressed.
     pub(super) fn tension(&self, x: &[DVec3], k: usize) -> f64 {
         let (stiffness, rest_length) = self.edges[k];

@@ -82,7 +82,7 @@ impl MatrixForce {
     }
 
     /// Rotation of particle i at the last evaluation.
-    pub(super) fn rotation(&self, i: usize) -> DQuat {
+    pub(in crate::solver) fn rotation(&self, i: usize) -> DQuat {
         self.evaluation.rotation(i)
     }
 }
@@ -103,6 +103,13 @@ impl Force for MatrixForce {
             energies.matrix += matrix;
             energies.zero_energy += zero_energy;
         }
+    }
+
+    fn couplings(&self) -> Vec<Vec<u32>> {
+        // The energy at a particle hangs on its neighbours, and so do they on each other.
+        let neighbourhood = &self.reference.neighbourhood;
+        let around = |i: usize| neighbourhood.bonds(i).map(|(j, _)| j as u32).chain([i as u32]).collect();
+        (0..neighbourhood.len()).map(around).collect()
     }
 
     fn name(&self) -> &'static str {

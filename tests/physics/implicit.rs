@@ -1,0 +1,256 @@
+//! Implicit steps: what they solve, how they follow leap-frog, and what becomes of those that cannot be solved.
+
+use crate::common::*;
+use glam::DVec3;
+use sinew::io::load_scene;
+use sinew::scene::{Assets, Axis, Body, Distance, IntegratorChoice, IntegratorKind, RestShape, Scene, Side};
+use sinew::sim::{Runner, Study};
+use sinew::solver::Fallbacks;
+use std::path::Path;
+
+const IMPLICIT: [IntegratorKind; 6] = [
+    IntegratorKind::BackwardEuler,
+    IntegratorKind::TrBdf2,
+    IntegratorKind::Sdirk2,
+    IntegratorKind::ImplicitMidpoint,
+    IntegratorKind::Bdf2,
+    IntegratorKind::Newmark,
+];
+
+/// A scene of one body under an integrator, with so many frames a second, each a step.
+fn stepped(mut scene: Scene, integrator: IntegratorKind, frames_per_second: f64) -> Scene {
+    scene.bodies[0].integrator = IntegratorChoice::Given(integrator);
+    scene.time.frames_per_second = frames_per_second;
+    scene
+}
+
+fn shipped(name: &str, integrator: IntegratorKind) -> Runner {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let scene = stepped(load_scene(&folder.join(name)).unwrap(), integrator, 60.0);
+    let assets = sinew::io::load_assets(&scene, &folder, &mut |_| {}).unwrap();
+    Runner::new(sinew::bake::bake(&scene, &assets).unwrap())
+}
+
+fn energy(runner: &Runner) -> f64 {
+    let world = runner.world();
+    world.bodies().iter().map(|body| body.energies(world.time()).total()).sum()
+}
+
+fn fallbacks(runner: &Runner) -> Fallbacks {
+    runner.world().bodies()[0].fallbacks()
+}
+
+/// A bar of few particles with a stiff fibre, held at its lower end.
+fn held_bar() -> Body {
+    let mut bar = block([3, 7, 3], 1e5);
+    bar.regions = vec![layers("foot", Axis::Y, Side::Min, 1)];
+    bar.pins = vec![pin("foot", &ALL, sinew::scene::Motion::Fixed)];
+    let line = (0..7).map(|k| [0.001, 0.003 + 0.006 * f64::from(k), 0.002]).collect();
+    bar.fibres = vec![fibre("stiff", line, rigidity(2e3, 2e-3), 0.5, RestShape::Straight)];
+    bar
+}
+
+#[test]
+fn each_has_its_order_where_matrix_and_fibres_swing() {
+    let mut bar = held_bar();
+    bar.initial.deformation = [[1.0, 0.02, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let study = Study::new(&in_space(bar), &Assets::default()).unwrap();
+    // Shorter than the period of the stiffest motion, which is a third of a millisecond.
+    for of in study.convergence(&IMPLICIT, 5e-4, 20, 3) {
+        let expected = if of.integrator == IntegratorKind::BackwardEuler { 1.0 } else { 2.0 };
+        let found = of.order.unwrap();
+        println!("{:?}: {found:.3}, errors {:?}", of.integrator, of.points);
+        assert!((found - expected).abs() < 0.25, "{:?}: {found}", of.integrator);
+    }
+}
+
+/// The printed leaf, released under its weight: leap-frog's first mode swings at 13.14 Hz and does not fade.
+#[test]
+fn the_leaf_swings_and_rests_as_under_leap_frog() {
+    let tip = |runner: &Runner| {
+        let body = &runner.world().bodies()[0];
+        let far =
+            (0..body.parts().rest.len()).max_by(|&a, &b| body.parts().rest[a].x.total_cmp(&body.parts().rest[b].x));
+        body.state().positions[far.unwrap()].y - body.parts().rest[far.unwrap()].y
+    };
+    let mut settling = shipped("leaf.json", IntegratorKind::BackwardEuler);
+    for _ in 0..120 {
+        settling.advance_frame();
+        if settling.at_rest() {
+            break;
+        }
+    }
+    assert!(settling.at_rest());
+    let rest = tip(&settling);
+
+    let mut runner = shipped("leaf.json", IntegratorKind::TrBdf2);
+    let (mut sags, mut evaluations) = (vec![0.0], Vec::new());
+    for _ in 0..30 {
+        let before = runner.world().bodies()[0].evaluations();
+        runner.advance_frame();
+        evaluations.push(runner.world().bodies()[0].evaluations() - before);
+        sags.push(tip(&runner));
+    }
+    evaluations.sort_unstable();
+    let median = evaluations[15] as f64 / 2.0;
+    let fit = fit_cosine(&sags, 1.0 / 60.0, rest);
+    println!("rest {rest:.6} m; {fit:?}; {median} evaluations a stage, {evaluations:?}");
+    assert!(median <= 6.0, "{evaluations:?}");
+    assert_eq!(fallbacks(&runner), Fallbacks::default());
+    assert!((12.0..13.3).contains(&fit.frequency) && fit.decay < 1.0, "{fit:?}");
+    assert!((fit.mean / rest - 1.0).abs() < 0.005, "{} and {rest}", fit.mean);
+}
+
+#[derive(Debug)]
+struct Cosine {
+    frequency: f64,
+    decay: f64,
+    mean: f64,
+}
+
+/// `mean + e^(-decay t) (a cos + b sin)(2 pi frequency t)` through values `dt` [s] apart, by least squares: the best of a
+/// fine net of frequencies and decays.
+fn fit_cosine(values: &[f64], dt: f64, near: f64) -> Cosine {
+    let mut best = (f64::INFINITY, Cosine { frequency: 0.0, decay: 0.0, mean: near });
+    for frequency in (1000..1500).map(|k| 0.01 * f64::from(k)) {
+        for decay in (-4..30).map(|k| 0.1 * f64::from(k)) {
+            let basis = |k: usize| {
+                let t = dt * k as f64;
+                let (sin, cos) = (std::f64::consts::TAU * frequency * t).sin_cos();
+                DVec3::new(1.0, (-decay * t).exp() * cos, (-decay * t).exp() * sin)
+            };
+            let (mut normal, mut right) = (glam::DMat3::ZERO, DVec3::ZERO);
+            for (k, &value) in values.iter().enumerate() {
+                let b = basis(k);
+                normal += glam::DMat3::from_cols(b * b.x, b * b.y, b * b.z);
+                right += value * b;
+            }
+            let shares = normal.inverse() * right;
+            let error: f64 = values.iter().enumerate().map(|(k, value)| (value - shares.dot(basis(k))).powi(2)).sum();
+            if error < best.0 {
+                best = (error, Cosine { frequency, decay, mean: shares.x });
+            }
+        }
+    }
+    best.1
+}
+
+#[test]
+fn tr_bdf2_keeps_momenta_of_what_turns() {
+    let mut bar = block([5, 8, 5], 5e7);
+    bar.initial.velocity = [1.0, 2.0, -0.5];
+    bar.initial.angular_velocity = [300.0, 450.0, -200.0];
+    let mut runner = runner(&stepped(in_space(bar), IntegratorKind::TrBdf2, 240.0));
+    let about_centre = |runner: &Runner| {
+        let state = runner.world().bodies()[0].state();
+        state.angular_momentum() - state.center().cross(state.linear_momentum())
+    };
+    let (p, l) = (runner.world().bodies()[0].state().linear_momentum(), about_centre(&runner));
+    for _ in 0..48 {
+        runner.advance_frame();
+    }
+    let after = runner.world().bodies()[0].state().linear_momentum();
+    let (linear, angular) = ((after - p).length() / p.length(), (about_centre(&runner) - l).length() / l.length());
+    println!("linear {linear:e}, angular {angular:e}, {:?}", fallbacks(&runner));
+    assert!(linear < 1e-7 && angular < 1e-3, "linear {linear:e}, angular {angular:e}");
+    assert_eq!(fallbacks(&runner), Fallbacks::default());
+}
+
+#[test]
+fn a_sudden_move_of_a_pin_is_one_step() {
+    let mut bar = block([4, 12, 4], 3e8);
+    bar.regions = vec![layers("foot", Axis::Y, Side::Min, 1), layers("head", Axis::Y, Side::Max, 1)];
+    let pull = ramp([0.0, 1.0, 0.0], Distance::Metres(0.02 * 0.072), 1e-4);
+    bar.pins = vec![pin("foot", &ALL, sinew::scene::Motion::Fixed), pin("head", &ALL, pull)];
+    let mut runner = runner(&stepped(in_space(bar), IntegratorKind::BackwardEuler, 60.0));
+    let before = runner.world().bodies()[0].evaluations();
+    runner.advance_frame();
+    let evaluations = runner.world().bodies()[0].evaluations() - before;
+    println!("{evaluations} evaluations");
+    assert!(evaluations <= 15 && fallbacks(&runner) == Fallbacks::default(), "{evaluations}, {:?}", fallbacks(&runner));
+}
+
+/// A pinned axis is held alone: the head follows along x and is free along the others.
+#[test]
+fn pins_hold_axis_by_axis() {
+    let mut bar = held_bar();
+    bar.regions.push(layers("head", Axis::Y, Side::Max, 1));
+    bar.pins.push(pin("head", &[Axis::X], ramp([1.0, 0.0, 0.0], Distance::Metres(0.004), 0.1)));
+    bar.material.damping.air = 30.0;
+    let mut scene = stepped(in_space(bar), IntegratorKind::BackwardEuler, 60.0);
+    let implicit = settle(&scene, 600);
+    scene.bodies[0].integrator = IntegratorChoice::Given(IntegratorKind::LeapFrog);
+    let explicit = settle(&scene, 600);
+    let apart = implicit.world().bodies()[0].state().positions.iter();
+    let apart =
+        apart.zip(&explicit.world().bodies()[0].state().positions).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+    println!("{apart:e} m apart at rest");
+    assert!(apart < 0.005 * 0.004, "{apart:e}");
+}
+
+/// Nothing is won by a landing, however long the step, and none of it ends in a divergence.
+#[test]
+fn a_landing_gains_no_energy_under_any_of_them() {
+    for integrator in IMPLICIT {
+        let mut bar = block([4, 6, 4], 1e5);
+        bar.placement.translation = [0.0, 0.02, 0.0];
+        bar.initial.velocity = [0.0, -1.5, 0.0];
+        let mut scene = stepped(in_space(bar), integrator, 60.0);
+        scene.gravity = [0.0, -9.81, 0.0];
+        scene.room.floor = Some(0.0);
+        let mut runner = runner(&scene);
+        let start = energy(&runner);
+        let mut highest: f64 = start;
+        for _ in 0..40 {
+            runner.advance_frame();
+            assert!(runner.world().divergence().is_none(), "{integrator:?}: {:?}", runner.world().divergence());
+            highest = highest.max(energy(&runner));
+        }
+        println!("{integrator:?}: {start:.6} J, at most {highest:.6} J, {:?}", fallbacks(&runner));
+        assert!(highest <= 1.01 * start, "{integrator:?}: {highest} J of {start} J");
+    }
+}
+
+#[test]
+fn backward_euler_takes_energy_of_stiff_fibres_too() {
+    let mut bar = held_bar();
+    bar.initial.deformation = [[1.0, 0.1, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut runner = runner(&stepped(in_space(bar), IntegratorKind::BackwardEuler, 60.0));
+    let mut last = energy(&runner);
+    for frame in 0..20 {
+        runner.advance_frame();
+        let now = energy(&runner);
+        assert!(now <= last * (1.0 + 1e-6), "{frame}: {last} J, then {now} J, {:?}", fallbacks(&runner));
+        last = now;
+    }
+}
+
+#[test]
+fn figure_7_c_goes_on_at_sixty_frames_a_second_under_backward_euler() {
+    let mut runner = shipped("figure_07c_soft.json", IntegratorKind::BackwardEuler);
+    for _ in 0..15 {
+        runner.advance_frame();
+        assert!(runner.world().divergence().is_none(), "{:?}", runner.world().divergence());
+    }
+    println!("{:?}", fallbacks(&runner));
+}
+
+/// A blow that no long step can follow is left to leap-frog, and that is said.
+#[test]
+fn what_cannot_be_solved_is_handed_over_and_counted() {
+    let mut bar = block([4, 6, 4], 5e7);
+    bar.placement.translation = [0.0, 0.05, 0.0];
+    bar.initial.velocity = [3.0, -15.0, 0.0];
+    let mut scene = stepped(in_space(bar), IntegratorKind::TrBdf2, 60.0);
+    scene.room.floor = Some(0.0);
+    let mut runner = runner(&scene);
+    let start = energy(&runner);
+    for _ in 0..6 {
+        runner.advance_frame();
+        assert!(runner.world().divergence().is_none(), "{:?}", runner.world().divergence());
+        assert!(energy(&runner) < 1.02 * start, "{} J of {start} J", energy(&runner));
+    }
+    println!("{:?}, height {}", fallbacks(&runner), runner.world().bodies()[0].state().center().y);
+    assert!(fallbacks(&runner).halved > 0);
+    assert!(runner.world().bodies()[0].state().center().y > 0.3, "it has bounced");
+}

@@ -93,7 +93,7 @@ pub(super) fn draft(
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
     let resistance = Resistance::measured(&forces, matrix_alone, &state, spacing, contact_limit, material.damping.air);
     let stable_steps = stable_steps(|integrator| resistance.stable_step(integrator));
-    let stepping = stepping(body.integrator, &stable_steps, &forces, &state);
+    let stepping = stepping(scene, body, &stable_steps, &forces, &state);
     notes.extend(stepping.note(path));
     let integrator = integrator(stepping.integrator);
     let stable_dt = resistance.stable_step(integrator.as_ref());

@@ -1,7 +1,7 @@
 //! From the name of an integrator to the integrator.
 
 use super::note::Note;
-use crate::scene::{IntegratorChoice, IntegratorKind, Scene, TimeStep};
+use crate::scene::{Body, Initial, IntegratorChoice, IntegratorKind, Motion, Scene, TimeStep};
 use crate::solver::forces::{FibreForce, Force};
 use crate::solver::integrators::{
     BackwardEuler, Bdf2, ExplicitEuler, FibresImplicit, ImplicitMidpoint, Integrator, LeapFrog, Midpoint, Newmark, Rk4,
@@ -13,6 +13,11 @@ use crate::solver::state::ParticleState;
 const WORTH_IT: f64 = 4.0;
 /// The same for each of leap-frog's steps that such a step takes as long as.
 const WORTH_THE_WORK: f64 = 1.5;
+
+/// Leap-frog's steps to one of the whole body implicit from which on that is taken: it takes about as long as 150.
+const WORTH_SOLVING: f64 = 400.0;
+/// Particles up to which the whole body's matrix is factored within a second or two.
+const MOST_SOLVED: usize = 6000;
 
 /// How a body is stepped.
 pub(super) struct Stepping {
@@ -29,14 +34,15 @@ impl Stepping {
     }
 }
 
-/// How a fibre solid is stepped that takes these steps [s], in the order of [`IntegratorKind::ALL`].
+/// How a fibre solid of a scene is stepped that takes these steps [s], in the order of [`IntegratorKind::ALL`].
 pub(super) fn stepping(
-    choice: IntegratorChoice,
+    scene: &Scene,
+    body: &Body,
     stable_steps: &[f64],
     forces: &[Box<dyn Force>],
     state: &ParticleState,
 ) -> Stepping {
-    if let IntegratorChoice::Given(integrator) = choice {
+    if let IntegratorChoice::Given(integrator) = body.integrator {
         return Stepping { integrator, reason: None };
     }
     let step =
@@ -48,7 +54,36 @@ pub(super) fn stepping(
         let reason = format!("fibres implicit: stable step {implicit:.1e} instead of {explicit:.1e} s");
         return Stepping { integrator: IntegratorKind::FibresImplicit, reason: Some(reason) };
     }
+    let whole = implicit_step(scene.time.frame_seconds());
+    if moves_gently(scene, body) && state.len() <= MOST_SOLVED && whole > WORTH_SOLVING * explicit {
+        let reason = format!("the whole body implicit: step {whole:.1e} instead of {explicit:.1e} s");
+        return Stepping { integrator: IntegratorKind::TrBdf2, reason: Some(reason) };
+    }
     Stepping { integrator: IntegratorKind::LeapFrog, reason: None }
+}
+
+/// Whether by all that the scene says a body is held, starts without speed, takes no blow, does not tear and meets neither
+/// panels nor other bodies: long steps resolve what it does.
+fn moves_gently(scene: &Scene, body: &Body) -> bool {
+    let Initial { velocity, angular_velocity, .. } = &body.initial;
+    let is_held = body.pins.iter().any(|pin| pin.axes.len() == 3 && pin.motion == Motion::Fixed);
+    let is_alone = scene.bodies.len() + scene.two_layer.len() == 1 && scene.panels.is_empty();
+    let is_struck = !body.impulses.is_empty() || [*velocity, *angular_velocity] != [[0.0; 3]; 2];
+    let may_tear = body.fibres.iter().any(|fibre| fibre.break_past.is_some());
+    is_held && is_alone && !is_struck && !may_tear
+}
+
+/// Longest step of an integrator that is stable at any [s]; longer ones would show little of the motion.
+const LONGEST_STEP: f64 = 1.0 / 59.0;
+
+/// The step [s] into which a frame is divided for an integrator that is stable at any.
+fn implicit_step(frame_seconds: f64) -> f64 {
+    frame_seconds / implicit_steps(frame_seconds)
+}
+
+/// The number of steps to a frame [s] of an integrator that is stable at any.
+pub(super) fn implicit_steps(frame_seconds: f64) -> f64 {
+    (frame_seconds / LONGEST_STEP).ceil().max(1.0)
 }
 
 /// Pointer to what chooses the time step.

@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use super::error::BakeError;
+use super::integrator::implicit_steps;
 use crate::scene::{Scene, TimeStep};
 use crate::solver::body_contact::stiffness_between;
 use crate::solver::integrators::{Integrator, LeapFrog};
@@ -31,7 +32,11 @@ pub(super) fn step_plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, Bak
                     });
                 }
             }
-            let wanted = drafts.iter().map(|draft| count(draft.parts.stable_dt)).collect();
+            let wanted = drafts.iter().map(|draft| match draft.parts.stable_dt {
+                f64::INFINITY => implicit_steps(frame) as u32,
+                stable_dt => count(stable_dt),
+            });
+            let wanted = wanted.collect();
             let under_panels = if scene.panels.is_empty() { f64::INFINITY } else { stable_panel_step(drafts) };
             (frame, wanted, count(stable_contact_step(drafts).min(under_panels)))
         }

@@ -138,10 +138,7 @@ impl FibresImplicit {
         }
         dynamics.fallbacks.handed_over += 1;
         dynamics.evaluate_end(time, state);
-        // The other forces alone were stable at the step that was halved so often.
-        let others = 2.0 / (dt * f64::from(1 << MOST_HALVINGS));
-        let fastest = fibres.implicit.greatest_frequency_squared() + others * others;
-        let count = (dt * fastest.sqrt() / (2.0 * SAFETY)).ceil().max(1.0);
+        let count = (dt / (SAFETY * dynamics.explicit_dt)).ceil().max(1.0);
         for k in 0..count as u64 {
             let part = dt / count;
             self.leap_frog.step(dynamics, state, time + k as f64 * part, part);

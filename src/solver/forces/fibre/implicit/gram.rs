@@ -28,7 +28,6 @@ pub(super) struct Gram {
     pub(super) coupled: Envelope,
     /// For every row of H the blocks that may not be zero, by their number in the band and their column.
     columns: Vec<Vec<(usize, usize)>>,
-    norm: f64,
 }
 
 impl Gram {
@@ -67,10 +66,6 @@ impl Gram {
             ends[row] = ends[row].max(column + 1);
         }
         let envelope = Envelope::new(ends);
-        let mut sums = vec![DVec3::ZERO; count];
-        for (&[row, _], entry) in &entries {
-            sums[row] += entry.abs();
-        }
         let mut root = vec![Lanes4::default(); envelope.entries()];
         for ([a, b], entry) in entries {
             if places[a] <= places[b] {
@@ -89,19 +84,7 @@ impl Gram {
             columns.iter().map(|row| row.iter().map(|&(_, column)| column + 1).fold(0, usize::max)).collect();
         let coupled = (0..count).map(|row| furthest[row..envelope.ends[row]].iter().copied().fold(0, usize::max));
         let coupled = Envelope::new(coupled);
-        Self {
-            places,
-            envelope,
-            root,
-            coupled,
-            columns,
-            norm: sums.iter().map(|sum| sum.max_element()).fold(0.0, f64::max),
-        }
-    }
-
-    /// A bound of its eigenvalues [1/kg]: the greatest sum of a row's sizes.
-    pub(super) fn norm(&self) -> f64 {
-        self.norm
+        Self { places, envelope, root, coupled, columns }
     }
 
     /// Number of vertices.

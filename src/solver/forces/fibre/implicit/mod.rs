@@ -95,12 +95,6 @@ impl ImplicitFibres {
         self.gram.coupled.products()
     }
 
-    /// A bound of the square of the highest angular frequency [1/s²] of the fibres on these particles, as they were found
-    /// last.
-    pub(in crate::solver) fn greatest_frequency_squared(&self) -> f64 {
-        self.gram.norm() * self.work.tangent.norm()
-    }
-
     /// Memory of its own [bytes].
     pub(in crate::solver) fn bytes(&self) -> usize {
         size_of_val(&*self.forces)

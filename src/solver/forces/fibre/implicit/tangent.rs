@@ -64,19 +64,6 @@ impl Tangent {
         }
     }
 
-    /// A bound of the Hessian's eigenvalues [N/m]: the greatest sum of a row's sizes.
-    pub(super) fn norm(&self) -> f64 {
-        let of_row = |row: &[DMat3; BAND]| {
-            let sum = row.iter().flat_map(|block| block.transpose().to_cols_array_2d()).enumerate();
-            let mut sums = [0.0; 3];
-            for (k, entries) in sum {
-                sums[k % 3] += entries.iter().map(|entry| entry.abs()).sum::<f64>();
-            }
-            sums.into_iter().fold(0.0, f64::max)
-        };
-        self.hessian.iter().map(of_row).fold(0.0, f64::max)
-    }
-
     /// The edge that begins with a vertex.
     fn stretch(&mut self, vertex: usize, edge: DVec3, stiffness: f64, rest_length: f64) {
         let length = edge.length();

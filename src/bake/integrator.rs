@@ -54,7 +54,10 @@ pub(super) fn stepping(
         let reason = format!("fibres implicit: stable step {implicit:.1e} instead of {explicit:.1e} s");
         return Stepping { integrator: IntegratorKind::FibresImplicit, reason: Some(reason) };
     }
-    let whole = implicit_step(scene.time.frame_seconds());
+    let whole = match &scene.time.step {
+        TimeStep::Automatic(_) => implicit_step(scene.time.frame_seconds()),
+        TimeStep::Manual(manual) => manual.dt,
+    };
     if moves_gently(scene, body) && state.len() <= MOST_SOLVED && whole > WORTH_SOLVING * explicit {
         let reason = format!("the whole body implicit: step {whole:.1e} instead of {explicit:.1e} s");
         return Stepping { integrator: IntegratorKind::TrBdf2, reason: Some(reason) };

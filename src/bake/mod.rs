@@ -29,6 +29,7 @@ pub use stage::BakeStage;
 
 use crate::scene::{AnyBody, Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
+use crate::solver::swing::{Swing, swing_under};
 use crate::solver::world::World;
 use glam::DVec3;
 use stage::Tell;
@@ -76,6 +77,11 @@ impl Baked {
             }
         }
         world
+    }
+
+    /// What `integrator` makes of an undamped swing of `omega` [rad/s] in steps of `dt` [s].
+    pub(crate) fn swing_under(integrator: IntegratorKind, omega: f64, dt: f64) -> Option<Swing> {
+        swing_under(integrator::integrator(integrator), omega, dt)
     }
 }
 

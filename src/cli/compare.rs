@@ -11,6 +11,7 @@ use crate::sim::{Convergence, Study, Trial};
 use crate::text::number::four_figures;
 use clap::Args;
 use serde::Serialize;
+use std::f64::consts::TAU;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -52,6 +53,9 @@ struct CompareReport {
     seconds: f64,
     /// Whether every run was made to its end; those that were not are left out.
     complete: bool,
+    /// Slowest swing of the first body [Hz], if something holds it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    first_mode: Option<f64>,
     runs: Vec<Run>,
     /// One for each integrator, if asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -74,6 +78,10 @@ struct Run {
     energy_error: Option<f64>,
     /// Root mean square distance from the reference's particles at the end [m]; null once blown up.
     position_error: Option<f64>,
+    /// By how much of itself the first mode's frequency is too high; null where nothing swings.
+    frequency_error: Option<f64>,
+    /// Rate at which the first mode fades without any damping [1/s]; null where nothing swings.
+    decay: Option<f64>,
     /// Force evaluations.
     evaluations: u64,
     /// Time spent stepping [s].
@@ -112,13 +120,20 @@ fn compare(args: &Compare, interruption: &Interruption, console: &mut Console) -
     let study = Study::of(scene.clone(), baked);
     let references = References::new(&study, seconds, &args.dt);
     interruption.wait_for_end();
+    let first_mode = study.first_mode();
     let mut runs = Vec::new();
     for (index, &(integrator, dt)) in pairs.iter().enumerate() {
         console.progress(index as u64, pairs.len() as u64, "runs");
         let mut trial = study.trial(integrator, dt);
         match stepped(&mut trial, steps(seconds, dt), interruption) {
             Some(wall_seconds) => {
-                runs.push(shown(&trial, integrator, dt, steps(seconds, dt), wall_seconds, &references));
+                let swing = first_mode.and_then(|omega| Some((omega, study.swing(integrator, omega, dt)?)));
+                let run = shown(&trial, integrator, dt, steps(seconds, dt), wall_seconds, &references);
+                runs.push(Run {
+                    frequency_error: swing.map(|(omega, swing)| swing.frequency / omega - 1.0),
+                    decay: swing.map(|(_, swing)| swing.decay),
+                    ..run
+                });
             }
             None => break,
         }
@@ -140,7 +155,14 @@ fn compare(args: &Compare, interruption: &Interruption, console: &mut Console) -
         args.integrators.iter().zip(&lines).map(of).collect()
     });
     let name = if scene.name.is_empty() { source } else { scene.name.clone() };
-    let report = CompareReport { scene: name, seconds, complete: interrupted.is_none(), runs, orders };
+    let report = CompareReport {
+        scene: name,
+        seconds,
+        complete: interrupted.is_none(),
+        first_mode: first_mode.map(|omega| omega / TAU),
+        runs,
+        orders,
+    };
     let mut text = table(&report);
     if let Some(path) = &args.report {
         text.push('\n');
@@ -221,6 +243,8 @@ fn shown(
         blew_up_at: trial.blew_up_at(),
         energy_error: reference.map(|reference| trial.energy_error(reference)),
         position_error: reference.map(|reference| trial.position_error(reference)),
+        frequency_error: None,
+        decay: None,
         evaluations: trial.evaluations(),
         wall_seconds,
     }
@@ -260,6 +284,10 @@ fn table(report: &CompareReport) -> String {
         ]);
     }
     let mut text = table.render();
+    if let Some(frequency) = report.first_mode {
+        text.push('\n');
+        text += &first_mode(frequency, &report.runs);
+    }
     if let Some(orders) = &report.orders {
         let mut table = Table::new([("integrator", Align::Left), ("order", Align::Right)]);
         for order in orders {
@@ -269,6 +297,26 @@ fn table(report: &CompareReport) -> String {
         text += &table.render();
     }
     text
+}
+
+/// What becomes of the first mode in each run.
+fn first_mode(frequency: f64, runs: &[Run]) -> String {
+    let mut table = Table::new([
+        ("first mode, undamped", Align::Left),
+        ("time step [s]", Align::Right),
+        ("frequency error", Align::Right),
+        ("decay [1/s]", Align::Right),
+    ]);
+    for run in runs {
+        let error = run.frequency_error.map(|error| format!("{:+.2} %", 100.0 * error));
+        table.push([
+            run.integrator.word().to_owned(),
+            four_figures(run.dt),
+            error.unwrap_or_else(|| "no swing".to_owned()),
+            run.decay.map_or_else(|| "-".to_owned(), |decay| format!("{decay:.3}")),
+        ]);
+    }
+    format!("The first body's slowest swing: {} Hz\n{}", four_figures(frequency), table.render())
 }
 
 /// The paper's word for explicit Euler.

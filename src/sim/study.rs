@@ -4,6 +4,8 @@ use super::convergence::Convergence;
 use super::trial::Trial;
 use crate::bake::{BakeError, BakeStage, Baked, bake_with_progress};
 use crate::scene::{Assets, IntegratorKind, Scene, TimeStep};
+use crate::solver::Swing;
+use crate::solver::implicit::first_mode;
 use std::ops::ControlFlow;
 
 /// The reference steps this much finer than the finest run, and than its own limit of stability.
@@ -48,6 +50,17 @@ impl Study {
     /// Greatest step [s] that `integrator` is estimated to take.
     pub fn stable_step(&self, integrator: IntegratorKind) -> f64 {
         self.baked.stable_step(integrator)
+    }
+
+    /// Slowest swing of the first body around its rest, if something holds it: angular frequency [rad/s], without damping,
+    /// gravity and contact.
+    pub fn first_mode(&self) -> Option<f64> {
+        first_mode(self.baked.world.bodies().first()?.parts())
+    }
+
+    /// What `integrator` makes of an undamped swing of `omega` [rad/s] in steps of `dt` [s]; none where it no longer swings.
+    pub fn swing(&self, integrator: IntegratorKind, omega: f64, dt: f64) -> Option<Swing> {
+        Baked::swing_under(integrator, omega, dt)
     }
 
     /// The scene at the start, every body under `integrator` in steps of `dt` [s].

@@ -137,6 +137,17 @@ impl Constraint {
     }
 }
 
+/// Axes along which each of `n` particles is held.
+pub(super) fn held(constraints: &[Constraint], n: usize) -> Vec<BVec3> {
+    let mut held = vec![BVec3::FALSE; n];
+    for constraint in constraints {
+        for &i in &constraint.particles {
+            held[i as usize] |= constraint.locked;
+        }
+    }
+    held
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,6 @@
 //! What an integrator sees of a body: forces in, accelerations out.
 
-use super::constraint::Constraint;
+use super::constraint::{Constraint, held};
 use super::energy::Energies;
 use super::forces::{AirDrag, Contact, FibreForce, Force, Grab, Gravity, MatrixForce, PairDamping, Pressure, Springs};
 use super::linear_algebra::vectors::axpy;
@@ -157,13 +157,7 @@ impl Dynamics<'_> {
 
     /// Axes along which each of `n` particles is held.
     pub(super) fn held(&self, n: usize) -> Vec<BVec3> {
-        let mut held = vec![BVec3::FALSE; n];
-        for constraint in self.constraints {
-            for &i in &constraint.particles {
-                held[i as usize] |= constraint.locked;
-            }
-        }
-        held
+        held(self.constraints, n)
     }
 
     /// Whether nothing that it could hold on to acts on it: moved as a whole, it feels the same forces.

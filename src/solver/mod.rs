@@ -14,7 +14,7 @@ pub(crate) mod embedding;
 pub(crate) mod energy;
 pub(crate) mod field;
 pub(crate) mod forces;
-mod implicit;
+pub(crate) mod implicit;
 pub(crate) mod integrators;
 pub(crate) mod layers;
 pub(crate) mod linear_algebra;
@@ -31,6 +31,7 @@ mod skin_weights;
 pub(crate) mod snapshot;
 pub(crate) mod stable_step;
 pub(crate) mod state;
+pub(crate) mod swing;
 pub(crate) mod volume_fraction;
 mod way_out;
 mod wide;
@@ -53,4 +54,5 @@ pub use snapshot::{
     TensionSnapshot,
 };
 pub use state::ParticleState;
+pub use swing::Swing;
 pub use world::{Checkpoint, Probe, World};

@@ -3,10 +3,12 @@
 use crate::common::*;
 use glam::DVec3;
 use sinew::io::load_scene;
-use sinew::scene::{Assets, Axis, Body, Distance, IntegratorChoice, IntegratorKind, RestShape, Scene, Side};
+use sinew::scene::{
+    Assets, Axis, Body, BreakPast, Distance, Impulse, IntegratorChoice, IntegratorKind, RestShape, Scene, Side,
+};
 use sinew::sim::{Runner, Study};
 use sinew::solver::Fallbacks;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 const IMPLICIT: [IntegratorKind; 6] = [
     IntegratorKind::BackwardEuler,
@@ -24,8 +26,12 @@ fn stepped(mut scene: Scene, integrator: IntegratorKind, frames_per_second: f64)
     scene
 }
 
+fn scenes() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
+}
+
 fn shipped(name: &str, integrator: IntegratorKind) -> Runner {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let folder = scenes();
     let scene = stepped(load_scene(&folder.join(name)).unwrap(), integrator, 60.0);
     let assets = sinew::io::load_assets(&scene, &folder, &mut |_| {}).unwrap();
     Runner::new(sinew::bake::bake(&scene, &assets).unwrap())
@@ -56,7 +62,7 @@ fn each_has_its_order_where_matrix_and_fibres_swing() {
     bar.initial.deformation = [[1.0, 0.02, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let study = Study::new(&in_space(bar), &Assets::default()).unwrap();
     // Shorter than the period of the stiffest motion, which is a third of a millisecond.
-    for of in study.convergence(&IMPLICIT, 5e-4, 20, 3) {
+    for of in study.convergence(&IMPLICIT, 5e-4, 10, 3) {
         let expected = if of.integrator == IntegratorKind::BackwardEuler { 1.0 } else { 2.0 };
         let found = of.order.unwrap();
         println!("{:?}: {found:.3}, errors {:?}", of.integrator, of.points);
@@ -94,11 +100,17 @@ fn the_leaf_swings_and_rests_as_under_leap_frog() {
     evaluations.sort_unstable();
     let median = evaluations[15] as f64 / 2.0;
     let fit = fit_cosine(&sags, 1.0 / 60.0, rest);
-    println!("rest {rest:.6} m; {fit:?}; {median} evaluations a stage, {evaluations:?}");
+    let first = leaf_study().first_mode().expect("it is held") / std::f64::consts::TAU;
+    println!("rest {rest:.6} m; first mode {first:.3} Hz; {fit:?}; {median} evaluations a stage, {evaluations:?}");
     assert!(median <= 6.0, "{evaluations:?}");
     assert_eq!(fallbacks(&runner), Fallbacks::default());
     assert!((12.0..13.3).contains(&fit.frequency) && fit.decay < 1.0, "{fit:?}");
+    assert!((13.0..13.4).contains(&first), "{first}");
     assert!((fit.mean / rest - 1.0).abs() < 0.005, "{} and {rest}", fit.mean);
+}
+
+fn leaf_study() -> Study {
+    Study::new(&load_scene(&scenes().join("leaf.json")).unwrap(), &Assets::default()).unwrap()
 }
 
 #[derive(Debug)]
@@ -253,4 +265,65 @@ fn what_cannot_be_solved_is_handed_over_and_counted() {
     println!("{:?}, height {}", fallbacks(&runner), runner.world().bodies()[0].state().center().y);
     assert!(fallbacks(&runner).halved > 0);
     assert!(runner.world().bodies()[0].state().center().y > 0.3, "it has bounced");
+}
+
+/// What is held, starts without speed and takes no blow is stepped as a whole where leap-frog would take hundreds of steps;
+/// a blow, a fall, a strand that may tear, a panel or another body leaves it to leap-frog.
+#[test]
+fn a_bake_chooses_the_whole_body_implicit_where_it_is_held_and_stiff() {
+    let chosen = |change: &dyn Fn(&mut Scene)| {
+        let mut bar = held_bar();
+        bar.material.young_modulus = 1e8;
+        let mut scene = in_space(bar);
+        scene.time.frames_per_second = 60.0;
+        change(&mut scene);
+        let baked = baked(&scene);
+        let parts = baked.world.bodies()[0].parts();
+        (parts.integrator_word, parts.integrator_reason.clone(), parts.dt)
+    };
+    let (word, reason, dt) = chosen(&|_| {});
+    assert_eq!((word, dt), ("tr_bdf2", 1.0 / 60.0));
+    let reason = reason.unwrap();
+    assert!(reason.starts_with("the whole body implicit: step 1.7e-2 instead of "), "{reason}");
+    // Longer frames are divided.
+    assert_eq!(chosen(&|scene| scene.time.frames_per_second = 24.0).2, 1.0 / 72.0);
+    let explicit: [&dyn Fn(&mut Scene); 6] = [
+        &|scene| scene.bodies[0].material.young_modulus = 1e4,
+        &|scene| scene.bodies[0].pins.clear(),
+        &|scene| scene.bodies[0].initial.velocity = [0.0, 0.0, 1.0],
+        &|scene| {
+            scene.bodies[0].fibres[0].break_past =
+                Some(BreakPast { angle: None, tension: Some(5.0), extra: Default::default() })
+        },
+        &|scene| scene.bodies[0].impulses = vec![Impulse::new("foot", [0.1, 0.0, 0.0])],
+        &|scene| scene.time.frames_per_second = 5000.0,
+    ];
+    for (k, change) in explicit.iter().enumerate() {
+        assert_ne!(chosen(change).0, "tr_bdf2", "{k}");
+    }
+}
+
+/// A pull by hand is part of what is solved, and does not end in leap-frog.
+#[test]
+fn a_pull_moves_a_held_body_to_the_same_rest() {
+    let pulled = |integrator| {
+        let mut bar = held_bar();
+        bar.material.damping.air = 30.0;
+        let mut world = baked(&stepped(in_space(bar), integrator, 60.0)).world;
+        let body = world.body_mut(0).unwrap();
+        let top = body.state().positions.iter().enumerate().max_by(|a, b| a.1.y.total_cmp(&b.1.y)).unwrap().0;
+        let point = body.point(top).unwrap();
+        let target = body.state().positions[top] + DVec3::new(0.01, 0.0, 0.004);
+        body.grab(point, target);
+        for _ in 0..120 {
+            world.advance_frame();
+        }
+        let body = &world.bodies()[0];
+        (body.state().positions[top], target, body.fallbacks())
+    };
+    let (implicit, target, fell_back) = pulled(IntegratorKind::TrBdf2);
+    let (explicit, _, _) = pulled(IntegratorKind::LeapFrog);
+    println!("{} from the target, {:e} apart, {fell_back:?}", implicit.distance(target), implicit.distance(explicit));
+    assert_eq!(fell_back, Fallbacks::default());
+    assert!(implicit.distance(explicit) < 1e-3 * implicit.distance(target), "{implicit} {explicit}");
 }

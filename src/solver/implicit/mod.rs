@@ -19,17 +19,21 @@
 //! - `solver`: a stage, solved or given up;
 //! - `balance`: what a step must not have gained;
 //! - `stepper`: what becomes of a step with a stage that was given up.
+//!
+//! The same matrix tells a body's slowest swing (`first_mode`).
 
 mod anderson;
 mod balance;
 mod cholesky;
 mod chord;
+mod first_mode;
 mod solver;
 mod sparsity;
 mod stage;
 mod stepper;
 mod stiffness;
 
+pub(crate) use first_mode::first_mode;
 pub(super) use solver::StageSolver;
 pub(super) use stage::{Stage, Unconverged};
 pub(super) use stepper::Stepper;

@@ -19,8 +19,6 @@ pub(in crate::solver) struct Stepper {
     stages: StageSolver,
     leap_frog: Scratch<LeapFrog>,
     balance: Balance,
-    /// Steps that go to leap-frog without a try, since the last tries failed.
-    resting: u32,
     /// Tries that failed, one after the other.
     failed: u32,
 }
@@ -32,8 +30,8 @@ const MOST_HALVINGS: u32 = 2;
 const STRIKING: f64 = 0.05;
 /// Share of its stable step that leap-frog takes.
 const SAFETY: f64 = 0.6;
-/// After the k-th failure in a row leap-frog keeps 2^k - 1 further steps, at most this many.
-const LONGEST_REST: u32 = 7;
+/// After so many failures in a row leap-frog keeps every other step.
+const MOST_FAILURES: u32 = 2;
 
 impl Stepper {
     /// Steps from `time` to `time + dt` [s] by `attempt`.
@@ -47,19 +45,15 @@ impl Stepper {
     ) {
         dynamics.make_current(time, state);
         self.balance.start(dynamics, state, time, dt);
-        if self.resting > 0 || strikes(dynamics, state, time, dt) {
-            self.resting = self.resting.saturating_sub(1);
+        let rests = self.failed >= MOST_FAILURES;
+        if rests || strikes(dynamics, state, time, dt) {
+            self.failed -= u32::from(rests);
             self.hand_over(dynamics, state, time, dt);
             return;
         }
         let before = dynamics.fallbacks.handed_over;
         self.step_or_halve(dynamics, state, time, dt, attempt, 0);
-        if dynamics.fallbacks.handed_over == before {
-            self.failed = 0;
-        } else {
-            self.failed = (self.failed + 1).min(31);
-            self.resting = (1_u32 << self.failed).saturating_sub(2).min(LONGEST_REST);
-        }
+        self.failed = if dynamics.fallbacks.handed_over == before { 0 } else { self.failed + 1 };
     }
 
     fn step_or_halve(

@@ -34,6 +34,16 @@ impl Stiffness {
         let velocities = if moves.is_damped() { moves.columns(true) } else { Vec::new() };
         Self { positions, velocities, sparsity }
     }
+
+    /// `K x` [N] of displacements [m].
+    pub(super) fn product(&self, x: &[DVec3]) -> Vec<DVec3> {
+        self.times(&self.positions, x)
+    }
+
+    fn times(&self, blocks: &[DMat3], x: &[DVec3]) -> Vec<DVec3> {
+        let row = |i| self.sparsity.range(i).zip(self.sparsity.row(i)).map(|(place, &j)| blocks[place] * x[j as usize]);
+        (0..x.len()).map(|i| row(i).sum()).collect()
+    }
 }
 
 /// All moves around a state.
@@ -197,13 +207,6 @@ mod tests {
         (0..n).map(|i| i as f64).map(|i| DVec3::new((1.7 * i).sin(), (2.9 * i).cos(), (0.3 * i * i).sin())).collect()
     }
 
-    fn product(stiffness: &Stiffness, blocks: &[DMat3], x: &[DVec3]) -> Vec<DVec3> {
-        let sparsity = &stiffness.sparsity;
-        let row =
-            |i: usize| sparsity.range(i).zip(sparsity.row(i)).map(|(place, &j)| blocks[place] * x[j as usize]).sum();
-        (0..x.len()).map(row).collect()
-    }
-
     #[test]
     fn a_small_move_changes_the_forces_by_the_stiffness() {
         let (mut forces, state) = bar();
@@ -220,7 +223,7 @@ mod tests {
             let expected: Vec<DVec3> =
                 ahead.iter().zip(behind).map(|(&ahead, behind)| (behind - ahead) / (2e-6 * D)).collect();
             let blocks = if by_velocity { &stiffness.velocities } else { &stiffness.positions };
-            let found = product(&stiffness, blocks, &direction);
+            let found = stiffness.times(blocks, &direction);
             let size = expected.iter().map(|f| f.length_squared()).sum::<f64>().sqrt();
             let error = expected.iter().zip(found).map(|(a, b)| a.distance_squared(b)).sum::<f64>().sqrt();
             assert!(error < 1e-6 * size, "{by_velocity}: {}", error / size);
@@ -242,8 +245,8 @@ mod tests {
         let factor = Factor::new(&elimination, &matrix).expect("a positive matrix");
         let mut expected = any_field(n);
         expected[3] *= DVec3::new(0.0, 1.0, 0.0);
-        let mut field = product(&stiffness, &stiffness.positions, &expected);
-        let damped = product(&stiffness, &stiffness.velocities, &expected);
+        let mut field = stiffness.product(&expected);
+        let damped = stiffness.times(&stiffness.velocities, &expected);
         for i in 0..n {
             field[i] += 100.0 * damped[i] + diagonal[i] * expected[i];
         }

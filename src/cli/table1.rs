@@ -6,6 +6,7 @@ use super::prepare::{Sets, load, put_together};
 use super::{CliError, Console, Outcome, output};
 use crate::bake::Baked;
 use crate::io::missing_files;
+use crate::scene::{IntegratorKind, Scene};
 use crate::sim::Runner;
 use crate::solver::body::Body;
 use crate::text::number::four_figures;
@@ -68,6 +69,18 @@ struct Row {
     dt: f64,
     /// Simulated over wall seconds, everything included.
     real_time_factor: f64,
+    /// The integrator that was chosen.
+    integrator: &'static str,
+    /// The same under other integrators that suit the scene, and under the chosen one at 60 frames a second.
+    shares: Vec<Share>,
+}
+
+/// How a scene runs under one integrator.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Share {
+    integrator: &'static str,
+    /// Simulated over wall seconds.
+    real_time_factor: f64,
 }
 
 /// Steps of each scene that are run for the real-time factor.
@@ -95,7 +108,18 @@ pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliEr
         let path = args.scenes.join(printed.file);
         let mut loaded = load(Some(&path), &Sets::default(), None, console)?;
         let baked = put_together(&mut loaded, Some(&path), console)?;
-        let (row, stopped) = measured(printed.model, baked)?;
+        let (mut row, stopped) = measured(printed.model, baked)?;
+        let scene = loaded.scene.clone();
+        for kind in IntegratorKind::ALL {
+            if !suits(kind, &row) {
+                continue;
+            }
+            loaded.scene = under(scene.clone(), kind);
+            let frame_seconds = loaded.scene.time.frame_seconds();
+            let baked = put_together(&mut loaded, Some(&path), console)?;
+            let real_time_factor = real_time(baked, frame_seconds)?;
+            row.shares.push(Share { integrator: kind.word(), real_time_factor });
+        }
         rows.push(row);
         diverged |= stopped;
     }
@@ -108,10 +132,45 @@ pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliEr
     Ok(if diverged { Outcome::Diverged } else { Outcome::Done })
 }
 
+/// Whether a scene is run under an integrator too: by leap-frog, beside which others are seen, with fibres implicit where it has
+/// any, and under the one that was chosen for it.
+fn suits(kind: IntegratorKind, row: &Row) -> bool {
+    match kind {
+        IntegratorKind::LeapFrog => true,
+        IntegratorKind::FibresImplicit => row.fibres > 0,
+        other => other.word() == row.integrator,
+    }
+}
+
+/// The scene under an integrator; one that takes steps of any length sees 60 pictures a second, as a person does.
+fn under(mut scene: Scene, kind: IntegratorKind) -> Scene {
+    scene.bodies.iter_mut().for_each(|body| body.integrator = kind.into());
+    if kind == IntegratorKind::TrBdf2 {
+        scene.time.frames_per_second = 60.0;
+    }
+    scene
+}
+
+/// Simulated over wall seconds once the first frame, in which much is prepared, is over.
+fn real_time(baked: Baked, frame_seconds: f64) -> Result<f64, CliError> {
+    /// Frames of a step each that are timed.
+    const FRAMES: f64 = 12.0;
+    let mut runner = Runner::new(baked);
+    let first = runner.world().bodies().first().map_or(0.0, |body| body.parts().dt);
+    let per_frame = frame_seconds / first;
+    let frames = if per_frame > 1.5 { (STEPS / per_frame).ceil() } else { FRAMES };
+    let none = Interruption::default();
+    drive(&mut runner, 1, false, &none, &mut |_| Ok(()))?;
+    let begun = runner.world().time();
+    let ran = drive(&mut runner, 1 + frames as u64, false, &none, &mut |_| Ok(()))?;
+    Ok((runner.world().time() - begun) / ran.wall_seconds.max(f64::MIN_POSITIVE))
+}
+
 /// Runs one scene for a while, then times its forces in the state that it has come to; tells whether it diverged.
 fn measured(model: &'static str, baked: Baked) -> Result<(Row, bool), CliError> {
     let mut runner = Runner::new(baked);
-    let dt = runner.world().bodies().first().map_or(0.0, |body| body.parts().dt);
+    let first = runner.world().bodies().first().map(Body::parts);
+    let (dt, integrator) = first.map_or((0.0, ""), |parts| (parts.dt, parts.integrator_word));
     let frames = runner.frames_for(STEPS * dt).max(1);
     let ran = drive(&mut runner, frames, false, &Interruption::default(), &mut |_| Ok(()))?;
     let world = runner.world();
@@ -124,6 +183,8 @@ fn measured(model: &'static str, baked: Baked) -> Result<(Row, bool), CliError> 
         fibre_ms: 0.0,
         dt,
         real_time_factor: world.time() / ran.wall_seconds.max(f64::MIN_POSITIVE),
+        integrator,
+        shares: Vec::new(),
     };
     for body in world.bodies() {
         let parts = body.parts();
@@ -185,6 +246,17 @@ fn markdown(rows: &[Row]) -> String {
             four_figures(paper.fibre_ms),
             share(paper.fibre_ms, paper.matrix_ms),
         );
+    }
+    text += "\n| model | integrator | real time | x leap-frog | |\n| --- | --- | ---: | ---: | --- |\n";
+    for row in rows {
+        let of_leap_frog = row.shares.iter().find(|share| share.integrator == IntegratorKind::LeapFrog.word());
+        for share in &row.shares {
+            let times = of_leap_frog.map(|other| four_figures(share.real_time_factor / other.real_time_factor));
+            let chosen = if share.integrator == row.integrator { "chosen" } else { "" };
+            let (model, integrator) = (row.model, share.integrator);
+            let (real_time, times) = (four_figures(share.real_time_factor), times.unwrap_or_default());
+            let _ = writeln!(text, "| {model} | {integrator} | {real_time} | {times} | {chosen} |");
+        }
     }
     text
 }

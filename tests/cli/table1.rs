@@ -23,9 +23,16 @@ fn four_rows_stand_beside_the_papers() {
             assert!(row[name].as_f64().unwrap() > 0.0, "{model}: {name} of {row}");
         }
     }
-    // Head, rule, two lines a model, and where the report went.
+    for (model, chosen) in [(0, "leap_frog"), (1, "tr_bdf2"), (2, "fibres_implicit"), (3, "tr_bdf2")] {
+        assert_eq!(rows[model]["integrator"], chosen);
+        let shares = rows[model]["shares"].as_array().unwrap();
+        let words: Vec<&str> = shares.iter().map(|share| share["integrator"].as_str().unwrap()).collect();
+        assert!(words.contains(&"leap_frog") && words.contains(&chosen), "{words:?}");
+        assert!(shares.iter().all(|share| share["real_time_factor"].as_f64().unwrap() > 0.0), "{shares:?}");
+    }
+    // Head, rule and two lines a model; what each integrator reaches; where the report went.
     let lines: Vec<&str> = out.lines().collect();
-    assert_eq!(lines.len(), 12, "{out}");
+    assert!(lines.len() >= 12 + 3 + 4 * 2, "{out}");
     assert!(lines[2].starts_with("| Short bar | here | 588 | 4 / 52 |"), "{out}");
     assert_eq!(lines[3], "| | paper | 588 | 4 / 52 | 1.755 | 0.07200 | 4.1 % | | |");
 }

@@ -93,6 +93,33 @@ pub enum CliError {
         /// Greatest number.
         limit: u128,
     },
+    /// A sweep that draws values, without a number of draws.
+    #[error("--vary {pointer}: how many values are to be drawn? Give --samples N")]
+    NoSamples {
+        /// Pointer to the value.
+        pointer: String,
+    },
+    /// A number of draws where nothing is drawn.
+    #[error("--samples: no --vary draws its values; write one as in 0.1..0.9/random")]
+    NothingDrawn,
+    /// A report that a sweep cannot go on from.
+    #[error("--resume: {path}: {what}; name another --report, or run without --resume")]
+    CannotResume {
+        /// The report.
+        path: String,
+        /// What is wrong with it.
+        what: String,
+    },
+    /// A plot of something that there is not.
+    #[error("{option} {given}: there is no such thing to plot; known: {known}")]
+    NotToBePlotted {
+        /// The option.
+        option: &'static str,
+        /// What was asked for.
+        given: String,
+        /// What there is.
+        known: String,
+    },
     /// Threads could not be started.
     #[error("--threads: the threads cannot be started ({0}); ask for fewer")]
     Threads(#[from] ThreadPoolBuildError),

@@ -30,11 +30,11 @@ mod scene_renderer;
 mod schema;
 mod simulate;
 mod summary;
+mod svg;
 mod sweep;
 mod table;
 mod table1;
 mod trace;
-mod vary;
 
 #[cfg(not(feature = "render"))]
 use no_scene_renderer::SceneRenderer;

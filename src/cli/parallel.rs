@@ -15,21 +15,22 @@ use std::time::Duration;
 const PULSE: Duration = Duration::from_millis(250);
 
 /// Results of jobs 0 to `count`, in that order, worked on by `threads` threads; `done` hears how many are finished, at
-/// least once a [`PULSE`].
+/// least once a [`PULSE`], and sees each result once, as soon as it is there.
 ///
 /// # Errors
-/// That of the first job, by its number, that failed; later jobs are not begun then.
+/// That of the first job, by its number, that failed; later jobs are not begun then. The first of `done`.
 pub(super) fn in_parallel<T: Send>(
     count: usize,
     threads: usize,
     job: impl Fn(usize) -> Result<T, CliError> + Sync,
-    mut done: impl FnMut(u64),
+    mut done: impl FnMut(u64, Option<&T>) -> Result<(), CliError>,
 ) -> Result<Vec<T>, CliError> {
     let workers = threads.clamp(1, count.max(1));
     let inner = (threads / workers).max(1);
     let pools = (0..workers).map(|_| ThreadPoolBuilder::new().num_threads(inner).build());
     let pools = pools.collect::<Result<Vec<_>, _>>()?;
     let queue = Queue { next: AtomicUsize::new(0), count, failed: AtomicBool::new(false) };
+    let mut refused = None;
     let mut results: Vec<Option<Result<T, CliError>>> = (0..count).map(|_| None).collect();
     thread::scope(|scope| {
         let (sender, receiver) = channel();
@@ -41,17 +42,24 @@ pub(super) fn in_parallel<T: Send>(
         drop(sender);
         let mut finished = 0;
         loop {
-            match receiver.recv_timeout(PULSE) {
+            let seen = match receiver.recv_timeout(PULSE) {
                 Ok((index, result)) => {
-                    results[index] = Some(result);
                     finished += 1;
+                    let result = &*results[index].insert(result);
+                    done(finished, result.as_ref().ok())
                 }
-                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Timeout) => done(finished, None),
                 Err(RecvTimeoutError::Disconnected) => break,
+            };
+            if let Err(error) = seen {
+                queue.failed.store(true, Ordering::Relaxed);
+                refused.get_or_insert(error);
             }
-            done(finished);
         }
     });
+    if let Some(error) = refused {
+        return Err(error);
+    }
     // Jobs are begun in order and finish once begun: whatever was left out comes after a failure.
     results.into_iter().flatten().collect()
 }
@@ -93,18 +101,27 @@ mod tests {
     fn results_come_in_order_on_any_number_of_threads() {
         for threads in [1, 2, 5] {
             let mut heard = 0;
-            let squares = in_parallel(20, threads, |k| Ok(k * k), |finished| heard = finished).unwrap();
+            let squares = in_parallel(
+                20,
+                threads,
+                |k| Ok(k * k),
+                |finished, _| {
+                    heard = finished;
+                    Ok(())
+                },
+            )
+            .unwrap();
             assert_eq!(squares, (0..20).map(|k| k * k).collect::<Vec<_>>());
             assert_eq!(heard, 20);
         }
-        assert_eq!(in_parallel(0, 4, Ok, |_| {}).unwrap(), Vec::<usize>::new());
+        assert_eq!(in_parallel(0, 4, Ok, |_, _| Ok(())).unwrap(), Vec::<usize>::new());
     }
 
     #[test]
     fn the_first_failure_counts() {
         let job = |k: usize| if k < 3 { Ok(k) } else { Err(CliError::VariedTwice { pointer: k.to_string() }) };
         for threads in [1, 3] {
-            let failed = in_parallel(50, threads, job, |_| {});
+            let failed = in_parallel(50, threads, job, |_, _| Ok(()));
             assert!(matches!(failed, Err(CliError::VariedTwice { pointer }) if pointer == "3"));
         }
     }

@@ -51,6 +51,7 @@ pub use open::{OpenedModel, open_model};
 pub(crate) use paths::{is_same, is_there};
 pub(crate) use paths::{missing_files, resolved};
 pub use pointer::apply_sets;
+pub(crate) use read::read_json;
 #[cfg(feature = "gui")]
 pub(crate) use recent::RecentFiles;
 #[cfg(feature = "gui")]

@@ -40,6 +40,17 @@ pub(super) fn read_text(path: &Path, limit: u64) -> Result<String, IoError> {
     String::from_utf8(bytes).map_err(|error| IoError::NotUtf8 { at: error.utf8_error().valid_up_to() })
 }
 
+/// JSON that this program wrote earlier.
+///
+/// # Errors
+/// As [`read_text`], and [`IoError::Read`] where it is no JSON; within [`IoError::InFile`].
+pub(crate) fn read_json(path: &Path) -> Result<serde_json::Value, IoError> {
+    /// Longest such file [bytes].
+    const LIMIT: u64 = 1 << 30;
+    let read = || serde_json::from_str(&read_text(path, LIMIT)?).map_err(|error| IoError::Read(error.into()));
+    read().map_err(|error| error.within(path))
+}
+
 fn kind_of(file_type: FileType) -> &'static str {
     if file_type.is_dir() { "a folder" } else { "a pipe or device" }
 }

@@ -63,6 +63,7 @@ fn each_has_its_order_where_matrix_and_fibres_swing() {
     let study = Study::new(&in_space(bar), &Assets::default()).unwrap();
     // Shorter than the period of the stiffest motion, which is a third of a millisecond.
     for of in study.convergence(&IMPLICIT, 5e-4, 10, 3) {
+        assert_eq!(of.points.len(), 3);
         let expected = if of.integrator == IntegratorKind::BackwardEuler { 1.0 } else { 2.0 };
         let found = of.order.unwrap();
         println!("{:?}: {found:.3}, errors {:?}", of.integrator, of.points);
@@ -110,7 +111,9 @@ fn the_leaf_swings_and_rests_as_under_leap_frog() {
 }
 
 fn leaf_study() -> Study {
-    Study::new(&load_scene(&scenes().join("leaf.json")).unwrap(), &Assets::default()).unwrap()
+    let scene = load_scene(&scenes().join("leaf.json")).unwrap();
+    let assets = sinew::io::load_assets(&scene, &scenes(), &mut |_| {}).unwrap();
+    Study::new(&scene, &assets).unwrap()
 }
 
 #[derive(Debug)]

@@ -39,6 +39,9 @@ const CAREFUL: f64 = 0.3;
 /// How often that may happen.
 const MOST_RETURNS: usize = 3;
 
+/// Share of a position that its rounding, and that of the base it is held against, may be wrong by.
+const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
+
 /// Share of the forces [1] to which a stage of `h` [s] is solved, where an explicit step could be `explicit` [s]: steps
 /// as short as those resolve everything and show what is left, long ones have errors of their own that are far larger.
 fn tolerance(h: f64, explicit: f64) -> f64 {
@@ -65,9 +68,9 @@ impl StageSolver {
         self.work.best.clone_from(&state.positions);
         for evaluation in 0..MOST_EVALUATIONS {
             let floats = dynamics.floats(stage.time, state);
-            let Residual { size, scale } = self.evaluate(dynamics, state, stage);
+            let Residual { size, scale, round_off } = self.evaluate(dynamics, state, stage);
             // A body that nothing holds takes at least one step, which makes its momentum exact.
-            if size <= tolerance * scale && (evaluation > 0 || !floats) {
+            if size <= (tolerance * scale).max(round_off) && (evaluation > 0 || !floats) {
                 return Ok(());
             }
             if evaluation < TURNING {
@@ -140,7 +143,9 @@ impl StageSolver {
         dynamics.mask(step);
         let weight = gravity * state.masses.iter().map(|m| m * m).sum::<f64>().sqrt();
         let rest = dynamics.rest_force * (state.len() as f64).sqrt();
-        Residual { size: norm(residual), scale: norm(step) + weight + rest }
+        let moments = state.positions.iter().zip(&state.masses).map(|(x, mass)| (mass * x.length()).powi(2));
+        let round_off = ROUND_OFF * moments.sum::<f64>().sqrt() / (stage.h * stage.h);
+        Residual { size: norm(residual), scale: norm(step) + weight + rest, round_off }
     }
 }
 
@@ -148,6 +153,8 @@ impl StageSolver {
 struct Residual {
     size: f64,
     scale: f64,
+    /// What rounded positions leave of it at short steps.
+    round_off: f64,
 }
 
 impl Stage<'_> {

@@ -1,5 +1,12 @@
 //! `sinew sweep`: a scene once for every combination of some values.
 
+mod plot;
+mod results;
+mod vary;
+
+use self::plot::{Against, plot};
+use self::results::{Plan as SweepPlan, Results, Row, names_of, read_off, to_csv};
+use self::vary::{Product, Samples, Vary};
 use super::drive::{RunEnd, drive};
 use super::error::printable;
 use super::finite::NotFinite;
@@ -7,73 +14,60 @@ use super::interruption::{Interruption, Signal};
 use super::parallel::in_parallel;
 use super::prepare::{Loaded, Sets, Span, Threads, folder_of, load, notes, tell, with_frame_rate, with_sets, word};
 use super::table::{Align, Table, readable};
-use super::vary::{Product, Vary};
 use super::{CliError, Console, Outcome, output};
 use crate::bake::{Baked, Note, bake};
-use crate::io::complete_assets;
+use crate::io::{complete_assets, make_folder};
 use crate::scene::{Assets, Scene, one_line};
-use crate::sim::{BodyReport, MeasureReport, Report, Runner};
+use crate::sim::{Report, Runner, TimeSeries};
 use crate::text::number::four_figures;
 use clap::Args;
-use serde::Serialize;
-use serde_json::{Map, Value};
-use std::path::PathBuf;
+use serde_json::json;
+use std::hash::{DefaultHasher, Hasher};
+use std::path::{Path, PathBuf};
 
 /// Arguments of `sinew sweep`.
 #[derive(Debug, Args)]
 pub struct Sweep {
     /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB
     scene: PathBuf,
-    /// Values to try, as in /bodies/0/fibres/0/volume_fraction=0,0.25,0.5; several lists give every combination
+    /// Values to try, as in /bodies/0/fibres/0/volume_fraction=0,0.25,0.5; several lists give every combination. Also 0.1..0.9/9
+    /// (nine values), 1e4..1e7/4/log (four, equal factors apart), 0.1..0.9/random (see --samples); /a,/b=1,2 changes two
+    /// values together
     #[arg(long, value_name = "POINTER=a,b,c", required = true)]
     vary: Vec<Vary>,
+    /// How many rows to draw of every combination, where something is `random`
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    samples: Option<u32>,
+    /// What the draws follow from: the same number draws the same rows
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
     #[command(flatten)]
     span: Span,
     #[command(flatten)]
     sets: Sets,
     #[command(flatten)]
     threads: Threads,
-    /// Write all rows as JSON
+    /// Write all rows as JSON, those that are done while others run too
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-}
-
-/// What a sweep has shown.
-#[derive(Debug, Serialize)]
-struct SweepReport<'a> {
-    scene: &'a str,
-    vary: &'a [Vary],
-    /// Whether every row was run to its end; those that were not are left out.
-    complete: bool,
-    rows: &'a [Row],
-}
-
-/// One combination of values and what it gave.
-#[derive(Debug, Serialize)]
-struct Row {
-    values: Map<String, Value>,
-    seconds: f64,
-    at_rest: bool,
-    /// Why the first body that was stopped was stopped.
-    diverged: Option<String>,
-    measures: Map<String, Value>,
-    bodies: Vec<BodyReport>,
-    wall_seconds: f64,
-    /// Measures with their units, for the table.
-    #[serde(skip)]
-    readings: Vec<MeasureReport>,
-    #[serde(skip)]
-    end: RunEnd,
-    /// Which of all combinations it is.
-    #[serde(skip)]
-    index: usize,
-}
-
-impl Row {
-    /// Measures that are no finite numbers: null in the report.
-    fn not_finite(&self) -> impl Iterator<Item = &String> {
-        self.measures.iter().filter(|(_, value)| value.is_null()).map(|(name, _)| name)
-    }
+    /// Go on with the rows that the report of an interrupted sweep lacks
+    #[arg(long, requires = "report")]
+    resume: bool,
+    /// Write all rows as CSV
+    #[arg(long, value_name = "FILE.csv")]
+    csv: Option<PathBuf>,
+    /// Write energies, momenta and measures of every frame of each row as CSV into this folder
+    #[arg(long, value_name = "DIR")]
+    series: Option<PathBuf>,
+    /// Draw a measure over what is varied, as SVG
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+    /// What the plot is drawn over; the first that is varied unless given
+    #[arg(long, value_name = "POINTER", requires = "plot")]
+    plot_x: Option<String>,
+    /// The measure that is drawn; the first unless given
+    #[arg(long, value_name = "MEASURE", requires = "plot")]
+    plot_y: Option<String>,
 }
 
 /// Runs every combination, writes the report and prints a table.
@@ -84,7 +78,9 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     let loaded = load(Some(&args.scene), &args.sets, None, console)?;
     tell(loaded.made(), console);
     let Loaded { scene: base, mut assets, .. } = loaded;
-    let product = Product::of(&args.vary)?;
+    let samples = args.samples.map(|count| Samples { count, seed: args.seed });
+    let product = Product::of(&args.vary, samples)?;
+    let against = args.plot.as_ref().map(|_| Against::of(args, &base)).transpose()?;
     // A model that cannot be used is the rows' error: they may all have another.
     complete_assets(&mut assets, &base, folder_of(Some(&args.scene)), &mut |_| {}).ok();
     let plan = Plan { args, base: &base, assets: &assets, product };
@@ -92,20 +88,44 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     let all = product.rows() as u64;
 
     console.begin();
-    let checked =
-        in_parallel(product.rows(), threads, |row| plan.check(row), |done| console.progress(done, all, "checked"));
+    let checked = in_parallel(
+        product.rows(),
+        threads,
+        |row| plan.check(row),
+        |done, _| {
+            console.progress(done, all, "checked");
+            Ok(())
+        },
+    );
     console.end();
     let checked = checked?;
-    output::check(Some(&args.scene), &[("--report", args.report.as_ref())])?;
+    let targets = [("--report", &args.report), ("--csv", &args.csv), ("--plot", &args.plot)];
+    output::check(Some(&args.scene), &targets.map(|(option, path)| (option, path.as_ref())))?;
+    let series = args.series.as_deref().map(SeriesFolder::create).transpose()?;
+
+    let scene = if base.name.is_empty() { &*printable(&args.scene) } else { &base.name };
+    let Span { seconds, fps, until_rest } = args.span;
+    let of = json!({"scene": digest(&base), "seconds": seconds, "fps": fps, "until_rest": until_rest});
+    let mut results =
+        Results::new(SweepPlan { scene, vary: &args.vary, samples, of }, args.report.as_deref(), product.rows());
+    let kept = if args.resume { results.resume(&product)? } else { 0 };
+    let missing = results.missing();
 
     // Before the first word: whoever reads one may count on the rest.
     interruption.wait_for_end();
     tell_all(&checked, console);
+    if kept > 0 {
+        console.say("resumed", &format!("{kept} of {all} rows are in the report already and are kept"));
+    }
     console.begin();
-    let run = |row| plan.run(row, interruption);
-    let ran = in_parallel(product.rows(), threads, run, |done| console.progress(done, all, "rows"));
+    let run = |k: usize| plan.run(missing[k], series.as_ref(), interruption);
+    let ran = in_parallel(missing.len(), threads, run, |done, row: Option<&Option<Row>>| {
+        console.progress(kept as u64 + done, all, "rows");
+        row.and_then(Option::as_ref).map_or(Ok(()), |row| results.push(row.clone()))
+    });
     console.end();
-    let rows: Vec<Row> = ran?.into_iter().flatten().collect();
+    ran?;
+    let rows: Vec<Row> = results.rows().cloned().collect();
     let interrupted = interruption.signal().filter(|_| rows.len() < product.rows());
     for row in &rows {
         if let Some(message) = &row.diverged {
@@ -118,13 +138,20 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     tell_interrupted(interrupted, &rows, product.rows(), console);
     warn_of_restless(args, &rows, console);
     let mut text = table(&product, &rows).render();
-    if let Some(path) = &args.report {
-        let scene = if base.name.is_empty() { &*printable(&args.scene) } else { &base.name };
+    if args.report.is_some() {
         text.push('\n');
-        text += &output::write_report(
-            path,
-            &SweepReport { scene, vary: &args.vary, complete: interrupted.is_none(), rows: &rows },
-        )?;
+        text += &results.write()?;
+    }
+    if let Some(path) = &args.csv {
+        output::write_bytes(path, &to_csv(&product, &rows)?)?;
+        text += &output::wrote("rows", path);
+    }
+    if let (Some(path), Some(against)) = (&args.plot, &against) {
+        output::write_bytes(path, plot(scene, against, &rows).as_bytes())?;
+        text += &output::wrote("plot", path);
+    }
+    if let Some(series) = &series {
+        text += &output::wrote(&format!("{} series", rows.len() - kept), &series.0);
     }
     console.print(&text)?;
     Ok(match interrupted {
@@ -132,6 +159,28 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
         None if rows.iter().any(|row| row.diverged.is_some() || row.not_finite().next().is_some()) => Outcome::Diverged,
         None => Outcome::Done,
     })
+}
+
+/// What a scene is, in a few digits: another one has others.
+fn digest(scene: &Scene) -> String {
+    let mut hasher = DefaultHasher::new();
+    hasher.write(json!(scene).to_string().as_bytes());
+    format!("{:016x}", hasher.finish())
+}
+
+/// A folder for a series of each row.
+struct SeriesFolder(PathBuf);
+
+impl SeriesFolder {
+    fn create(path: &Path) -> Result<Self, CliError> {
+        make_folder(path)?;
+        Ok(Self(path.to_owned()))
+    }
+
+    /// Writes the series of a row.
+    fn write(&self, row: usize, series: &TimeSeries) -> Result<(), CliError> {
+        output::write_bytes(&self.0.join(format!("row_{row:05}.csv")), &series.to_csv()?)
+    }
 }
 
 fn tell_interrupted(signal: Option<Signal>, rows: &[Row], all: usize, console: &mut Console) {
@@ -179,7 +228,12 @@ impl Plan<'_> {
     }
 
     /// What a row shows; none where it was interrupted.
-    fn run(&self, row: usize, interruption: &Interruption) -> Result<Option<Row>, CliError> {
+    fn run(
+        &self,
+        row: usize,
+        folder: Option<&SeriesFolder>,
+        interruption: &Interruption,
+    ) -> Result<Option<Row>, CliError> {
         if interruption.signal().is_some() {
             return Ok(None);
         }
@@ -187,22 +241,28 @@ impl Plan<'_> {
         let span = self.args.span;
         let mut runner = Runner::new(baked);
         let frames = runner.frames_for(span.limit(&scene));
-        let ran = drive(&mut runner, frames, span.until_rest, interruption, &mut |_| Ok(()))?;
+        let mut series = folder.map(|_| TimeSeries::new(runner.world(), usize::MAX));
+        let ran = drive(&mut runner, frames, span.until_rest, interruption, &mut |runner| {
+            series.iter_mut().for_each(|series| series.push(runner.world()));
+            Ok(())
+        })?;
         if matches!(ran.end, RunEnd::Interrupted(_)) {
             return Ok(None);
         }
         let report = Report::new(&scene, &runner, ran.wall_seconds, Vec::new());
-        let measures = report.measures.iter().map(|measure| (measure.name.clone(), measure.value.clone())).collect();
+        if let (Some(folder), Some(series)) = (folder, &series) {
+            folder.write(row, series)?;
+        }
+        let (measures, units) = read_off(report.measures);
         Ok(Some(Row {
             values: self.product.object(row),
             seconds: report.seconds,
             at_rest: report.at_rest,
             diverged: runner.world().divergence().map(ToString::to_string),
             measures,
-            bodies: report.bodies,
+            bodies: json!(report.bodies),
             wall_seconds: report.wall_seconds,
-            readings: report.measures,
-            end: ran.end,
+            units,
             index: row,
         }))
     }
@@ -225,7 +285,7 @@ fn tell_all(rows: &[Vec<Note>], console: &mut Console) {
 }
 
 fn warn_of_restless(args: &Sweep, rows: &[Row], console: &mut Console) {
-    let restless = rows.iter().filter(|row| row.end == RunEnd::Time).count();
+    let restless = rows.iter().filter(|row| row.is_restless()).count();
     if args.span.until_rest && restless > 0 {
         let all = rows.len();
         console.warn(&format!(
@@ -236,13 +296,8 @@ fn warn_of_restless(args: &Sweep, rows: &[Row], console: &mut Console) {
 
 /// One line a row: its values, then its measures.
 fn table(product: &Product<'_>, rows: &[Row]) -> Table {
-    let mut names: Vec<(&str, &str)> = Vec::new();
-    for reading in rows.iter().flat_map(|row| &row.readings) {
-        if !names.iter().any(|(name, _)| *name == reading.name) {
-            names.push((&reading.name, reading.unit));
-        }
-    }
-    let pointers = product.row(0).into_iter().map(|(pointer, _)| one_line(pointer));
+    let names = names_of(rows);
+    let pointers = product.row(0).into_iter().map(|(list, _)| one_line(&list.pointer));
     let measures = names.iter().map(|(name, unit)| one_line(&format!("{name} [{unit}]")));
     let ends = ["time [s]", "at rest", ""].map(str::to_owned);
     let mut table = Table::new(pointers.chain(measures).chain(ends).map(|name| (name, Align::Right)));

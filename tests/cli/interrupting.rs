@@ -10,20 +10,20 @@ use std::time::{Duration, Instant};
 /// Longer than anything here takes on any machine.
 const LIMIT: Duration = Duration::from_mins(5);
 
-fn started(desk: &Desk, arguments: &str) -> Child {
+pub(super) fn started(desk: &Desk, arguments: &str) -> Child {
     let mut command = program();
     command.args(arguments.split(' ')).current_dir(desk.folder.path());
     command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
 }
 
-fn send(signal: &str, child: &Child) {
+pub(super) fn send(signal: &str, child: &Child) {
     // A shell has `kill` built in, wherever there is one.
     let text = format!("kill -{signal} {}", child.id());
     Command::new("sh").args(["-c", &text]).stderr(Stdio::null()).status().expect("a shell");
 }
 
 #[allow(clippy::disallowed_methods, reason = "between two looks at the condition")]
-fn wait_until(mut condition: impl FnMut() -> bool) {
+pub(super) fn wait_until(mut condition: impl FnMut() -> bool) {
     let begun = Instant::now();
     while !condition() {
         assert!(begun.elapsed() < LIMIT, "the condition never came");

@@ -10,6 +10,7 @@ mod pictures;
 mod simulate;
 mod starts;
 mod sweep;
+mod sweep_values;
 mod table1;
 mod trace;
 

@@ -102,6 +102,14 @@ pub enum CliError {
     /// A number of draws where nothing is drawn.
     #[error("--samples: no --vary draws its values; write one as in 0.1..0.9/random")]
     NothingDrawn,
+    /// A file that is no report of a run that could be made again.
+    #[error(
+        "--from: {path}: it is no report of a run that says how it was made; write one with simulate --report FILE"
+    )]
+    NotARun {
+        /// The file.
+        path: String,
+    },
     /// A report that a sweep cannot go on from.
     #[error("--resume: {path}: {what}; name another --report, or run without --resume")]
     CannotResume {

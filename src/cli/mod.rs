@@ -25,6 +25,7 @@ mod parallel;
 mod picture;
 mod prepare;
 mod render;
+mod repeat;
 #[cfg(feature = "render")]
 mod scene_renderer;
 mod schema;
@@ -93,6 +94,7 @@ pub enum Command {
     MakePictures(make_pictures::MakePictures),
 }
 
+const DIFFERS: u8 = 1;
 const BAD_INPUT: u8 = 2;
 const DIVERGED: u8 = 3;
 #[cfg(feature = "render")]
@@ -113,6 +115,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
+        Ok(Outcome::Differs) => ExitCode::from(DIFFERS),
         Ok(Outcome::Diverged) => ExitCode::from(DIVERGED),
         Ok(Outcome::Interrupted(signal)) => ExitCode::from(signal.exit_code()),
         Err(error) => {

@@ -9,6 +9,8 @@ pub enum Outcome {
     Done,
     /// It has done its work, but a body diverged.
     Diverged,
+    /// It has done its work, but came to something else than what it was held against.
+    Differs,
     /// It was interrupted; what it had done until then is written.
     Interrupted(Signal),
 }

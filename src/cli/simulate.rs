@@ -5,6 +5,7 @@ use super::finite::{NotFinite, check_finite};
 use super::interruption::Interruption;
 use super::picture::Look;
 use super::prepare::{Sets, Span, Threads, frames_to, load, put_together, source_name, tell, word};
+use super::repeat::{Repeated, Run, RunReport};
 use super::summary::summary;
 use super::{CliError, Console, Outcome, SceneRenderer, output};
 use crate::io::{FrameFolder, write_obj};
@@ -15,7 +16,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 /// Arguments of `sinew simulate`.
-#[derive(Debug, Default, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct Simulate {
     /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB; the built-in scene unless given
     scene: Option<PathBuf>,
@@ -25,6 +26,9 @@ pub struct Simulate {
     sets: Sets,
     #[command(flatten)]
     threads: Threads,
+    /// Make the run of a report again, from its scene with all that was set, and say whether it came to the same bits
+    #[arg(long, value_name = "REPORT", conflicts_with_all = ["sets", "seconds", "fps", "until_rest"])]
+    from: Option<PathBuf>,
     /// Write a report as JSON
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -61,6 +65,14 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     if args.png.is_none() && args.look != Look::default() {
         return Err(CliError::NoPicturesAsked);
     }
+    let repeated = args.from.as_deref().map(Repeated::read).transpose()?;
+    let args = &match &repeated {
+        Some(repeated) => {
+            let (scene, sets, span) = repeated.arguments()?;
+            Simulate { scene: args.scene.clone().or(scene), sets: Sets { sets }, span, ..args.clone() }
+        }
+        None => args.clone(),
+    };
     let source = source_name(args.scene.as_deref());
     let mut loaded = load(args.scene.as_ref(), &args.sets, args.span.fps, console)?;
     let baked = put_together(&mut loaded, args.scene.as_deref(), console)?;
@@ -79,13 +91,16 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     let mut text = summary(&report, runner.world(), &source);
     let finite = outputs.is_finite(&report, console);
     if finite {
-        text += &outputs.finish(args, &report, console)?;
+        let run = Run::new(&scene, args.scene.as_ref(), &args.sets.sets, args.span.fps);
+        text += &outputs.finish(args, &RunReport { report: &report, run }, console)?;
     } else if args.report.is_some() || args.series.is_some() {
         console.warn(&"report and series are not written: they would hold what is no number");
     }
     console.print(&text)?;
+    let differs = repeated.is_some_and(|repeated| !repeated.compare(&scene, &report, console));
     Ok(match ran.end {
         RunEnd::Interrupted(signal) => Outcome::Interrupted(signal),
+        _ if differs => Outcome::Differs,
         _ if runner.world().divergence().is_some() || !finite => Outcome::Diverged,
         _ => Outcome::Done,
     })
@@ -183,7 +198,7 @@ impl FrameOutputs {
     }
 
     /// Writes what was collected; gives a line about each file.
-    fn finish(self, args: &Simulate, report: &Report, console: &mut Console) -> Result<String, CliError> {
+    fn finish(self, args: &Simulate, report: &RunReport<'_>, console: &mut Console) -> Result<String, CliError> {
         let mut text = String::new();
         if let Some(path) = &args.report {
             text += &output::write_report(path, report)?;

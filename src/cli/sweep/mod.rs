@@ -12,7 +12,9 @@ use super::error::printable;
 use super::finite::NotFinite;
 use super::interruption::{Interruption, Signal};
 use super::parallel::in_parallel;
-use super::prepare::{Loaded, Sets, Span, Threads, folder_of, load, notes, tell, with_frame_rate, with_sets, word};
+use super::prepare::{
+    Loaded, Sets, Span, Threads, digest, folder_of, load, notes, tell, with_frame_rate, with_sets, word,
+};
 use super::table::{Align, Table, readable};
 use super::{CliError, Console, Outcome, output};
 use crate::bake::{Baked, Note, bake};
@@ -22,7 +24,6 @@ use crate::sim::{Report, Runner, TimeSeries};
 use crate::text::number::four_figures;
 use clap::Args;
 use serde_json::json;
-use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `sinew sweep`.
@@ -159,13 +160,6 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
         None if rows.iter().any(|row| row.diverged.is_some() || row.not_finite().next().is_some()) => Outcome::Diverged,
         None => Outcome::Done,
     })
-}
-
-/// What a scene is, in a few digits: another one has others.
-fn digest(scene: &Scene) -> String {
-    let mut hasher = DefaultHasher::new();
-    hasher.write(json!(scene).to_string().as_bytes());
-    format!("{:016x}", hasher.finish())
 }
 
 /// A folder for a series of each row.

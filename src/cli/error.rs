@@ -110,6 +110,20 @@ pub enum CliError {
         /// The file.
         path: String,
     },
+    /// A body that cannot be filled in layers.
+    #[error("--body {given}: there is no such box to fill in layers; known: {known}")]
+    NotRefined {
+        /// What was asked for.
+        given: String,
+        /// The boxes that there are.
+        known: String,
+    },
+    /// A scene without a measure.
+    #[error("{scene}: it measures nothing, so nothing can be compared; add to /measures what should be looked at")]
+    NothingMeasured {
+        /// The scene.
+        scene: String,
+    },
     /// A report that a sweep cannot go on from.
     #[error("--resume: {path}: {what}; name another --report, or run without --resume")]
     CannotResume {

@@ -10,6 +10,7 @@ mod check;
 mod check_model;
 mod compare;
 mod console;
+mod converge;
 mod drive;
 mod error;
 mod finite;
@@ -80,6 +81,8 @@ pub enum Command {
     Sweep(sweep::Sweep),
     /// Run a scene under several integrators, each with several steps
     Compare(compare::Compare),
+    /// Run a scene with a body filled more and more finely, and extrapolate its measures
+    Converge(converge::Converge),
     /// Look a scene or a model over without running it
     Check(check::Check),
     /// Measure the fibre paper's Table 1 again, beside its print
@@ -107,6 +110,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Command::Render(args) => render::run(args, &Interruption::listening(), console),
         Command::Sweep(args) => sweep::run(args, &Interruption::listening(), console),
         Command::Compare(args) => compare::run(args, &Interruption::listening(), console),
+        Command::Converge(args) => converge::run(args, &Interruption::listening(), console),
         Command::Check(args) => check::run(args, console),
         Command::Table1(args) => table1::run(args, console),
         Command::Schema => schema::run(console),

@@ -23,7 +23,7 @@ const SCENES: [&str; 9] = [
     "figure_08c_soft",
 ];
 
-const KINDS: [IntegratorKind; 2] = [IntegratorKind::LeapFrog, IntegratorKind::FibresImplicit];
+const KINDS: [IntegratorKind; 3] = [IntegratorKind::LeapFrog, IntegratorKind::FibresImplicit, IntegratorKind::TrBdf2];
 
 /// Frames of a run, the first ones of a motion.
 const FRAMES: u32 = 3;

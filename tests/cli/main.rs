@@ -2,6 +2,7 @@
 
 mod check;
 mod compare;
+mod converge;
 mod errors;
 mod interrupting;
 mod models;

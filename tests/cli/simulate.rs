@@ -331,3 +331,34 @@ fn breaks_are_listed_with_their_place_and_time() {
     assert!(!broken.is_empty() && broken.iter().all(|line| line.contains("between vertices")), "{out}");
     assert!(body["first_break"].as_f64().unwrap() > 0.0);
 }
+
+#[test]
+fn the_run_of_a_report_is_made_again_to_the_same_bits() {
+    let desk = Desk::new(&pressed());
+    desk.done(
+        "simulate scene.json --seconds 0.05 --fps 100 --threads 1 --set /bodies/0/material/young_modulus=2e4 --report r.json",
+    );
+    let run = &desk.json("r.json")["run"];
+    assert_eq!(run["scene_file"], "scene.json");
+    assert_eq!(run["sets"], json!(["/bodies/0/material/young_modulus=2e4"]));
+    assert_eq!((&run["threads"], &run["fps"]), (&json!(1), &json!(100.0)));
+    assert_eq!(run["version"], env!("CARGO_PKG_VERSION"));
+    let said = desk.run("simulate --from r.json --threads 2 --report again.json");
+    assert_eq!((said.code, said.err.trim_end()), (Some(0), "repeated: 1 body, the same bits as in r.json"));
+    assert_eq!(desk.json("again.json")["bodies"], desk.json("r.json")["bodies"]);
+    // Another scene under the same name is noticed, and so is what it comes to.
+    let mut other = pressed();
+    other["gravity"] = json!([0, -1, 0]);
+    std::fs::write(desk.path("scene.json"), other.to_string()).unwrap();
+    let said = desk.run("simulate --from r.json");
+    assert_eq!(said.code, Some(1), "{said:?}");
+    assert!(
+        said.err.contains("not what it was") && said.err.contains("body block came to another state"),
+        "{}",
+        said.err
+    );
+    let said = desk.refused("simulate --from scene.json");
+    assert!(said.contains("scene.json") && said.contains("simulate --report FILE"), "{said}");
+    let said = desk.run("simulate --from r.json --seconds 1");
+    assert_eq!(said.code, Some(2), "{said:?}");
+}

@@ -16,12 +16,12 @@ fn rows(desk: &Desk, name: &str) -> Vec<Value> {
 #[test]
 fn tied_values_change_together_and_ranges_are_lists() {
     let desk = Desk::new(&pressed());
-    desk.done("sweep scene.json --vary /gravity/0,/gravity/2=1..3/3 --seconds 0.02 --report r.json");
+    desk.done("sweep scene.json --vary /gravity/0,/gravity/2=1..3/3 --fps 50 --seconds 0.02 --report r.json");
     let report = desk.json("r.json");
     assert_eq!(report["vary"][0], json!({"pointer": "/gravity/0", "tied": ["/gravity/2"], "values": [1, 2, 3]}));
     for (row, gravity) in rows(&desk, "r.json").iter().zip([1, 2, 3]) {
         desk.done(&format!(
-            "simulate scene.json --seconds 0.02 --set /gravity/0={gravity} --set /gravity/2={gravity} --report one.json"
+            "simulate scene.json --fps 50 --seconds 0.02 --set /gravity/0={gravity} --set /gravity/2={gravity} --report one.json"
         ));
         assert_eq!(row["bodies"], desk.json("one.json")["bodies"]);
     }

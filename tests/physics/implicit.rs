@@ -62,7 +62,7 @@ fn each_has_its_order_where_matrix_and_fibres_swing() {
     bar.initial.deformation = [[1.0, 0.02, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let study = Study::new(&in_space(bar), &Assets::default()).unwrap();
     // Shorter than the period of the stiffest motion, which is a third of a millisecond.
-    for of in study.convergence(&IMPLICIT, 5e-4, 10, 3) {
+    for of in study.convergence(&IMPLICIT, 5e-4, 20, 3) {
         assert_eq!(of.points.len(), 3);
         let expected = if of.integrator == IntegratorKind::BackwardEuler { 1.0 } else { 2.0 };
         let found = of.order.unwrap();
@@ -101,19 +101,40 @@ fn the_leaf_swings_and_rests_as_under_leap_frog() {
     evaluations.sort_unstable();
     let median = evaluations[15] as f64 / 2.0;
     let fit = fit_cosine(&sags, 1.0 / 60.0, rest);
-    let first = leaf_study().first_mode().expect("it is held") / std::f64::consts::TAU;
-    println!("rest {rest:.6} m; first mode {first:.3} Hz; {fit:?}; {median} evaluations a stage, {evaluations:?}");
+    println!("rest {rest:.6} m; {fit:?}; {median} evaluations a stage, {evaluations:?}");
     assert!(median <= 6.0, "{evaluations:?}");
     assert_eq!(fallbacks(&runner), Fallbacks::default());
     assert!((12.0..13.3).contains(&fit.frequency) && fit.decay < 1.0, "{fit:?}");
-    assert!((13.0..13.4).contains(&first), "{first}");
     assert!((fit.mean / rest - 1.0).abs() < 0.005, "{} and {rest}", fit.mean);
 }
 
-fn leaf_study() -> Study {
-    let scene = load_scene(&scenes().join("leaf.json")).unwrap();
-    let assets = sinew::io::load_assets(&scene, &scenes(), &mut |_| {}).unwrap();
-    Study::new(&scene, &assets).unwrap()
+/// The first mode of a bar that is clamped at one end is that in which it swings.
+#[test]
+fn the_first_mode_is_the_slowest_swing() {
+    let mut bar = block([3, 12, 4], 1e6);
+    bar.regions = vec![layers("foot", Axis::Y, Side::Min, 1)];
+    bar.pins = vec![pin("foot", &ALL, sinew::scene::Motion::Fixed)];
+    // Leaning along its thinner side.
+    bar.initial.deformation = [[1.0, 0.01, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut scene = stepped(in_space(bar), IntegratorKind::LeapFrog, 2000.0);
+    let expected = Study::new(&scene, &Assets::default()).unwrap().first_mode().unwrap() / std::f64::consts::TAU;
+    scene.gravity = [0.0; 3];
+    let mut runner = runner(&scene);
+    let lean = |runner: &Runner| runner.world().bodies()[0].state().center().x;
+    let (mut values, mut crossings) = (vec![lean(&runner)], Vec::new());
+    let rest = runner.world().bodies()[0].parts().rest.iter().map(|x| x.x).sum::<f64>() / 144.0;
+    for frame in 1..1000 {
+        runner.advance_frame();
+        values.push(lean(&runner));
+        let [before, now] = [values[frame - 1] - rest, values[frame] - rest];
+        if before > 0.0 && now <= 0.0 {
+            crossings.push((frame as f64 - now / (now - before)) / 2000.0);
+        }
+    }
+    let swings = crossings.len() as f64 - 1.0;
+    let found = swings / (crossings[crossings.len() - 1] - crossings[0]);
+    println!("{expected:.4} Hz expected, {found:.4} Hz in {swings} swings");
+    assert!(swings > 8.0 && (found / expected - 1.0).abs() < 0.01, "{found} {expected}");
 }
 
 #[derive(Debug)]

@@ -48,8 +48,8 @@ pub(crate) use model::read_model;
 pub use obj::write_obj;
 pub use open::{OpenedModel, open_model};
 #[cfg(feature = "gui")]
-pub(crate) use paths::{is_same, is_there};
-pub(crate) use paths::{missing_files, resolved};
+pub(crate) use paths::is_same;
+pub(crate) use paths::{is_there, missing_files, resolved};
 pub use pointer::apply_sets;
 pub(crate) use read::read_json;
 #[cfg(feature = "gui")]

@@ -16,7 +16,6 @@ pub(crate) fn is_same(a: &Path, b: &Path) -> bool {
 }
 
 /// Whether a path leads to anything.
-#[cfg(feature = "gui")]
 pub(crate) fn is_there(path: &Path) -> bool {
     path.exists()
 }

@@ -4,7 +4,7 @@ use crate::common::*;
 use glam::DVec3;
 use sinew::io::load_scene;
 use sinew::scene::{
-    Assets, Axis, Body, BreakPast, Distance, Impulse, IntegratorChoice, IntegratorKind, RestShape, Scene, Side,
+    Assets, Axis, Body, BreakPast, Distance, Extra, Impulse, IntegratorChoice, IntegratorKind, RestShape, Scene, Side,
 };
 use sinew::sim::{Runner, Study};
 use sinew::solver::Fallbacks;
@@ -316,8 +316,8 @@ fn a_bake_chooses_the_whole_body_implicit_where_it_is_held_and_stiff() {
         &|scene| scene.bodies[0].pins.clear(),
         &|scene| scene.bodies[0].initial.velocity = [0.0, 0.0, 1.0],
         &|scene| {
-            scene.bodies[0].fibres[0].break_past =
-                Some(BreakPast { angle: None, tension: Some(5.0), extra: Default::default() })
+            let tension = Some(5.0);
+            scene.bodies[0].fibres[0].break_past = Some(BreakPast { angle: None, tension, extra: Extra::new() });
         },
         &|scene| scene.bodies[0].impulses = vec![Impulse::new("foot", [0.1, 0.0, 0.0])],
         &|scene| scene.time.frames_per_second = 5000.0,

@@ -71,6 +71,13 @@ pub struct Sweep {
     plot_y: Option<String>,
 }
 
+impl Sweep {
+    /// What its plot shows of a scene.
+    fn against(&self, scene: &Scene) -> Result<Against, CliError> {
+        Against::of(&self.vary, self.plot_x.as_ref(), self.plot_y.as_ref(), scene)
+    }
+}
+
 /// Runs every combination, writes the report and prints a table.
 ///
 /// # Errors
@@ -81,7 +88,7 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     let Loaded { scene: base, mut assets, .. } = loaded;
     let samples = args.samples.map(|count| Samples { count, seed: args.seed });
     let product = Product::of(&args.vary, samples)?;
-    let against = args.plot.as_ref().map(|_| Against::of(args, &base)).transpose()?;
+    let against = args.plot.as_ref().map(|_| args.against(&base)).transpose()?;
     // A model that cannot be used is the rows' error: they may all have another.
     complete_assets(&mut assets, &base, folder_of(Some(&args.scene)), &mut |_| {}).ok();
     let plan = Plan { args, base: &base, assets: &assets, product };
@@ -237,7 +244,9 @@ impl Plan<'_> {
         let frames = runner.frames_for(span.limit(&scene));
         let mut series = folder.map(|_| TimeSeries::new(runner.world(), usize::MAX));
         let ran = drive(&mut runner, frames, span.until_rest, interruption, &mut |runner| {
-            series.iter_mut().for_each(|series| series.push(runner.world()));
+            if let Some(series) = &mut series {
+                series.push(runner.world());
+            }
             Ok(())
         })?;
         if matches!(ran.end, RunEnd::Interrupted(_)) {

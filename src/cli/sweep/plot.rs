@@ -2,8 +2,8 @@
 
 use super::super::CliError;
 use super::super::svg::{Canvas, Scale};
-use super::Sweep;
 use super::results::Row;
+use super::vary::Vary;
 use crate::scene::{Scene, one_line};
 use serde_json::Value;
 
@@ -20,19 +20,19 @@ impl Against {
     ///
     /// # Errors
     /// A pointer that is not varied, a measure that there is not.
-    pub(super) fn of(args: &Sweep, scene: &Scene) -> Result<Self, CliError> {
-        let varied: Vec<&String> = args.vary.iter().map(|list| &list.pointer).collect();
+    pub(super) fn of(vary: &[Vary], x: Option<&String>, y: Option<&String>, scene: &Scene) -> Result<Self, CliError> {
+        let varied: Vec<&String> = vary.iter().map(|list| &list.pointer).collect();
         let refused = |option: &'static str, given: &str, known: Vec<&String>| CliError::NotToBePlotted {
             option,
             given: one_line(given),
             known: known.into_iter().map(|name| one_line(name)).collect::<Vec<_>>().join(", "),
         };
-        let x = args.plot_x.as_ref().or(varied.first().copied()).cloned().unwrap_or_default();
+        let x = x.or(varied.first().copied()).cloned().unwrap_or_default();
         if !varied.contains(&&x) {
             return Err(refused("--plot-x", &x, varied));
         }
         let measures: Vec<&String> = scene.measures.iter().map(|measure| &measure.name).collect();
-        let y = args.plot_y.as_ref().or(measures.first().copied()).cloned().unwrap_or_default();
+        let y = y.or(measures.first().copied()).cloned().unwrap_or_default();
         if !measures.contains(&&y) {
             return Err(refused("--plot-y", &y, measures));
         }

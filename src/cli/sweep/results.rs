@@ -3,7 +3,7 @@
 use super::super::error::printable;
 use super::super::{CliError, output};
 use super::vary::{Product, Samples, Vary};
-use crate::io::read_json;
+use crate::io::{is_there, read_json};
 use crate::sim::MeasureReport;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -127,7 +127,7 @@ impl<'a> Results<'a> {
     /// # Errors
     /// A file that is no report of the same sweep.
     pub(super) fn resume(&mut self, product: &Product<'_>) -> Result<usize, CliError> {
-        let Some(path) = self.path.filter(|path| path.exists()) else { return Ok(0) };
+        let Some(path) = self.path.filter(|path| is_there(path)) else { return Ok(0) };
         let refused = |what: String| CliError::CannotResume { path: printable(path), what };
         let before = read_json(path)?;
         let same = json!(&self.plan);

@@ -101,7 +101,7 @@ fn span(text: &str) -> Option<Result<Values, String>> {
     if how == "random" {
         return Some(Ok(Values::Random(range)));
     }
-    let Some(count) = how.parse::<u32>().ok().filter(|count| (2..=MOST_ROWS as u32).contains(count)) else {
+    let Some(count) = how.parse::<u32>().ok().filter(|count| (2..=MOST_ROWS).contains(count)) else {
         return Some(Err(format!("`{text}`: behind the slash stands how many values, at least 2, or `random`")));
     };
     let number = |k: u32| range.at(f64::from(k) / f64::from(count - 1));

@@ -2,9 +2,12 @@
 
 use super::stiffness::Stiffness;
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky};
+use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par, Side};
+use faer::{Conj, MatMut, Par, Side, Spec};
 use glam::{BVec3, DMat3, DVec3};
 use std::sync::Arc;
 
@@ -89,8 +92,13 @@ impl Elimination {
         }
         let n = 3 * sparsity.len();
         let pattern = SymbolicSparseColMatRef::new_checked(n, n, &starts, None, &rows);
-        let symbolic =
-            factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Amd, Default::default()).ok()?;
+        let symbolic = factorize_symbolic_cholesky(
+            pattern,
+            Side::Lower,
+            SymmetricOrdering::Amd,
+            CholeskySymbolicParams::default(),
+        )
+        .ok()?;
         Some(Self { symbolic, starts, rows })
     }
 
@@ -114,16 +122,16 @@ impl Factor {
         let n = symbolic.nrows();
         let pattern = SymbolicSparseColMatRef::new_checked(n, n, starts, None, rows);
         let mut values = vec![0.0; elimination.len()];
-        let mut memory = MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<f32>(Par::Seq, Default::default()));
+        let mut memory = MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<f32>(Par::Seq, Spec::default()));
         symbolic
             .factorize_numeric_llt(
                 &mut values,
                 SparseColMatRef::new(pattern, lower),
                 Side::Lower,
-                Default::default(),
+                LltRegularization::default(),
                 Par::Seq,
                 MemStack::new(&mut memory),
-                Default::default(),
+                Spec::default(),
             )
             .ok()?;
         values.iter().all(|value| value.is_finite()).then(|| Self { elimination: Arc::clone(elimination), values })

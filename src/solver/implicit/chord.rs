@@ -107,7 +107,9 @@ impl Chord {
         let Some(elimination) = Elimination::new(&stiffness) else { return false };
         let turns = turns_with_it.then(|| {
             let mut unmoved = vec![DVec3::ZERO; at.len()];
-            forces.iter_mut().for_each(|force| force.add_forces(time, &at, &mut unmoved));
+            for force in &mut forces {
+                force.add_forces(time, &at, &mut unmoved);
+            }
             let matrix = forces.iter().find_map(|force| force.downcast_ref::<MatrixForce>());
             matrix.map_or_else(Vec::new, |matrix| turns_of(matrix, at.len()))
         });
@@ -162,7 +164,9 @@ impl Chord {
         dynamics.mask(field);
         factor.solve(field);
         field.iter_mut().zip(&self.turns).for_each(|(x, turn)| *x = *turn * *x);
-        field.iter_mut().for_each(|x| *x = -*x);
+        for x in field.iter_mut() {
+            *x = -*x;
+        }
         dynamics.mask(field);
     }
 }

@@ -5,7 +5,7 @@ use super::stiffness::Stiffness;
 use crate::solver::body::BodyParts;
 use crate::solver::constraint::{Constraint, held};
 use crate::solver::forces::Contact;
-use crate::solver::linear_algebra::vectors::{axpy, dot};
+use crate::solver::linear_algebra::vectors::{axpy, divide, dot};
 use crate::solver::state::ParticleState;
 use glam::{DMat3, DVec3};
 use std::sync::Arc;
@@ -49,7 +49,7 @@ pub(crate) fn first_mode(parts: &BodyParts) -> Option<f64> {
         let (stiff, heavy) = (inner.stiff(&x), inner.heavy(&x));
         let size = dot(&x, &heavy);
         let squared = dot(&x, &stiff) / size;
-        if !(squared > 0.0) {
+        if squared.is_nan() || squared <= 0.0 {
             return None;
         }
         if (before - squared).abs() <= SETTLED * squared {
@@ -61,8 +61,8 @@ pub(crate) fn first_mode(parts: &BodyParts) -> Option<f64> {
         factor.solve(&mut change);
         axpy(-1.0, &change, &mut x);
         inner.free(&mut x);
-        let scale = 1.0 / inner.size(&x);
-        x.iter_mut().for_each(|x| *x *= scale);
+        let size = inner.size(&x);
+        divide(&mut x, size);
     }
     Some(before.sqrt())
 }

@@ -171,5 +171,7 @@ fn carry(state: &ParticleState, residual: &[DVec3], h: f64, step: &mut [DVec3]) 
     let whole: DVec3 = residual.iter().sum();
     let moved: DVec3 = step.iter().zip(&state.masses).map(|(&p, &mass)| mass * p).sum();
     let missing = (-h * h * whole - moved) / state.mass();
-    step.iter_mut().for_each(|p| *p += missing);
+    for p in step {
+        *p += missing;
+    }
 }

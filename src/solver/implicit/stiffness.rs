@@ -32,7 +32,7 @@ impl Stiffness {
         let moves = Moves::new(&sparsity, forces, state, time, small);
         let positions = moves.columns(false);
         let velocities = if moves.is_damped() { moves.columns(true) } else { Vec::new() };
-        Self { positions, velocities, sparsity }
+        Self { sparsity, positions, velocities }
     }
 
     /// `K x` [N] of displacements [m].

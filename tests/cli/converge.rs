@@ -14,7 +14,7 @@ fn a_body_is_filled_more_finely_and_stays_as_large_and_heavy() {
     ]);
     scene["bodies"][0]["fibres"] = json!([]);
     let desk = Desk::new(&scene);
-    let out = desk.done("converge scene.json --layers 4,2,6 --seconds 0.06 --report r.json --plot p.svg");
+    let out = desk.done("converge scene.json --layers 4,2,6 --fps 50 --seconds 0.06 --report r.json --plot p.svg");
     let report = desk.json("r.json");
     let runs = report["runs"].as_array().unwrap();
     let layers: Vec<u64> = runs.iter().map(|run| run["layers"].as_u64().unwrap()).collect();
@@ -24,7 +24,7 @@ fn a_body_is_filled_more_finely_and_stays_as_large_and_heavy() {
     }
     assert_eq!(runs[1]["particles"], 4 * 6 * 4);
     // At four layers it is the scene as it stands.
-    desk.done("simulate scene.json --seconds 0.06 --report one.json");
+    desk.done("simulate scene.json --fps 50 --seconds 0.06 --report one.json");
     let press = desk.json("one.json")["measures"][0]["value"].as_f64().unwrap();
     let found = runs[1]["values"][0].as_f64().unwrap();
     assert!((found / press - 1.0).abs() < 1e-9, "{found} {press}");

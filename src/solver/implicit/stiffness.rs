@@ -18,7 +18,7 @@ pub(super) struct Stiffness {
 
 /// Velocities are changed by this many small lengths over a second: forces are linear in them, and what is small for a
 /// position would drown in the round-off of the elastic forces.
-const FASTER: f64 = 1e3;
+const FASTER: f64 = 1e5;
 
 /// Moves that one copy of the forces is asked for, one after the other. Fixed, so that warm starts and with them the bits
 /// do not depend on the number of threads.

@@ -240,6 +240,7 @@ fn in_plane(body: &TwoLayer, model: &LayerModel, state: &ParticleState) -> Vec<C
     vec![Constraint {
         particles: (0..state.len() as u32).collect(),
         start: state.positions.clone(),
+        found: None,
         locked,
         motion: PrescribedMotion::Fixed,
     }]

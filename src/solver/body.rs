@@ -157,9 +157,9 @@ impl Body {
         self.parts.skin.as_ref().map_or(DVec3::ZERO, |skin| skin.arm(vertex, &self.parts.state.positions))
     }
 
-    /// Takes over the motion of `other`, the same body before an edit, with what has broken in it; false if the two do not
-    /// have the same particles.
-    pub(super) fn adopt(&mut self, other: &Self) -> bool {
+    /// Takes over the motion of `other`, the same body before an edit, at a time [s], with what has broken in it; false if
+    /// the two do not have the same particles. What is newly pinned is held where it is.
+    pub(super) fn adopt(&mut self, other: &Self, time: f64) -> bool {
         if self.parts.rest != other.parts.rest || other.divergence.is_some() {
             return false;
         }
@@ -168,6 +168,9 @@ impl Body {
         self.grabs.clone_from(&other.grabs);
         for force in &mut self.parts.forces {
             force.adopt(&other.parts.forces);
+        }
+        for constraint in &mut self.parts.constraints {
+            constraint.take_hold(&other.parts.constraints, time, &other.parts.state);
         }
         self.steps = other.steps;
         self.evaluations = other.evaluations;

@@ -2,6 +2,7 @@
 
 use super::state::ParticleState;
 use glam::{BVec3, DQuat, DVec3};
+use std::sync::Arc;
 
 /// Particles held or moved along some world axes.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,6 +11,8 @@ pub(crate) struct Constraint {
     pub particles: Vec<u32>,
     /// Where each of them starts [m].
     pub start: Vec<DVec3>,
+    /// From where each of them is moved instead [m], where it was taken hold of on its way.
+    pub found: Option<Arc<[DVec3]>>,
     /// Axes along which they are held.
     pub locked: BVec3,
     /// How they move.
@@ -94,6 +97,17 @@ impl PrescribedMotion {
         }
     }
 
+    /// Where something starts that is at `position` [m] at `time` [s].
+    fn start_of(&self, time: f64, position: DVec3) -> DVec3 {
+        match self {
+            Self::Turn { axis, origin, angle, course } => {
+                let turn = DQuat::from_axis_angle(*axis, course.at(time).0 * angle);
+                *origin + turn.inverse() * (position - *origin)
+            }
+            Self::Fixed | Self::Ramp { .. } | Self::Keyframes(_) => position - self.at(time, DVec3::ZERO).0,
+        }
+    }
+
     /// When the motion has ended [s].
     pub(crate) fn end(&self) -> f64 {
         match self {
@@ -118,9 +132,33 @@ fn interpolate(keys: &[(f64, DVec3)], time: f64) -> (DVec3, DVec3) {
 }
 
 impl Constraint {
+    /// From where each of the particles is moved [m].
+    fn from(&self) -> &[DVec3] {
+        self.found.as_deref().unwrap_or(&self.start)
+    }
+
+    /// Holds particles from `time` [s] on where they are in `state`, but for what `before` held already: a constraint that
+    /// is new to a motion leaves it where it finds it.
+    pub(crate) fn take_hold(&mut self, before: &[Self], time: f64, state: &ParticleState) {
+        let same = |old: &&Self| old.particles == self.particles;
+        let like = before.iter().filter(same).find(|old| old.locked == self.locked);
+        let old = like.or_else(|| before.iter().find(same));
+        let held = old.map_or(BVec3::FALSE, |old| old.locked);
+        if (self.locked & !held) == BVec3::FALSE {
+            self.found = old.and_then(|old| old.found.clone());
+            return;
+        }
+        let found = self.particles.iter().enumerate().map(|(k, &i)| {
+            let here = self.motion.start_of(time, state.positions[i as usize]);
+            let there = old.map_or(here, |old| old.from()[k]);
+            DVec3::select(held, there, here)
+        });
+        self.found = Some(found.collect());
+    }
+
     /// Puts the held particles where they belong at `time` [s], with their velocities.
     pub(crate) fn apply(&self, time: f64, state: &mut ParticleState) {
-        for (&i, &start) in self.particles.iter().zip(&self.start) {
+        for (&i, &start) in self.particles.iter().zip(self.from()) {
             let (position, velocity) = self.motion.at(time, start);
             let i = i as usize;
             state.positions[i] = DVec3::select(self.locked, position, state.positions[i]);
@@ -169,5 +207,9 @@ mod tests {
             }
         }
         assert_eq!(motions[0].at(9.0, start).0, start + DVec3::new(1.0, 2.0, 3.0));
+        for motion in &motions {
+            let there = motion.at(0.27, start).0;
+            assert!(motion.start_of(0.27, there).distance(start) < 1e-12, "{motion:?}");
+        }
     }
 }

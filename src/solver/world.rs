@@ -174,7 +174,7 @@ impl World {
         let mut goes_on = vec![None; self.bodies.len()];
         for (body, goes_on) in self.bodies.iter_mut().zip(&mut goes_on) {
             let old = before.bodies.iter().position(|old| old.parts().id == body.parts().id);
-            *goes_on = old.filter(|&old| body.adopt(&before.bodies[old]));
+            *goes_on = old.filter(|&old| body.adopt(&before.bodies[old], before.time()));
         }
         for panel in &mut self.panels {
             if let Some(old) = before.panels.iter().find(|old| old.id == panel.id) {

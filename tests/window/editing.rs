@@ -1,9 +1,10 @@
 //! Panels, files and drops change the document as they say.
 
-use super::{Window, click, is_settled, open, press_key, scene, still, until};
+use super::{Window, advance, click, hold, is_settled, open, press_key, reset, scene, still, until};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
+use glam::DVec3;
 use sinew::io::load_scene;
 use sinew::scene::{Axis, PanelMotion, Shape, TimeStep};
 use std::path::{Path, PathBuf};
@@ -92,6 +93,52 @@ fn a_pin_holds_the_bottom_and_can_be_removed() {
     assert!(body.regions.iter().any(|region| region.id == body.pins[pins].region));
     until(&mut window, |app| app.published().status.edits == 1 && is_settled(app));
     assert!(window.state().published().status.failure.is_none());
+}
+
+#[test]
+fn a_pin_added_on_the_way_holds_what_it_finds_and_not_the_start() {
+    let mut window = still();
+    for _ in 0..30 {
+        advance(&mut window);
+    }
+    let particles = |window: &Window| window.state().published().snapshot.bodies[0].particles.clone();
+    let rest = window.state().published().at_rest.bodies[0].particles.clone();
+    let top = rest.iter().map(|x| x.y).fold(f64::NEG_INFINITY, f64::max);
+    let held: Vec<usize> = (0..rest.len()).filter(|&i| rest[i].y > top - 1e-6).collect();
+    let found = particles(&window);
+    let start = window.state().published().placed.expect("a body")[1].y;
+    assert!((found[held[0]].y - start).abs() > 5e-3, "it is elsewhere by now: {}", found[held[0]].y - start);
+    click(&mut window, "World");
+    window.get_by_role_and_label(Role::ComboBox, "Pin a region").click();
+    window.step();
+    window.step();
+    click(&mut window, "top");
+    until(&mut window, |app| app.published().status.edits == 1 && is_settled(app));
+    for _ in 0..20 {
+        advance(&mut window);
+    }
+    let now = particles(&window);
+    for &i in &held {
+        assert!(now[i].distance(found[i]) < 1e-12, "particle {i} went from {} to {}", found[i], now[i]);
+    }
+    assert!(now.iter().any(|x| x.distance(DVec3::ZERO) > 0.0) && now != found, "the rest still moves");
+    assert!(window.state().published().status.divergence.is_none());
+    // Another edit, and an earlier frame, leave it where it is held.
+    set(&mut window, "Gravity", "-9");
+    until(&mut window, |app| app.published().status.edits == 2 && is_settled(app));
+    for key in [Key::ArrowLeft, Key::ArrowLeft] {
+        press_key(&mut window, Modifiers::NONE, key);
+    }
+    press_key(&mut window, Modifiers::SHIFT, Key::Enter);
+    let time = window.state().published().status.time;
+    until(&mut window, |app| app.published().status.time > time + 0.1);
+    for &i in &held {
+        assert!(particles(&window)[i].distance(found[i]) < 1e-12);
+    }
+    // From the start on it holds the start.
+    hold(&mut window);
+    reset(&mut window);
+    assert!((particles(&window)[held[0]].y - found[held[0]].y).abs() > 5e-3);
 }
 
 #[test]

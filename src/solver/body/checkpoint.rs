@@ -8,6 +8,7 @@ use crate::solver::layers::Layers;
 use crate::solver::skin::Skin;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// Everything of a body that moving changes. Rest data are not among it: they stay in the body, and copies of forces
 /// share theirs.
@@ -25,6 +26,8 @@ pub(in crate::solver) struct BodyCheckpoint {
     forces: Vec<Box<dyn Force>>,
     integrator: Box<dyn Integrator>,
     grabs: Vec<Grab>,
+    /// From where its constraints move what they took hold of on the way.
+    found: Vec<Option<Arc<[DVec3]>>>,
     current: bool,
     steps: u64,
     evaluations: u64,
@@ -38,7 +41,8 @@ impl BodyCheckpoint {
         let lists = size_of_val(&*self.positions)
             + size_of_val(&*self.velocities)
             + size_of_val(&*self.net)
-            + size_of_val(&*self.external_forces);
+            + size_of_val(&*self.external_forces)
+            + size_of_val(&*self.found);
         let grabs: usize = self.grabs.iter().map(Force::bytes).sum();
         let forces: usize = self.forces.iter().map(|force| force.bytes() + size_of_val(force)).sum();
         size_of_val(self) + lists + grabs + forces + self.integrator.bytes()
@@ -58,6 +62,7 @@ impl Body {
             forces: self.parts.forces.clone(),
             integrator: self.parts.integrator.clone(),
             grabs: self.grabs.clone(),
+            found: self.parts.constraints.iter().map(|constraint| constraint.found.clone()).collect(),
             current: self.current,
             steps: self.steps,
             evaluations: self.evaluations,
@@ -81,6 +86,9 @@ impl Body {
         self.parts.forces.clone_from(&kept.forces);
         self.parts.integrator.clone_from(&kept.integrator);
         self.grabs.clone_from(&kept.grabs);
+        for (constraint, found) in self.parts.constraints.iter_mut().zip(&kept.found) {
+            constraint.found.clone_from(found);
+        }
         self.current = kept.current;
         self.steps = kept.steps;
         self.evaluations = kept.evaluations;

@@ -19,6 +19,7 @@ mod export;
 mod field;
 pub(crate) mod gallery;
 mod inspector;
+mod input_order;
 mod material_fields;
 pub(crate) mod menu;
 mod next;

@@ -29,6 +29,10 @@ impl Default for TopBar {
 impl TopBar {
     /// Keeps the times of the last second's frames.
     pub(super) fn count_frame(&mut self, ctx: &egui::Context) {
+        if ctx.will_discard() {
+            // It is one of several passes over the input of a frame, and not drawn.
+            return;
+        }
         let now = ctx.input(|input| input.time);
         self.frame_times.push_back(now);
         while self.frame_times.front().is_some_and(|time| *time < now - 1.0) {

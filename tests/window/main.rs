@@ -9,6 +9,7 @@ mod fibres;
 mod gallery;
 mod hashes;
 mod patterns;
+mod hurried;
 mod picture;
 mod plots;
 mod pulling;

@@ -16,6 +16,8 @@ use super::context::{Context, OpenDocument, Severity, Simulation};
 use super::dialogs::Dialog;
 use super::document::Document;
 use super::gallery::Gallery;
+use super::input_order::InputOrder;
+use super::opening::Opening;
 use super::patterns::Patterns;
 use super::right_panel::{PropertyTab, RightPanel};
 use super::theme::Tone;
@@ -58,6 +60,7 @@ impl App {
         let mut recent = RecentFiles::default();
         if let Some(path) = &document.path {
             recent.add(path);
+        ctx.add_plugin(InputOrder::default());
         }
         let repaint = ctx.clone();
         let simulation = Simulation::start(&document, move || repaint.request_repaint());

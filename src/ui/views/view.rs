@@ -102,3 +102,7 @@ fn selected(state: &DisplayedState, cx: &Context) -> Vec<[u32; 2]> {
     let fibres = state.bodies.get(body).into_iter().flat_map(|body| body.fibres.iter().enumerate());
     fibres.filter(|(_, fibre)| cx.selection.contains(&fibre.id)).map(|(k, _)| [body as u32, k as u32]).collect()
 }
+    if ui.ctx().will_discard() {
+        // More of the frame's input waits; what it comes to is drawn.
+        return;
+    }

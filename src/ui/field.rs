@@ -1,6 +1,7 @@
 //! A labelled number with its unit, range, default and the equation that it enters.
 
 use crate::text::number::compact;
+use crate::text::quantity::typed;
 use egui::{Align, DragValue, Layout, Response, Ui};
 use std::ops::RangeInclusive;
 
@@ -66,7 +67,8 @@ impl NumberField {
                 .clamp_existing_to_range(false)
                 .speed(speed)
                 .suffix(suffix)
-                .custom_formatter(|value, _| compact(value)),
+                .custom_formatter(|value, _| compact(value))
+                .custom_parser(|text| typed(text, self.unit)),
         )
     }
 
@@ -93,7 +95,7 @@ pub(super) fn vector(ui: &mut Ui, label: &str, unit: &str, value: &mut [f64; 3],
             let speed = (part.abs() * 0.01).max(1e-3);
             let drag = DragValue::new(part).speed(speed).prefix(format!("{axis} ")).suffix(format!(" {unit}"));
             changed |= ui
-                .add(drag.custom_formatter(|value, _| compact(value)))
+                .add(drag.custom_formatter(|value, _| compact(value)).custom_parser(|text| typed(text, unit)))
                 .on_hover_text(format!("{tooltip}\nAlong {axis}"))
                 .changed();
         }

@@ -37,6 +37,13 @@ pub enum SimCommand {
     Release,
     /// Leave what was grabbed last where it is held now.
     PinGrab,
+    /// Let go of a point that was pinned.
+    Unpin {
+        /// Index of the body.
+        body: usize,
+        /// Its place among what pulls at the body.
+        grab: usize,
+    },
     /// Let go of everything that was pinned.
     ReleaseAll,
     /// Run the scene under several integrators side by side from its start, each in steps of exactly `dt` [s]; none ends

@@ -21,7 +21,7 @@ pub use report::{BodyReport, MeasureReport, Report};
 pub use runner::Runner;
 pub(crate) use series::body_labels;
 pub use series::{Column, ColumnKind, TimeSeries};
-pub use status::{ComparedRun, ComparedSample, Published, RecordingStatus, Status, Stepping};
+pub use status::{ComparedRun, ComparedSample, PinnedPoint, Published, RecordingStatus, Status, Stepping};
 pub use study::Study;
 pub use trial::Trial;
 pub use worker::{RecordedSeries, Worker};

@@ -138,6 +138,19 @@ pub struct ComparedSample {
     pub pressure: Option<f64>,
 }
 
+/// A point that a drag has left pinned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PinnedPoint {
+    /// Index of its body.
+    pub body: usize,
+    /// Its place among what pulls at the body.
+    pub grab: usize,
+    /// Where it is [m], world.
+    pub at: DVec3,
+    /// Where it is pulled to [m], world.
+    pub target: DVec3,
+}
+
 /// A picture of the world and what is to be said about it.
 #[derive(Clone, Debug, Default)]
 pub struct Published {
@@ -152,6 +165,11 @@ pub struct Published {
     pub thin: Arc<[Vec<u32>]>,
     /// Opposite corners of the box around all bodies where the scene places them [m], world; none without a body.
     pub placed: Option<[DVec3; 2]>,
+    /// Particles that each constraint of each body holds, its pins last; the same ones until the scene is put together
+    /// again.
+    pub held: Arc<[Vec<Vec<u32>>]>,
+    /// Points that drags have left pinned, as they are shown.
+    pub pinned: Vec<PinnedPoint>,
     /// The rest.
     pub status: Status,
     /// Runs that are compared; the snapshot shows them side by side then. Empty where none are.

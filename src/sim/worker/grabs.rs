@@ -1,6 +1,10 @@
 //! The grab that follows the pointer.
 
 use super::runs::Runs;
+use crate::sim::runner::Runner;
+use crate::sim::status::PinnedPoint;
+use crate::solver::body::Body;
+use crate::solver::forces::Grab;
 use glam::DVec3;
 
 /// What the pointer holds. Grabs that were pinned are none of its concern.
@@ -60,4 +64,20 @@ impl PointerGrab {
     pub(super) fn body(&self) -> Option<usize> {
         self.body
     }
+}
+
+/// The points that drags have left pinned; `pointer` is the body whose last grab follows the pointer.
+pub(super) fn pinned_points(runner: &Runner, pointer: Option<usize>) -> Vec<PinnedPoint> {
+    let bodies = runner.world().bodies().iter().enumerate();
+    let of = |(body, held): (usize, &Body)| {
+        let count = held.grabs().len() - usize::from(pointer == Some(body) && !held.grabs().is_empty());
+        let point = |(grab, each): (usize, &Grab)| {
+            // What the scene itself pulls for a while is nobody's pin.
+            let is_pin = each.until.is_infinite();
+            let at = each.point.gather(&held.state().positions);
+            is_pin.then_some(PinnedPoint { body, grab, at, target: each.target })
+        };
+        held.grabs().iter().take(count).enumerate().filter_map(point).collect::<Vec<_>>()
+    };
+    bodies.flat_map(of).collect()
 }

@@ -2,6 +2,7 @@
 
 use crate::sim::recording::{RestoredRun, StoredState};
 use crate::sim::runner::Runner;
+use crate::solver::body::Body;
 use crate::solver::snapshot::Snapshot;
 use glam::DVec3;
 use std::sync::Arc;
@@ -14,6 +15,7 @@ pub(super) struct LiveRun {
     at_rest: Arc<Snapshot>,
     placed: Option<[DVec3; 2]>,
     thin: Arc<[Vec<u32>]>,
+    held: Arc<[Vec<Vec<u32>>]>,
 }
 
 impl LiveRun {
@@ -23,6 +25,8 @@ impl LiveRun {
         self.thin = thin.into();
         self.at_rest = Arc::new(Snapshot::in_model_frames(fresh.world()));
         self.placed = fresh.world().placed();
+        let held = |body: &Body| body.parts().constraints.iter().map(|each| each.particles.clone()).collect();
+        self.held = fresh.world().bodies().iter().map(held).collect();
         self.start = Some(Arc::new(fresh.clone()));
         let mut runner = fresh;
         if let Some(before) = self.runner.as_ref().filter(|_| keeps_motion) {
@@ -86,6 +90,11 @@ impl LiveRun {
     /// Particles of each body in parts too thin.
     pub(super) fn thin(&self) -> &Arc<[Vec<u32>]> {
         &self.thin
+    }
+
+    /// Particles that the constraints of each body hold.
+    pub(super) fn held(&self) -> &Arc<[Vec<Vec<u32>>]> {
+        &self.held
     }
 
     /// The present state, to go on from later.

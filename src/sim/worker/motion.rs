@@ -2,7 +2,7 @@
 
 use super::build::guarded;
 use super::comparison::Comparison;
-use super::grabs::PointerGrab;
+use super::grabs::{PointerGrab, pinned_points};
 use super::playback::Playback;
 use super::recorded_series::RecordedSeries;
 use super::replay::Replay;
@@ -61,6 +61,7 @@ impl Motion {
             SimCommand::MoveGrab(target) => self.grab.move_to(&mut self.runs, target),
             SimCommand::Release => self.grab.release(&mut self.runs),
             SimCommand::PinGrab => self.grab.pin(),
+            SimCommand::Unpin { body, grab } => self.unpin(body, grab),
             SimCommand::ReleaseAll => self.release_all(),
             SimCommand::Strike { body, impulse } => {
                 self.continue_here();
@@ -267,6 +268,15 @@ impl Motion {
         }
     }
 
+    fn unpin(&mut self, body: usize, grab: usize) {
+        self.continue_here();
+        for held in self.runs.bodies_mut(body) {
+            if grab < held.grabs().len() {
+                held.grabs_mut().remove(grab);
+            }
+        }
+    }
+
     fn release_all(&mut self) {
         // There is nothing to do to an earlier frame in which nothing is held.
         if self.replay.shown().is_some_and(|shown| !shown.is_held()) {
@@ -326,6 +336,8 @@ impl Motion {
             self.runs.ghost.runner()
         };
         let mut ghost = ghost.map(Runner::particles);
+        let pointer = self.grab.body().filter(|_| !self.replay.is_active());
+        let pinned = self.shown().map_or_else(Vec::new, |runner| pinned_points(runner, pointer));
         let mut compared = Vec::new();
         if let Some((side_by_side, runs)) = self.comparison.picture() {
             self.status.time = side_by_side.time;
@@ -335,12 +347,15 @@ impl Motion {
         [self.status.frames_per_second, self.status.real_time_factor] = self.playback.rates();
         self.status.recording = self.replay.status(live.start());
         let (at_rest, placed, thin) = (Arc::clone(live.at_rest()), live.placed(), Arc::clone(live.thin()));
+        let held = Arc::clone(live.held());
         self.outlet.publish(Published {
             snapshot,
             ghost,
             at_rest,
             thin,
             placed,
+            held,
+            pinned,
             status: self.status.clone(),
             compared,
         });

@@ -1,6 +1,7 @@
 //! What a fibre solid is made of and how its shape is sampled, as numbers that can be changed.
 
 use super::field::NumberField;
+use super::material_presets::material_presets;
 use super::theme::GRID;
 use crate::scene::{Mass, Material};
 use egui::{RichText, Ui};
@@ -8,7 +9,7 @@ use egui::{RichText, Ui};
 const YOUNG: NumberField = NumberField::new(
     "Young's modulus",
     "Pa",
-    1e2..=1e10,
+    1e2..=1e12,
     Some(1e5),
     "E: stiffness of the matrix; enters lambda and mu of the corotated stress (eq. 1)",
 );
@@ -61,6 +62,7 @@ const SPACING_RATIO: NumberField = NumberField::new(
 /// Shows a material.
 pub(super) fn material_fields(ui: &mut Ui, material: &mut Material) {
     ui.heading("Material");
+    material_presets(ui, material);
     YOUNG.show(ui, &mut material.young_modulus);
     POISSON.show(ui, &mut material.poisson_ratio);
     match &mut material.mass {

@@ -22,6 +22,7 @@ mod inspector;
 mod input_order;
 mod material_fields;
 pub(crate) mod menu;
+mod material_presets;
 mod next;
 mod outliner;
 mod panels_section;

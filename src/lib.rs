@@ -146,7 +146,8 @@
 //! The scene:
 //! - *scene*: the document. *Assets*: the solids that its meshes stand for. *Solid*: a mesh with an inside.
 //! - *room*: the floor, walls and ceiling. *Panel*: a rigid horizontal plate that falls or is driven.
-//! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved.
+//! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved. One that is new to a motion
+//!   takes hold of the region where it finds it. *Pinned point*: what a drag has left where it pulls.
 //! - *measure*: a quantity read off a body, such as the twist of one region against another. *Probe*: a measure in a world.
 //! - *model frame*: the frame in which a body is described. *Placement*: where it stands in the world.
 //! - *view*: front, side or top. *Stroke*: what was drawn in one. *Lift*: to make a curve of two strokes.
@@ -179,6 +180,7 @@
 //! - *draw list*: what is to be seen, as plain data. *Pick number*: what was drawn at a pixel.
 //! - *view inputs*: all that the picture of a view follows from but its camera; it is kept until one of them changes.
 //! - *command*: a change of the document, one step of undo. *Gesture*: changes that undo as one, such as a drag.
+//! - *pass*: of a frame's input, up to one change that others depend on; only the last pass over a frame is drawn.
 //! - *action*: what menus, keys and the palette offer. *Disabled reason*: why one cannot be had just now.
 //! - *autosave*: the copy of a changed scene that is kept aside. *Recoverable document*: one that is found at the next
 //!   start.

@@ -75,10 +75,16 @@ actions! {
     Quit in File [ctrl(Key::Q)] "Quit": "Closes the window";
     Undo in Edit [ctrl(Key::Z)] "Undo": "Takes the last change of the scene back";
     Redo in Edit [ctrl_shift(Key::Z), ctrl(Key::Y)] "Redo": "Makes the change that was taken back again";
-    Delete in Edit [plain(Key::Delete), plain(Key::X)] "Delete": "Deletes the selected fibres or vertices";
+    Delete in Edit [plain(Key::Delete), plain(Key::X)] "Delete": "Deletes the selected fibres, vertices or pin";
     Duplicate in Edit [shift(Key::D)] "Duplicate": "Copies the selected fibres and moves the copies with the pointer";
-    SelectAll in Edit [plain(Key::A)] "Select all": "Selects every fibre of the body, or every vertex of the fibre";
+    Cut in Edit [ctrl(Key::X)] "Cut": "Puts the selected fibres on the clipboard and takes them out of the body";
+    Copy in Edit [ctrl(Key::C)] "Copy": "Puts the selected fibres on the clipboard, for this scene or another one";
+    Paste in Edit [ctrl(Key::V)] "Paste": "Puts the fibres of the clipboard into the body";
+    SelectAll in Edit [plain(Key::A), ctrl(Key::A)] "Select all": "Selects every fibre of the body, or every vertex of the fibre";
     BoxSelect in Edit [plain(Key::B)] "Select by a box": "Selects what a box is dragged around; Shift adds";
+    DrawTool in Fibre [plain(Key::E)] "Draw tool": "A drag in a drawing view draws a stroke, wherever it begins";
+    SelectTool in Fibre [plain(Key::W)] "Select tool":
+        "A drag in a drawing view moves the selection by its handles, or elsewhere selects by a box";
     Vertices in Fibre [plain(Key::Tab)] "Edit vertices":
         "Edits the vertices of the selected fibre, or whole fibres again";
     Move in Fibre [plain(Key::G)] "Move":
@@ -123,6 +129,8 @@ actions! {
         "Lets go of every point that P has pinned while dragging";
     Frame in View [plain(Key::F)] "Frame selection": "Fits every view to the selected fibre, or to everything";
     FrameAll in View [plain(Key::Home)] "Frame everything": "Fits every view to everything";
+    Follow in View [alt(Key::B)] "Follow the body":
+        "Moves the result view along with the body, wherever that goes";
     XRay in View [alt(Key::Z)] "See through the solid": "Shows the fibres through the solid in the result view";
     Particles in View [alt(Key::P)] "Show particles": "Shows material particles cool and structure particles warm";
     Springs in View [alt(Key::S)] "Show springs":
@@ -204,14 +212,16 @@ impl std::ops::Index<Action> for ActionStates {
 }
 
 /// Gestures of the pointer and single keys that are no actions, for the help.
-pub(crate) const GESTURES: [(&str, &str); 16] = [
+pub(crate) const GESTURES: [(&str, &str); 18] = [
     ("Click on a fibre, Shift + click", "selects it, selects it too"),
     ("Drag an arrow, the square, the ring", "moves along an axis, moves freely, turns"),
     ("X, Y, Z, numbers, Shift, Ctrl while moving", "lock an axis, mm or degrees, finely, in steps"),
     ("Drag a vertex", "moves it, while vertices are edited"),
     ("Left drag in a drawing view", "draws a stroke"),
     ("Escape", "takes the last stroke back"),
-    ("Left drag on a body in the result view", "pulls it"),
+    ("Left drag or right drag on a body in the result view", "pulls it"),
+    ("Right click in a view", "opens the menu of what lies there"),
+    ("2*3cm, 1.5 kPa, 90 g", "are numbers in every field, and while something is moved"),
     ("P while pulling", "leaves the point pinned where it is"),
     ("Drag in the timeline", "shows the motion at another time"),
     ("Middle drag, Alt + left drag", "turns the result view, moves a drawing view"),

@@ -179,17 +179,12 @@ impl Comparison {
         });
     }
 
-    fn plot(
-        &self,
-        ui: &mut Ui,
-        cx: &Context,
-        [title, unit]: [&str; 2],
-        value: impl Fn(&ComparedSample) -> Option<f64>,
-    ) {
+    fn plot(&self, ui: &mut Ui, cx: &Context, [title, unit]: [&str; 2], value: fn(&ComparedSample) -> Option<f64>) {
         ui.label(RichText::new(title).small());
-        let histories = cx.simulation.published().compared.iter().zip(&self.histories);
-        if !self.histories.iter().flatten().any(|sample| value(sample).is_some()) {
-            ui.label(RichText::new("The scene has no two-layer body that encloses gas").weak().small());
+        let compared = &cx.simulation.published().compared;
+        let histories = compared.iter().zip(&self.histories);
+        if let Some(why) = why_empty(compared, self.histories.iter().flatten(), value) {
+            ui.label(RichText::new(why).weak().small());
             return;
         }
         let trace = |(run, history): (&ComparedRun, &VecDeque<ComparedSample>)| Trace {
@@ -201,6 +196,25 @@ impl Comparison {
         };
         over_time(ui, title, PLOTS_HEIGHT - 7.0 * GRID, unit, histories.map(trace).collect(), None);
     }
+}
+
+/// Why there is nothing to plot; none where there is something.
+fn why_empty<'a>(
+    compared: &[ComparedRun],
+    mut samples: impl Iterator<Item = &'a ComparedSample>,
+    value: fn(&ComparedSample) -> Option<f64>,
+) -> Option<&'static str> {
+    if samples.any(|sample| value(sample).is_some()) {
+        return None;
+    }
+    // What was published of a run that has blown up still tells whether there is such a value.
+    Some(if !compared.iter().any(|run| value(&run.sample).is_some()) {
+        "The scene has no two-layer body that encloses gas"
+    } else if compared.iter().all(|run| run.blew_up_at.is_some()) {
+        "Every run blew up before there was anything to plot: choose a smaller step"
+    } else {
+        "Nothing is computed yet"
+    })
 }
 
 /// How each run stands.

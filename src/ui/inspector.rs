@@ -63,7 +63,8 @@ pub(super) fn inspector(ui: &mut Ui, cx: &mut Context, body: &str) {
         cx.edit(&Command::set_fibres("Change", body, changed), Step::Present);
     }
     ui.add_space(GRID);
-    if matches!(fibre.source, FibreSource::Strokes(_)) && cx.status.drawn_fibre.as_ref() != cx.selection.active() {
+    let is_asked_already = cx.status.offers_stretch || cx.status.drawn_fibre.as_ref() == cx.selection.active();
+    if matches!(fibre.source, FibreSource::Strokes(_)) && !is_asked_already {
         stroke_choices(ui, cx);
     }
     ui.horizontal_wrapped(|ui| {

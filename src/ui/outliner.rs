@@ -6,8 +6,10 @@ use super::inspector::inspector;
 use super::theme::{self, GRID, SIDE_WIDTH};
 use crate::edit::{Command, Item};
 use crate::scene::{AnyBody, Fibre};
-use crate::solver::snapshot::SpringKind;
-use egui::{Color32, Id, Panel, Pos2, Rect, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo};
+use crate::solver::snapshot::{FibreSnapshot, SpringKind};
+use egui::{
+    Color32, Id, Panel, Pos2, Rect, RichText, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo,
+};
 
 /// Shows what the document consists of, the selected fibres' properties, and the brush while it is in use.
 pub(super) fn left_panel(ui: &mut Ui, cx: &mut Context, editing: &mut Editing) {
@@ -105,6 +107,7 @@ fn fibres(ui: &mut Ui, cx: &mut Context) {
         ui.horizontal(|ui| {
             colour(ui, cx, &item, fibre, k);
             let chosen = cx.selection.contains(&fibre.id);
+            let is_in = is_in_solid(cx, fibre);
             if row(ui, cx, &item, fibre.title(), fibre.hidden, chosen) {
                 let adding = ui.input(|input| input.modifiers.shift || input.modifiers.command);
                 if chosen && !adding && cx.selection.fibres().len() == 1 {
@@ -113,6 +116,10 @@ fn fibres(ui: &mut Ui, cx: &mut Context) {
                     cx.selection.click(Some(&fibre.id), adding);
                 }
             }
+            if !is_in {
+                let why = "Too little of this fibre lies in the solid for it to act: move it in, or delete it";
+                ui.label(RichText::new("outside").small().color(cx.tone.warning())).on_hover_text(why);
+            }
         });
     }
     ui.add_space(2.0 * GRID);
@@ -120,6 +127,15 @@ fn fibres(ui: &mut Ui, cx: &mut Context) {
         ui.separator();
         inspector(ui, cx, &id);
     }
+}
+
+/// Whether a fibre acts: the solid was put together with it, or is still to be.
+fn is_in_solid(cx: &Context, fibre: &Fibre) -> bool {
+    let status = &cx.simulation.published().status;
+    let is_settled = cx.simulation.is_up_to_date() && status.baking.is_none() && !status.stopped;
+    let known = cx.active.model.bodies.first().map(|body| &body.fibres);
+    let is_there = |known: &Vec<_>| known.iter().any(|shown: &FibreSnapshot| shown.id == fibre.id);
+    !is_settled || status.failure.is_some() || known.is_none_or(is_there)
 }
 
 /// The colour of a fibre, which can be changed.

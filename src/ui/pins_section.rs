@@ -1,6 +1,6 @@
 //! Pins of the active body: the regions that are held, and along which axes.
 
-use super::context::{Context, Step};
+use super::context::{ChosenPin, Context, Step};
 use crate::edit::Command;
 use crate::scene::{Axis, Pin, Region, Side};
 use egui::{ComboBox, Ui};
@@ -22,7 +22,11 @@ pub(super) fn pins_section(ui: &mut Ui, cx: &mut Context) {
     for (index, pin) in new_pins.iter_mut().enumerate() {
         ui.push_id(index, |ui| {
             ui.horizontal(|ui| {
-                ui.label(format!("{}: holds \"{}\"", pin.id, pin.region));
+                let which = ChosenPin::Region { body: id.clone(), pin: pin.id.clone() };
+                let text = format!("{}: holds \"{}\"", pin.id, pin.region);
+                if ui.selectable_label(cx.selection.pin() == Some(&which), text).clicked() {
+                    cx.selection.choose_pin(which);
+                }
                 if ui.button("Remove").on_hover_text("Lets go of this region").clicked() {
                     gone = Some(index);
                 }

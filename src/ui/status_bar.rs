@@ -1,66 +1,65 @@
 //! The line of status below the views.
 
-use super::context::{Context, Request, Severity, Step};
+use super::context::{Context, Request, Severity};
+use super::remedy::Remedy;
+use super::said::Said;
 use super::stroke_choices::stroke_choices;
 use super::theme::{self, GRID};
-use crate::edit::Command;
-use crate::scene::TimeStep;
-use crate::sim::SimCommand;
 use egui::{Label, Panel, RichText, Ui};
 
+/// A message has so much room at least, however long the hint [points].
+const LEAST_ROOM: f32 = 160.0;
+
 /// Shows what stopped the simulation, or what was said last and what can be done now.
-pub(super) fn status_bar(ui: &mut Ui, cx: &mut Context) {
+pub(super) fn status_bar(ui: &mut Ui, cx: &mut Context, said: &mut Said, remedy: &mut Remedy) {
+    said.review(ui, cx);
     Panel::bottom("status").frame(theme::panel(ui)).show(ui, |ui| {
         ui.add_space(0.5 * GRID);
-        ui.horizontal(|ui| line(ui, cx));
+        ui.horizontal(|ui| {
+            // As high with buttons as without: the views above must not jump.
+            let text = ui.text_style_height(&egui::TextStyle::Button);
+            ui.set_min_height((text + 2.0 * ui.spacing().button_padding.y).max(ui.spacing().interact_size.y));
+            line(ui, cx, remedy);
+        });
         ui.add_space(0.5 * GRID);
     });
 }
 
-fn line(ui: &mut Ui, cx: &mut Context) {
+fn line(ui: &mut Ui, cx: &mut Context, remedy: &mut Remedy) {
     let status = &cx.simulation.published().status;
     if let Some(failure) = &status.failure {
-        ui.colored_label(cx.tone.error(), format!("Stopped: {}", cx.scene().with_names(failure)));
+        one_line(ui, format!("Stopped: {}", cx.scene().with_names(failure)), cx.tone.error());
         return;
     }
     if let Some(divergence) = status.divergence.clone() {
-        offer_fix(ui, cx);
-        ui.colored_label(cx.tone.error(), format!("Stopped: {}", cx.scene().with_names(&divergence)));
+        remedy.offer(ui, cx);
+        one_line(ui, format!("Stopped: {}", cx.scene().with_names(&divergence)), cx.tone.error());
         return;
     }
     offer_after_sketch(ui, cx);
+    let hint = cx.status.gesture.as_deref().unwrap_or(cx.status.hint);
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let hint_width = ui.painter().layout_no_wrap(hint.to_owned(), font, egui::Color32::WHITE).size().x;
     if let Some((severity, text)) = &cx.status.message {
         let (mark, color) = match severity {
             Severity::Note => ("", ui.visuals().text_color()),
             Severity::Warning => ("Warning: ", cx.tone.warning()),
             Severity::Error => ("Error: ", cx.tone.error()),
         };
-        let text = format!("{mark}{text}");
-        ui.add(Label::new(RichText::new(&text).color(color)).truncate()).on_hover_text(text);
+        // What can be done now is never cut off by what was said.
+        let room = ui.available_width() - hint_width - 6.0 * GRID;
+        ui.scope(|ui| {
+            ui.set_max_width(room.max(LEAST_ROOM));
+            one_line(ui, format!("{mark}{text}"), color);
+        });
         ui.separator();
     }
-    let hint = cx.status.gesture.as_deref().unwrap_or(cx.status.hint);
     ui.add(Label::new(RichText::new(hint).weak()).truncate());
 }
 
-/// What takes a body that was stopped on again.
-fn offer_fix(ui: &mut Ui, cx: &mut Context) {
-    let mut time = cx.scene().time.clone();
-    let (text, tooltip) = match &mut time.step {
-        TimeStep::Manual(_) => {
-            time.step = TimeStep::default();
-            ("Step automatically and restart", "Chooses the time step from the stable one that is measured")
-        }
-        TimeStep::Automatic(step) => {
-            step.safety = (0.5 * step.safety).max(0.01);
-            ("Halve the step and restart", "Halves the share of the stable time step that is used")
-        }
-    };
-    if ui.button(text).on_hover_text(tooltip).clicked() {
-        cx.edit(&Command::SetTime(time), Step::Own);
-        cx.ask(SimCommand::Reset);
-        cx.ask(SimCommand::Play);
-    }
+/// Words on one line, all of them in the tooltip where they do not fit.
+fn one_line(ui: &mut Ui, text: String, color: egui::Color32) {
+    ui.add(Label::new(RichText::new(&text).color(color)).truncate()).on_hover_text(text);
 }
 
 /// What may be meant otherwise by the strokes that were drawn last.
@@ -70,7 +69,10 @@ fn offer_after_sketch(ui: &mut Ui, cx: &mut Context) {
     {
         cx.request(Request::StretchStrokes);
     }
-    if cx.status.drawn_fibre.is_some() && cx.status.drawn_fibre.as_ref() == cx.selection.active() {
+    if !cx.status.offers_stretch
+        && cx.status.drawn_fibre.is_some()
+        && cx.status.drawn_fibre.as_ref() == cx.selection.active()
+    {
         stroke_choices(ui, cx);
     }
 }

@@ -1,14 +1,14 @@
 //! The bar of menus and play controls above, with the read-out of the running simulation.
 
 use super::action::Action;
-use super::context::{Context, Request};
-use super::controls::{button, key_of};
+use super::context::Context;
+use super::controls::{button, menu_entry};
 use super::menu::Menu;
 use super::recent_menu::recent_menu;
 use super::theme::{self, GRID};
 use crate::sim::SimCommand;
 use crate::text::number::{moment, ratio};
-use egui::{Button, DragValue, Panel, RichText, Ui};
+use egui::{DragValue, Panel, RichText, Ui};
 use std::collections::VecDeque;
 use std::path::PathBuf;
 
@@ -38,6 +38,12 @@ impl TopBar {
         while self.frame_times.front().is_some_and(|time| *time < now - 1.0) {
             self.frame_times.pop_front();
         }
+    }
+
+    /// Aims at so much simulated over real time.
+    pub(super) fn choose_speed(&mut self, speed: f64, cx: &Context) {
+        self.speed = speed;
+        cx.ask(SimCommand::Speed(speed));
     }
 
     /// Shows the bar, with the files that were used in its menu.
@@ -125,40 +131,11 @@ fn menus(ui: &mut Ui, cx: &mut Context, recent: &[PathBuf]) {
     for menu in Menu::ALL {
         ui.menu_button(menu.title(), |ui| {
             for action in Action::ALL.into_iter().filter(|action| action.menu() == menu) {
-                entry(ui, cx, action);
+                menu_entry(ui, cx, action);
                 if action == Action::Open {
                     recent_menu(ui, recent, cx);
                 }
             }
         });
     }
-}
-
-/// A menu entry for an action, marked where it is a switch that is on.
-fn entry(ui: &mut Ui, cx: &mut Context, action: Action) {
-    let state = &cx.actions[action];
-    let disabled = state.disabled;
-    // Undo and redo say what they would do.
-    let text = match &state.detail {
-        Some(detail) => format!("{}: {}", action.name(), lower_first(detail)),
-        None => action.name().to_owned(),
-    };
-    let mut button = match state.on {
-        Some(on) => Button::selectable(on, text),
-        None => Button::new(text),
-    };
-    let key = key_of(ui, action);
-    if !key.is_empty() {
-        button = button.shortcut_text(key);
-    }
-    let response = ui.add_enabled(disabled.is_none(), button).on_hover_text(action.tooltip());
-    if response.on_disabled_hover_text(disabled.unwrap_or_default()).clicked() {
-        cx.request(Request::Do(action));
-        ui.close();
-    }
-}
-
-fn lower_first(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }

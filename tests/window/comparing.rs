@@ -53,6 +53,14 @@ fn a_step_beyond_the_limit_is_red_with_its_parameter_and_blows_up() {
 }
 
 #[test]
+fn runs_that_all_blew_up_are_not_said_to_lack_gas() {
+    let mut window = compare("1");
+    until(&mut window, |app| app.published().compared.iter().all(|run| run.blew_up_at.is_some()));
+    window.run_steps(3);
+    assert!(window.query_all_by_label_contains("encloses gas").next().is_none());
+}
+
+#[test]
 fn orders_are_measured_and_plotted() {
     let mut window = open(scene(RING));
     click(&mut window, "Compare");

@@ -3,7 +3,7 @@
 use super::editing::set;
 use super::{Window, button, click, drag, draw, is_settled, press_key, still, until, view};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use glam::DVec3;
 use sinew::edit::fibre_ops::{Sampling, vertices};
 use sinew::scene::{Fibre, FibreSource, RestShape};
@@ -116,6 +116,7 @@ fn escape_puts_everything_back_and_keeps_what_could_be_done_again() {
 fn an_arrow_of_the_gizmo_moves_along_its_axis_and_the_ring_turns() {
     let mut window = still();
     choose(&mut window, "Helix 1");
+    key(&mut window, Key::W);
     let before = fibre(&window, 0);
     let pivot = window.state().shown_middle("Front").expect("the gizmo");
     one_step(&mut window, |window| {
@@ -138,6 +139,35 @@ fn an_arrow_of_the_gizmo_moves_along_its_axis_and_the_ring_turns() {
     let (along_before, along_now) = (old[old.len() - 1] - old[0], new[new.len() - 1] - new[0]);
     let turned = along_before.truncate().angle_to(along_now.truncate()).to_degrees();
     assert!((turned - 90.0).abs() < 6.0, "{turned} degrees");
+}
+
+#[test]
+fn a_pen_draws_over_the_handles_of_what_is_selected_and_the_select_tool_takes_hold_of_them() {
+    let mut window = still();
+    choose(&mut window, "Helix 1");
+    let tool = |window: &Window, name: &str| {
+        let all: Vec<_> = window.query_all_by_label(name).collect();
+        assert_eq!(all.len(), 2, "both drawing views show it");
+        all.iter().all(|node| node.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True))
+    };
+    assert!(tool(&window, "Draw") && !tool(&window, "Select"));
+    let before = window.state().scene().clone();
+    let ring = window.state().shown_middle("Front").expect("it is seen") + Vec2::new(66.0, 0.0);
+    let path: Vec<Pos2> = (0..=20).map(|k| ring + Vec2::new(0.0, 3.0 * k as f32)).collect();
+    drag(&mut window, &path);
+    assert!(*window.state().scene() == before, "nothing is turned");
+    assert!(window.state().message().is_some_and(|text| text.contains("other view")), "a stroke was drawn");
+    key(&mut window, Key::Escape);
+
+    key(&mut window, Key::W);
+    window.step();
+    assert!(tool(&window, "Select") && !tool(&window, "Draw"));
+    one_step(&mut window, |window| slow_drag(window, &path));
+    // Beside the handles it selects by a box, and draws nothing.
+    let (count, front) = (window.state().scene().bodies[0].fibres.len(), view(&window, "Front"));
+    drag(&mut window, &[front.left_top() + Vec2::splat(40.0), front.center(), front.right_bottom() - Vec2::splat(4.0)]);
+    assert_eq!(window.state().selected_names().len(), 4);
+    assert_eq!(window.state().scene().bodies[0].fibres.len(), count);
 }
 
 /// A drag in which every sample is a frame, so that the simulation can take up what the first ones ask.
@@ -255,6 +285,23 @@ fn a_copy_follows_the_pointer_and_names_can_be_changed() {
     settle(&mut window);
     let moved = middle(&fibre(&window, 4)) - middle(&fibre(&window, 2));
     assert!(moved.distance(DVec3::new(0.002, 0.0, 0.0)) < 1e-9, "{moved}");
+    undo(&mut window);
+    assert_eq!(window.state().scene().bodies[0].fibres.len(), 4, "to copy and to move is one step");
+    redo(&mut window);
+    settle(&mut window);
+    assert!((middle(&fibre(&window, 4)) - middle(&fibre(&window, 2))).distance(moved) < 1e-12);
+
+    // Given up, it goes again; kept where it is, it is put beside what it is a copy of.
+    choose(&mut window, "Helix 3");
+    press_key(&mut window, Modifiers::SHIFT, Key::D);
+    key(&mut window, Key::Escape);
+    assert_eq!(window.state().scene().bodies[0].fibres.len(), 5);
+    one_step(&mut window, |window| {
+        press_key(window, Modifiers::SHIFT, Key::D);
+        key(window, Key::Enter);
+    });
+    let apart = middle(&fibre(&window, 5)) - middle(&fibre(&window, 2));
+    assert!(apart.length() > 1e-3, "{apart}");
 
     let label = window.get_by_label("Helix 1").rect().center();
     for _ in 0..2 {

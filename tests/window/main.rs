@@ -1,6 +1,7 @@
 //! The window through pointer and key events, without a screen: events in, scene and messages out.
 #![cfg(feature = "gui")]
 
+mod at_hand;
 mod autosave;
 mod commands;
 mod comparing;
@@ -8,8 +9,9 @@ mod editing;
 mod fibres;
 mod gallery;
 mod hashes;
-mod patterns;
 mod hurried;
+mod in_sight;
+mod patterns;
 mod picture;
 mod plots;
 mod pulling;

@@ -5,7 +5,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
 use glam::DVec3;
 use sinew::test_support::ui::App;
 
-const CUBE: &str = r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{
+pub(super) const CUBE: &str = r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{
     "id": "cube", "shape": {"box": {"size": [0.04, 0.04, 0.04]}},
     "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.02,
         "damping": {"pair": 20, "air": 5}}

@@ -37,6 +37,51 @@ fn strokes_that_hardly_overlap_are_refused_with_the_share_and_can_be_stretched()
 }
 
 #[test]
+fn what_was_said_goes_when_it_is_no_longer_true_and_one_thing_is_offered_once() {
+    let mut window = still();
+    // A fibre whose strokes could be stretched is the last that was drawn.
+    draw(&mut window, "Front", |s| [0.05 * s, 0.5 * s - 0.25]);
+    draw(&mut window, "Side", |s| [0.05 * s, 0.43 * s - 0.25]);
+    // What is said of it as it is put together comes before what follows.
+    until(&mut window, super::is_settled);
+    window.step();
+    draw(&mut window, "Front", |s| [0.05 * s, 0.5 * s - 0.25]);
+    assert!(said(&window).contains("other view"), "{}", said(&window));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    window.step();
+    assert_eq!(said(&window), "", "there is no stroke any more");
+    draw(&mut window, "Front", |s| [0.05 * s, 0.5 * s - 0.25]);
+    draw(&mut window, "Side", |s| [0.05 * s, 0.2 * s - 0.25]);
+    assert!(said(&window).contains("overlap only"));
+    assert_eq!(window.query_all_by_label("Stretch instead").count(), 1);
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    window.step();
+    assert_eq!(said(&window), "");
+    // Nothing is selected: it is said until something is.
+    let mut window = still();
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    assert!(said(&window).contains("Select a fibre first"), "{}", said(&window));
+    click(&mut window, "Helix 1");
+    assert_eq!(said(&window), "");
+}
+
+#[test]
+fn a_stroke_that_is_drawn_again_at_another_height_can_be_stretched() {
+    let mut window = still();
+    draw(&mut window, "Front", |s| [0.05 * s, 0.5 * s - 0.25]);
+    draw(&mut window, "Side", |s| [0.05 * s, 0.5 * s - 0.25]);
+    let before = window.state().scene().clone();
+    press_key(&mut window, Modifiers::NONE, Key::D);
+    draw(&mut window, "Side", |s| [-0.05 * s, 0.2 * s - 0.25]);
+    assert!(said(&window).contains("overlap only"), "{}", said(&window));
+    assert_eq!(*window.state().scene(), before);
+    click(&mut window, "Stretch instead");
+    assert_ne!(*window.state().scene(), before, "{}", said(&window));
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(*window.state().scene(), before, "it was one step");
+}
+
+#[test]
 fn a_clipped_pair_says_so_and_offers_to_stretch() {
     let mut window = still();
     let before = fibres(&window);
@@ -71,6 +116,8 @@ fn a_fibre_outside_the_solid_is_discarded_with_its_distance() {
     draw(&mut window, "Side", |s| [0.39, 0.5 * s - 0.25]);
     until(&mut window, |app| app.message().is_some_and(|text| text.contains("nearest material")));
     assert!(said(&window).contains(" h away"), "{}", said(&window));
+    window.step();
+    assert_eq!(window.query_all_by_label("outside").count(), 1, "the list marks it");
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! What becomes of the answers to dialogs.
 
 use super::App;
-use crate::sim::SimCommand;
 use crate::ui::autosave::{Loss, Question, Reply};
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{self, Answer, Dialog, PathPurpose};
@@ -26,7 +25,6 @@ impl App {
             (Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => {
                 export::export(&mut self.cx, &path);
             }
-            (Answer::Closed, Dialog::Examples) if self.gallery.end_welcome() => self.cx.ask(SimCommand::Reset),
             (Answer::Example(example), _) => self.leave(ctx, Next::Example(example)),
             (Answer::Pattern, Dialog::Pattern(question)) => self.patterns.answered(&question, &mut self.cx),
             (Answer::Recent(path), _) => self.open_recent(ctx, path),

@@ -8,13 +8,16 @@ use crate::draw::SkinStyle;
 use crate::sim::SimCommand;
 use crate::ui::action::{Action, ActionState, ActionStates};
 use crate::ui::autosave::Question;
+use crate::ui::clipboard;
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{Dialog, PathPurpose};
 use crate::ui::editing::{self, Kind};
 use crate::ui::export;
 use crate::ui::next::Next;
 use crate::ui::right_panel::PropertyTab;
-use crate::ui::views::ViewOptions;
+use crate::ui::unpin::remove_pin;
+use crate::ui::views::{DrawingTool, ViewOptions};
+use egui::ViewportCommand;
 use glam::DVec3;
 
 /// What performs an action.
@@ -86,13 +89,34 @@ impl App {
                 let step = document.editor.redo_name();
                 when(step.is_some(), "There is nothing to redo", |app, _| app.cx.redo()).detail(step)
             }
-            Action::Delete => unless(self.nothing_to_delete(), |app, _| editing::delete(&mut app.cx)),
-            Action::Duplicate => selected(|app, ctx| {
-                editing::duplicate(&mut app.cx);
-                app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx);
+            Action::Delete => unless(self.nothing_to_delete(), |app, _| match app.cx.selection.pin().cloned() {
+                Some(pin) => remove_pin(&pin, &mut app.cx),
+                None => editing::delete(&mut app.cx),
             }),
+            Action::Duplicate => selected(|app, ctx| {
+                let (gesture, of) = editing::duplicate(&mut app.cx);
+                app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx);
+                editing::moves_copies(app.views.editing_mut(), gesture, of);
+            }),
+            Action::Cut => selected(|app, ctx| {
+                app.copy(ctx);
+                editing::delete(&mut app.cx);
+            }),
+            Action::Copy => selected(Self::copy),
+            Action::Paste => {
+                let met = self.cx.active_body().is_some();
+                when(met, "Fibres go into fibre solids", |_, ctx| ctx.send_viewport_cmd(ViewportCommand::RequestPaste))
+            }
             Action::SelectAll => self.with_fibres(|app, _| editing::select_all(&mut app.cx)),
             Action::BoxSelect => self.with_fibres(|app, _| app.views.editing_mut().begin_box()),
+            Action::DrawTool => {
+                let is_in_hand = self.views.drawing_tool(&self.cx) == DrawingTool::Draw;
+                always(|app, _| app.views.take_in_hand(DrawingTool::Draw, &mut app.cx)).on(is_in_hand)
+            }
+            Action::SelectTool => {
+                let is_in_hand = self.views.drawing_tool(&self.cx) == DrawingTool::Select;
+                always(|app, _| app.views.take_in_hand(DrawingTool::Select, &mut app.cx)).on(is_in_hand)
+            }
             Action::Vertices => selected(|app, _| app.toggle_vertices()).on(self.cx.selection.vertices().is_some()),
             Action::Move => selected(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx)),
             Action::Turn => selected(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Turn, &mut app.cx)),
@@ -115,6 +139,7 @@ impl App {
             Action::Redraw => {
                 let met = !self.cx.selected_views().is_empty();
                 when(met, "Select a fibre that was drawn by strokes first", |app, _| {
+                    app.views.take_in_hand(DrawingTool::Draw, &mut app.cx);
                     app.views.sketching().toggle_redraw(&mut app.cx);
                 })
                 .on(self.views.redraws())
@@ -151,6 +176,7 @@ impl App {
             Action::ReleasePins => always(|app, _| app.cx.ask(SimCommand::ReleaseAll)),
             Action::Frame => always(|app, _| app.views.reframe(true)),
             Action::FrameAll => always(|app, _| app.views.reframe(false)),
+            Action::Follow => always(|app, _| flip(&mut app.views.options.follow)).on(self.views.options.follow),
             Action::XRay => always(|app, _| app.views.options.toggle_see_through()).on(display.skin == SkinStyle::XRay),
             Action::Particles => always(|app, _| app.views.options.toggle_particles()).on(display.particles),
             Action::Springs => always(|app, _| flip(&mut app.views.options.display.springs)).on(display.springs),
@@ -204,8 +230,16 @@ impl App {
     /// Why nothing can be deleted.
     fn nothing_to_delete(&self) -> Option<&'static str> {
         match self.cx.selection.vertices() {
+            _ if self.cx.selection.pin().is_some() => None,
             Some(chosen) => chosen.is_empty().then_some("Select vertices first"),
-            None => self.cx.selection.active().is_none().then_some("Select a fibre first"),
+            None => self.cx.selection.active().is_none().then_some("Select a fibre or a pin first"),
+        }
+    }
+
+    /// Puts the selected fibres on the clipboard.
+    fn copy(&mut self, ctx: &egui::Context) {
+        if let Some(text) = clipboard::copied(&mut self.cx) {
+            ctx.copy_text(text);
         }
     }
 

@@ -79,7 +79,6 @@ impl App {
         self.cx.status.drawn_fibre = None;
         self.views.forget_gestures();
         self.views.options.forget_slice();
-        self.gallery.forget_welcome();
         self.patterns.forget_region();
         self.autosave.watch(stamp);
         self.cx.simulation.open(&self.cx.document);

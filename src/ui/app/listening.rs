@@ -3,10 +3,11 @@
 use super::App;
 use crate::sim::Published;
 use crate::ui::action::Action;
+use crate::ui::clipboard;
 use crate::ui::context::Severity;
 use crate::ui::editing;
 use crate::ui::next::Next;
-use egui::{KeyboardShortcut, Modifiers};
+use egui::{Event, Key, KeyboardShortcut, Modifiers};
 
 impl App {
     /// Takes the newest state of the simulation and what the person asks for by keys and drops.
@@ -14,6 +15,7 @@ impl App {
         if let Some(before) = self.cx.simulation.take() {
             self.take_state(&before);
         }
+        self.opening.watch(ctx, &mut self.cx, &mut self.top_bar);
         if ctx.input(|input| input.pointer.any_released()) {
             self.cx.begin_gesture();
         }
@@ -25,7 +27,7 @@ impl App {
         if self.dialog.is_some() || editing::take_keys(self.views.editing_mut(), ctx, &mut self.cx) {
             return;
         }
-        if ctx.input(|input| input.key_pressed(egui::Key::Escape)) {
+        if ctx.input(|input| input.key_pressed(Key::Escape)) {
             self.views.sketching().cancel();
             self.prepare_pattern();
             if self.cx.pattern.takes_region {
@@ -33,6 +35,22 @@ impl App {
             }
         }
         self.perform_keys(ctx);
+        self.use_clipboard(ctx);
+    }
+
+    /// Copies and pastes, unless that is meant for a text.
+    fn use_clipboard(&mut self, ctx: &egui::Context) {
+        if ctx.egui_wants_keyboard_input() {
+            return;
+        }
+        for event in ctx.input(|input| input.events.clone()) {
+            match event {
+                Event::Copy => self.perform(ctx, Action::Copy),
+                Event::Cut => self.perform(ctx, Action::Cut),
+                Event::Paste(text) => clipboard::paste(&text, &mut self.cx),
+                _ => {}
+            }
+        }
     }
 
     /// Takes up a state that follows another one.
@@ -50,9 +68,10 @@ impl App {
                 more => format!(" (and {more} more: `sinew check` lists them)"),
             };
             let said = self.cx.scene().with_names(text) + &more;
-            self.cx.say(if now.status.warns { Severity::Warning } else { Severity::Note }, said);
+            self.cx.say_of_scene(if now.status.warns { Severity::Warning } else { Severity::Note }, said);
         }
         self.breaks.watch(before, &mut self.cx);
+        self.remedy.watch(&mut self.cx);
         if now.compared.len() != before.compared.len() {
             self.views.reframe(false);
         }
@@ -71,7 +90,7 @@ impl App {
         let mut keys: Vec<(Action, KeyboardShortcut)> = Action::ALL
             .into_iter()
             .flat_map(|action| action.shortcuts().iter().map(move |shortcut| (action, *shortcut)))
-            .filter(|(_, shortcut)| !typing || shortcut.modifiers.alt || shortcut.modifiers.command)
+            .filter(|(_, shortcut)| !typing || !is_of_text(*shortcut))
             .collect();
         // Those with most modifiers first: Ctrl+Shift+Z must not be taken for Ctrl+Z, nor Alt+H for H.
         let held = |shortcut: &KeyboardShortcut| {
@@ -89,4 +108,11 @@ impl App {
             self.perform(ctx, action);
         }
     }
+}
+
+/// Whether a key belongs to a text while one is typed.
+fn is_of_text(shortcut: KeyboardShortcut) -> bool {
+    let KeyboardShortcut { modifiers, logical_key } = shortcut;
+    let commands = !modifiers.shift && matches!(logical_key, Key::A | Key::C | Key::V | Key::X);
+    !modifiers.alt && (!modifiers.command || commands)
 }

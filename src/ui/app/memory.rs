@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 /// Under these names things are remembered.
 const WINDOW: &str = "window";
 const RECENT: &str = "recent";
-const START_SCREEN: &str = "start screen";
 
 /// How the window is left; its views are lent to be written, and owned when they were read.
 #[derive(Serialize, Deserialize)]
@@ -35,7 +34,6 @@ impl App {
             }
             self.recent = recent;
         }
-        self.gallery.recall(eframe::get_value(storage, START_SCREEN).unwrap_or(false));
         let Some(last) = eframe::get_value::<Remembered<Tree<Pane>>>(storage, WINDOW) else { return };
         self.views.recall(last.views, last.coach);
         self.timeline.recall(last.timeline, &self.cx);
@@ -56,7 +54,6 @@ impl App {
             plots: self.time_series.open,
         };
         eframe::set_value(storage, WINDOW, &now);
-        eframe::set_value(storage, START_SCREEN, &self.gallery.was_welcomed());
         eframe::set_value(storage, RECENT, &self.recent);
     }
 }

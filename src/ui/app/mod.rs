@@ -19,7 +19,9 @@ use super::gallery::Gallery;
 use super::input_order::InputOrder;
 use super::opening::Opening;
 use super::patterns::Patterns;
+use super::remedy::Remedy;
 use super::right_panel::{PropertyTab, RightPanel};
+use super::said::Said;
 use super::theme::Tone;
 use super::time_series::TimeSeriesPanel;
 use super::timeline::Timeline;
@@ -42,6 +44,9 @@ pub struct App {
     gallery: Gallery,
     autosave: Autosave,
     breaks: BreakWatch,
+    remedy: Remedy,
+    opening: Opening,
+    said: Said,
     recent: RecentFiles,
     /// What is open over the window.
     dialog: Option<Dialog>,
@@ -55,12 +60,12 @@ impl App {
         let note = document.note.clone();
         let tone = Tone::Dark;
         tone.apply(ctx);
+        ctx.add_plugin(InputOrder::default());
         let document = OpenDocument::new(document);
         let autosave = Autosave::start(ctx, &document);
         let mut recent = RecentFiles::default();
         if let Some(path) = &document.path {
             recent.add(path);
-        ctx.add_plugin(InputOrder::default());
         }
         let repaint = ctx.clone();
         let simulation = Simulation::start(&document, move || repaint.request_repaint());
@@ -78,6 +83,9 @@ impl App {
             gallery: Gallery::default(),
             autosave,
             breaks: BreakWatch::default(),
+            remedy: Remedy::default(),
+            opening: Opening::default(),
+            said: Said::default(),
             recent,
             dialog: None,
             title: String::new(),
@@ -98,11 +106,9 @@ impl App {
         self
     }
 
-    /// Shows the start screen over the scene that runs, unless it was shown before.
+    /// Plays the scene in slow motion beside itself without fibres, over and over until something is touched.
     pub fn welcome(&mut self) {
-        if self.gallery.begin_welcome() {
-            self.dialog = Some(Dialog::Examples);
-        }
+        self.opening.begin(&mut self.cx, &mut self.top_bar);
     }
 
     /// One frame of the window.
@@ -115,7 +121,7 @@ impl App {
         self.top_bar.show(ui, &mut self.cx, self.recent.paths(), in_software == Some(true));
         self.carry_out(&ctx);
         // The bar shows what the views found under the pointer one frame ago.
-        status_bar::status_bar(ui, &mut self.cx);
+        status_bar::status_bar(ui, &mut self.cx, &mut self.said, &mut self.remedy);
         self.carry_out(&ctx);
         self.cx.status.hint = "Draw a stroke in a drawing view to begin a fibre";
         self.timeline.show(ui, &mut self.cx);

@@ -25,7 +25,7 @@ pub(crate) use gestures::{Gestures, Step};
 pub(crate) use lifts::{Lift, Lifts};
 pub(crate) use preview::PatternPreview;
 pub(crate) use request::Request;
-pub(crate) use selection::Selection;
+pub(crate) use selection::{ChosenPin, Selection};
 pub(crate) use simulation::{Ghost, Grabbed, Simulation};
 pub(crate) use status::{Severity, StatusLine};
 
@@ -57,6 +57,10 @@ pub(super) struct Context {
     pub pattern: PatternPreview,
     /// Whether something is open over the window.
     pub has_dialog: bool,
+    /// What is said in the result view about what is seen there.
+    pub caption: Option<&'static str>,
+    /// Whether the ghost is shown beside the scene, not within it.
+    pub ghost_beside: bool,
     lifts: Lifts,
     gestures: Gestures,
     requests: VecDeque<Request>,
@@ -75,6 +79,8 @@ impl Context {
             actions: ActionStates::default(),
             pattern: PatternPreview::default(),
             has_dialog: false,
+            caption: None,
+            ghost_beside: false,
             lifts: Lifts::default(),
             gestures: Gestures::default(),
             requests: VecDeque::new(),
@@ -89,6 +95,13 @@ impl Context {
     /// Says something at the foot of the window.
     pub(super) fn say(&mut self, severity: Severity, text: impl Into<String>) {
         self.status.message = Some((severity, text.into()));
+        self.status.of_scene = false;
+    }
+
+    /// Says something that is true as long as the scene is what it is.
+    pub(super) fn say_of_scene(&mut self, severity: Severity, text: impl Into<String>) {
+        self.say(severity, text);
+        self.status.of_scene = true;
     }
 
     /// Asks something of the simulation.

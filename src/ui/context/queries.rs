@@ -1,14 +1,16 @@
 //! What panels ask of the document: the active body, what is selected of it and where that lies.
 
-use super::{Context, Lift};
+use super::{ChosenPin, Context, Lift};
 use crate::edit::fibre_ops::Sampling;
-use crate::scene::{Body, Fibre, FibreSource, Shape, TwoLayer};
+use crate::scene::{AnyBody, Body, Fibre, FibreSource, Shape, TwoLayer};
 use crate::sketch::View;
 use glam::DVec3;
 use std::rc::Rc;
 
 /// Spacing [m] that fibres are drawn with where there is no body yet.
 const USUAL_SPACING: f64 = 1e-2;
+/// A ghost is shown aside by so many widths of the scene.
+const ASIDE: f64 = 1.8;
 
 impl Context {
     /// The fibre solid that is drawn into.
@@ -83,6 +85,12 @@ impl Context {
         (!points.is_empty()).then(|| points.iter().sum::<DVec3>() / points.len() as f64)
     }
 
+    /// By how much the ghost is shown aside [m].
+    pub(crate) fn ghost_aside(&self) -> DVec3 {
+        let placed = self.simulation.published().placed.filter(|_| self.ghost_beside);
+        placed.map_or(DVec3::ZERO, |[low, high]| ASIDE * (high.x - low.x) * DVec3::X)
+    }
+
     /// What sets a stable step, to be said after it; nothing where that is not known.
     pub(crate) fn set_by(&self, limited_by: Option<&str>) -> String {
         limited_by.map_or_else(String::new, |pointer| format!(", set by {}", self.scene().with_names(pointer)))
@@ -93,6 +101,12 @@ impl Context {
         let ids: Vec<String> =
             self.active_body().into_iter().flat_map(|body| &body.fibres).map(|fibre| fibre.id.clone()).collect();
         self.selection.retain(|id| ids.iter().any(|known| known == id));
+        if let Some(ChosenPin::Region { body, pin }) = self.selection.pin() {
+            let is_there = |known: AnyBody<'_>| known.id() == body && known.pins().iter().any(|known| known.id == *pin);
+            if !self.scene().all_bodies().any(is_there) {
+                self.selection.forget_pin();
+            }
+        }
         if let Some(chosen) = self.selection.vertices().map(<[usize]>::to_vec) {
             let count = self.active_vertices().len();
             if chosen.iter().any(|&k| k >= count) {

@@ -5,6 +5,26 @@
 pub(crate) struct Selection {
     fibres: Vec<String>,
     vertices: Option<Vec<usize>>,
+    pin: Option<ChosenPin>,
+}
+
+/// A pin, by what it is known by.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum ChosenPin {
+    /// A pin of the document.
+    Region {
+        /// Identifier of the body.
+        body: String,
+        /// Its own.
+        pin: String,
+    },
+    /// A point that a drag has left pinned.
+    Point {
+        /// Index of the body.
+        body: usize,
+        /// Its place among what pulls at the body.
+        grab: usize,
+    },
 }
 
 impl Selection {
@@ -30,12 +50,12 @@ impl Selection {
 
     /// Selects one fibre alone.
     pub(crate) fn only(&mut self, fibre: impl Into<String>) {
-        *self = Self { fibres: vec![fibre.into()], vertices: None };
+        *self = Self { fibres: vec![fibre.into()], ..Self::default() };
     }
 
     /// Selects fibres, and nothing else.
     pub(crate) fn set(&mut self, fibres: impl IntoIterator<Item = String>) {
-        *self = Self { fibres: fibres.into_iter().collect(), vertices: None };
+        *self = Self { fibres: fibres.into_iter().collect(), ..Self::default() };
     }
 
     /// Adds a fibre, or takes it out.
@@ -45,7 +65,22 @@ impl Selection {
         if self.fibres.len() == before {
             self.fibres.push(fibre.to_owned());
         }
-        self.vertices = None;
+        (self.vertices, self.pin) = (None, None);
+    }
+
+    /// The pin that is chosen.
+    pub(crate) fn pin(&self) -> Option<&ChosenPin> {
+        self.pin.as_ref()
+    }
+
+    /// Chooses a pin, and nothing else.
+    pub(crate) fn choose_pin(&mut self, pin: ChosenPin) {
+        *self = Self { pin: Some(pin), ..Self::default() };
+    }
+
+    /// Chooses no pin any more.
+    pub(crate) fn forget_pin(&mut self) {
+        self.pin = None;
     }
 
     /// Takes in what a click means: a fibre alone, or one more with `adding`; nothing, unless adding, clears.

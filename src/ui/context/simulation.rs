@@ -34,6 +34,10 @@ pub(crate) struct Simulation {
     published: Arc<Published>,
     /// Edits sent, to know whether what is shown is up to date.
     sent_edits: u64,
+    /// Edits sent up to the document that was opened last, with it.
+    opened: u64,
+    /// What runs in place of the document.
+    instead: Option<Arc<Scene>>,
     ghost: Option<Ghost>,
     grabbed: Option<Grabbed>,
 }
@@ -42,7 +46,7 @@ impl Simulation {
     /// Starts to simulate a document; `notify` is called whenever there is a new state.
     pub(crate) fn start(document: &OpenDocument, notify: impl Fn() + Send + 'static) -> Self {
         let worker = Worker::start(Arc::clone(document.scene()), Arc::clone(&document.assets), true, notify);
-        Self { worker, published: Arc::default(), sent_edits: 0, ghost: None, grabbed: None }
+        Self { worker, published: Arc::default(), sent_edits: 0, opened: 0, instead: None, ghost: None, grabbed: None }
     }
 
     /// The newest state.
@@ -66,8 +70,19 @@ impl Simulation {
         self.worker.send(command);
     }
 
+    /// Runs another scene of the same bodies in place of the document, until that is changed; or the document again. The
+    /// motion goes on.
+    pub(crate) fn show_instead(&mut self, scene: Option<Arc<Scene>>, document: &OpenDocument) {
+        let shown = scene.as_ref().unwrap_or(document.scene());
+        if self.worker.send(SimCommand::Edit(Arc::clone(shown))) {
+            self.sent_edits += 1;
+        }
+        self.instead = scene;
+    }
+
     /// Hands over the document after an edit: its motion goes on.
     pub(crate) fn edit(&mut self, document: &OpenDocument) {
+        self.instead = None;
         if self.worker.send(SimCommand::Edit(Arc::clone(document.scene()))) {
             self.sent_edits += 1;
         }
@@ -77,10 +92,17 @@ impl Simulation {
     /// Hands over another document, which begins anew.
     pub(crate) fn open(&mut self, document: &OpenDocument) {
         self.grabbed = None;
+        self.instead = None;
         if self.worker.send(SimCommand::Open(Arc::clone(document.scene()), Arc::clone(&document.assets))) {
             self.sent_edits += 1;
+            self.opened = self.sent_edits;
         }
         self.send_ghost(document);
+    }
+
+    /// Whether what is shown is of the document that was opened last.
+    pub(crate) fn has_opened(&self) -> bool {
+        self.published.status.edits >= self.opened
     }
 
     /// Whether what is shown has taken up every change of the document.
@@ -112,7 +134,7 @@ impl Simulation {
     fn ghost_scene(&self, document: &OpenDocument) -> Option<Arc<Scene>> {
         match self.ghost? {
             Ghost::WithoutFibres => {
-                let mut scene = (**document.scene()).clone();
+                let mut scene = (**self.instead.as_ref().unwrap_or(document.scene())).clone();
                 scene.bodies.iter_mut().for_each(|body| body.fibres.clear());
                 Some(Arc::new(scene))
             }

@@ -16,6 +16,10 @@ pub(crate) enum Severity {
 pub(crate) struct StatusLine {
     /// What was said last.
     pub message: Option<(Severity, String)>,
+    /// Whether that is true of the scene as it is, whatever else is done meanwhile.
+    pub of_scene: bool,
+    /// How far the drawing of a fibre has come: a number for each of its stages.
+    pub strokes: u8,
     /// What can be done now.
     pub hint: &'static str,
     /// What is being done, in place of the hint.

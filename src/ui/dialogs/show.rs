@@ -29,7 +29,7 @@ pub(crate) fn show(
         Dialog::Path { purpose, text, browsing, .. } => ask_path(ui, *purpose, text, browsing, recent),
         Dialog::Question(question) => ask(ui, question, &about).map_or(Answer::None, Answer::Reply),
         Dialog::Examples => gallery.show(ui).map_or(Answer::None, |choice| match choice {
-            Choice::Draw => Answer::Closed,
+            Choice::Close => Answer::Closed,
             Choice::Open(example) => Answer::Example(example),
         }),
         Dialog::Pattern(question) => match patterns::ask(ui, question) {

@@ -1,5 +1,6 @@
 //! What the menu does to the selected fibres and vertices.
 
+use super::motion::DUPLICATE;
 use super::set::set_fibres;
 use crate::edit::fibre_ops::{self, Edited, FibreEditError, ResampleTo, Transform};
 use crate::edit::{Command, Item};
@@ -33,13 +34,16 @@ pub(crate) fn select_all(cx: &mut Context) {
     cx.selection.set(shown);
 }
 
-/// Copies of the selected fibres, which are selected then.
-pub(crate) fn duplicate(cx: &mut Context) {
-    let Some(body) = cx.active_body() else { return };
+/// Copies of the selected fibres, which are selected then. Gives the number of the gesture that goes on with them, and what
+/// they are copies of.
+pub(crate) fn duplicate(cx: &mut Context) -> (u64, Vec<String>) {
+    let (gesture, of) = (cx.begin_gesture(), cx.selection.fibres().to_vec());
+    let Some(body) = cx.active_body() else { return (gesture, of) };
     let copies = fibre_ops::copies(cx.selected_fibres(), &body.fibres);
     let (id, chosen) = (body.id.clone(), copies.iter().map(|fibre| fibre.id.clone()).collect::<Vec<_>>());
-    cx.edit(&Command::add_fibres("Duplicate", &id, copies), Step::Own);
+    cx.edit(&Command::add_fibres(DUPLICATE, &id, copies), Step::Of(gesture));
     cx.selection.set(chosen);
+    (gesture, of)
 }
 
 /// Deletes the selected fibres or vertices.

@@ -1,5 +1,6 @@
 //! Handles at the middle of what is selected: arrows along the axes, a square to move freely, a ring to turn.
 
+use super::allowed::Allowed;
 use super::courses::{distance_to, seen_pivot, vertex_at, view_from_model};
 use super::handle::Handle;
 use super::moving::Kind;
@@ -18,9 +19,10 @@ const NEAR: f64 = 6.0;
 /// An axis that is seen shorter than this share of its length has no arrow.
 const SHORTEST: f32 = 0.25;
 
-/// Where the gizmo stands and where its arrows end; none if nothing is selected, strokes are drawn or a gesture goes on.
-fn gizmo(editing: &Editing, frame: &ViewFrame, draws: bool, cx: &Context) -> Option<(Pos2, [Option<Pos2>; 3])> {
-    if editing.boxed.is_some() || draws {
+/// Where the gizmo stands and where its arrows end; none if nothing is selected or a gesture goes on elsewhere, nor where
+/// it is not allowed, but for a gesture of keys.
+fn gizmo(editing: &Editing, frame: &ViewFrame, allowed: Allowed, cx: &Context) -> Option<(Pos2, [Option<Pos2>; 3])> {
+    if editing.boxed.is_some() || (!allowed.handles && editing.moving.is_none()) {
         return None;
     }
     let pivot = match &editing.moving {
@@ -41,11 +43,20 @@ fn gizmo(editing: &Editing, frame: &ViewFrame, draws: bool, cx: &Context) -> Opt
 }
 
 /// The handle at a point of the window.
-pub(super) fn handle_at(editing: &Editing, frame: &ViewFrame, at: Pos2, draws: bool, cx: &Context) -> Option<Handle> {
+pub(super) fn handle_at(
+    editing: &Editing,
+    frame: &ViewFrame,
+    at: Pos2,
+    allowed: Allowed,
+    cx: &Context,
+) -> Option<Handle> {
+    if !allowed.handles {
+        return None;
+    }
     if let Some(vertex) = vertex_at(frame, at, cx) {
         return Some(Handle::Vertex(vertex));
     }
-    let (middle, ends) = gizmo(editing, frame, draws, cx)?;
+    let (middle, ends) = gizmo(editing, frame, allowed, cx)?;
     if Rect::from_center_size(middle, Vec2::splat(2.0 * MIDDLE + 2.0)).contains(at) {
         return Some(Handle::Middle);
     }
@@ -57,8 +68,8 @@ pub(super) fn handle_at(editing: &Editing, frame: &ViewFrame, at: Pos2, draws: b
 }
 
 /// Paints the gizmo.
-pub(super) fn paint_gizmo(editing: &Editing, painter: &Painter, frame: &ViewFrame, draws: bool, cx: &Context) {
-    let Some((middle, ends)) = gizmo(editing, frame, draws, cx) else { return };
+pub(super) fn paint_gizmo(editing: &Editing, painter: &Painter, frame: &ViewFrame, allowed: Allowed, cx: &Context) {
+    let Some((middle, ends)) = gizmo(editing, frame, allowed, cx) else { return };
     let pictures = cx.tone.pictures();
     let moving = editing.moving.as_ref().map(|(moving, _)| (moving.kind, moving.axis));
     // During a gesture what it goes along stands out; otherwise what would be taken hold of.

@@ -22,7 +22,7 @@ pub(crate) fn take_keys(editing: &mut Editing, ctx: &egui::Context, cx: &mut Con
     for event in events {
         match event {
             Event::Text(text) => {
-                moving.typed.extend(text.chars().filter(|c| c.is_ascii_digit() || "-.ecm ".contains(*c)));
+                moving.typed.extend(text.chars().filter(|c| c.is_ascii_digit() || "+-*/^().ecmkµ ".contains(*c)));
             }
             Event::Key { key, pressed: true, .. } => match key {
                 Key::X | Key::Y | Key::Z => {

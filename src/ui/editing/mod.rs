@@ -2,6 +2,7 @@
 //! them.
 
 mod actions;
+mod allowed;
 mod brush;
 mod brush_panel;
 mod courses;
@@ -18,11 +19,12 @@ pub(crate) use actions::{
     delete, detach, duplicate, hide, insert_vertices, mirror, resample, reverse, select_all, show_all, smooth, snap,
     split,
 };
+pub(crate) use allowed::Allowed;
 pub(crate) use brush::toggle_brush;
 pub(crate) use brush_panel::brush_panel;
 pub(crate) use keys::take_keys;
-pub(crate) use motion::begin_moving;
+pub(crate) use motion::{begin_moving, moves_copies};
 pub(crate) use moving::Kind;
-pub(crate) use pointer::{paint, take_pointer};
+pub(crate) use pointer::{choose_at, paint, take_pointer};
 pub(crate) use set::set_fibres;
 pub(crate) use state::Editing;

@@ -4,10 +4,16 @@ use super::courses::{seen_pivot, view_from_model};
 use super::moving::{Asked, Kind, Moving, seen_angle, step_for};
 use super::set::set_fibres;
 use super::state::Editing;
-use crate::edit::fibre_ops::{self, Edited, FibreEditError};
+use crate::edit::fibre_ops::{self, Edited, FibreEditError, Transform};
 use crate::ui::context::{Context, Severity, Step};
 use crate::ui::views::{PaneKind, ViewFrame};
 use egui::{Pos2, Response, Ui};
+use glam::DVec3;
+
+/// What undo calls copies, moved or not.
+pub(super) const DUPLICATE: &str = "Duplicate";
+/// Copies that were not moved are put aside by this share of the body's diagonal.
+const APART: f64 = 0.04;
 
 /// Begins to move or turn what is selected.
 pub(crate) fn begin_moving(
@@ -30,8 +36,31 @@ pub(crate) fn begin_moving(
     };
     let (gesture, step) = (cx.begin_gesture(), step_for(cx.active.diagonal()));
     let typed = String::new();
-    let moving = Moving { kind, axis, typed, by_drag, start, pivot, originals, vertices, gesture, step };
+    let copied = None;
+    let moving = Moving { kind, axis, typed, by_drag, start, pivot, originals, vertices, gesture, step, copied };
     editing.moving = Some((moving, view));
+}
+
+/// What is moved are copies of these fibres: to copy and to move them are one step of undo.
+pub(crate) fn moves_copies(editing: &mut Editing, gesture: u64, of: Vec<String>) {
+    if let Some((moving, _)) = &mut editing.moving {
+        moving.gesture = gesture;
+        moving.copied = Some(of);
+    }
+}
+
+/// Copies that were not moved are put beside what they are copies of.
+fn part_copies(editing: &mut Editing, cx: &mut Context) {
+    let Some((moving, _)) = &editing.moving else { return };
+    let are_there = cx.selected_fibres().into_iter().eq(moving.originals.iter());
+    if moving.copied.is_none() || !are_there {
+        return;
+    }
+    let bounds = cx.active.bounds();
+    let inwards = bounds.map_or(1.0, |bounds| if bounds.center().x < moving.pivot.x { -1.0 } else { 1.0 });
+    let apart = cx.sampling().spacing.max(APART * cx.active.diagonal());
+    editing.pending = Some(Transform::translation(inwards * apart * DVec3::X));
+    follow_moving(editing, true, cx);
 }
 
 /// Puts the fibres where a gesture has them now, once the simulation has taken up where they were before, or `at_once`.
@@ -48,9 +77,10 @@ fn follow_moving(editing: &mut Editing, at_once: bool, cx: &mut Context) {
             None => fibre_ops::transform(fibre, &by, sampling),
         })
         .collect();
-    let verb = match moving.kind {
-        Kind::Move => "Move",
-        Kind::Turn => "Turn",
+    let verb = match (moving.kind, &moving.copied) {
+        (_, Some(_)) => DUPLICATE,
+        (Kind::Move, None) => "Move",
+        (Kind::Turn, None) => "Turn",
     };
     set_fibres(cx, verb, moved, Step::Of(moving.gesture));
 }
@@ -60,11 +90,15 @@ pub(super) fn end_moving(editing: &mut Editing, keep: bool, cx: &mut Context) {
     if keep {
         // What waits for the simulation is not lost.
         follow_moving(editing, true, cx);
+        part_copies(editing, cx);
     }
     editing.pending = None;
     let Some((moving, _)) = editing.moving.take() else { return };
     if !keep {
         cx.abandon(moving.gesture);
+        if let Some(copied) = moving.copied {
+            cx.selection.set(copied);
+        }
     }
     cx.begin_gesture();
 }
@@ -112,6 +146,7 @@ pub(super) fn follow_pointer(
     ui.ctx().request_repaint();
     if other {
         end_moving(editing, false, cx);
+        editing.given_up = true;
     } else if (by_drag && released) || (!by_drag && pressed && response.contains_pointer()) {
         end_moving(editing, true, cx);
     }

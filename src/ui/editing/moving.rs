@@ -2,6 +2,7 @@
 
 use crate::edit::fibre_ops::{FibreEditError, Transform};
 use crate::scene::Fibre;
+use crate::text::quantity::typed;
 use egui::Pos2;
 use glam::{DMat3, DVec2, DVec3};
 
@@ -36,6 +37,9 @@ pub(super) struct Moving {
     pub gesture: u64,
     /// Steps in which it snaps [m].
     pub step: f64,
+    /// What the fibres are copies of, where they are: copies that are given up go again, and none is left on what it is
+    /// a copy of.
+    pub copied: Option<Vec<String>>,
 }
 
 /// What a pointer and the keys beside it ask for.
@@ -63,16 +67,10 @@ const AXES: [&str; 3] = ["X", "Y", "Z"];
 impl Moving {
     /// What is typed, as metres or degrees; none while nothing is, or what is makes no number.
     fn number(&self) -> Option<f64> {
-        let text = self.typed.trim();
-        let (number, unit) = [("mm", 1e-3), ("cm", 1e-2), ("m", 1.0)]
-            .into_iter()
-            .find_map(|(unit, size)| Some((text.strip_suffix(unit)?, size)))
-            .unwrap_or((text, 1e-3));
-        let number: f64 = number.trim().parse().ok().filter(|number: &f64| number.is_finite())?;
-        Some(match self.kind {
-            Kind::Move => number * unit,
-            Kind::Turn => number,
-        })
+        match self.kind {
+            Kind::Move => typed(&self.typed, "mm").map(|mm| 1e-3 * mm),
+            Kind::Turn => typed(&self.typed, "°"),
+        }
     }
 
     /// The transform that is asked for.
@@ -114,7 +112,7 @@ impl Moving {
         let axis = if self.kind == Kind::Turn { axis.replace("along", "about") } else { axis };
         let unit = if self.kind == Kind::Move { "mm" } else { "degrees" };
         let typed = match self.number() {
-            Some(_) if self.kind == Kind::Move && self.typed.ends_with('m') => format!(": {}", self.typed),
+            Some(_) if self.kind == Kind::Move && self.typed.contains('m') => format!(": {}", self.typed),
             _ if self.typed.is_empty() => String::new(),
             _ => format!(": {} {unit}", self.typed),
         };
@@ -155,6 +153,7 @@ mod tests {
             vertices: None,
             gesture: 0,
             step: 0.002,
+            copied: None,
         }
     }
 
@@ -177,7 +176,7 @@ mod tests {
         close(by(&moving, &asked), DVec3::new(0.00051, -0.00029, 0.0));
         moving.axis = Some(1);
         close(by(&moving, &asked), DVec3::new(0.0, -0.00029, 0.0));
-        for (typed, metres) in [("7", 0.007), ("-2.5", -0.0025), ("1.5cm", 0.015), ("0.1 m", 0.1), ("3mm", 0.003)] {
+        for (typed, metres) in [("7", 0.007), ("-2.5", -0.0025), ("1.5cm", 0.015), ("0.1 m", 0.1), ("2*3cm", 0.06)] {
             moving.typed = typed.to_owned();
             close(by(&moving, &asked), DVec3::new(0.0, metres, 0.0));
         }

@@ -1,5 +1,6 @@
 //! What the pointer does to fibres and vertices in the views: clicks, handles, boxes; and what is painted over them.
 
+use super::allowed::Allowed;
 use super::brush::{brush, paint_brush};
 use super::courses::{courses, fibre_at, vertex_at, vertex_marks};
 use super::gizmo::{handle_at, paint_gizmo};
@@ -17,15 +18,15 @@ use glam::DVec3;
 /// Radius of a vertex's mark [points].
 const VERTEX_RADIUS: f32 = 4.0;
 
-/// Takes clicks, handles and gestures of editing; called before strokes and grabs, which leave the pointer alone then.
-/// While strokes are drawn (`draws`) there is no gizmo.
+/// Takes clicks, handles, boxes and gestures of editing; called before strokes and grabs, which leave the pointer alone
+/// then.
 pub(crate) fn take_pointer(
     editing: &mut Editing,
     ui: &Ui,
     response: &Response,
     frame: &ViewFrame,
     slice: Option<Slice>,
-    draws: bool,
+    allowed: Allowed,
     cx: &mut Context,
 ) {
     if cx.active_body().is_none() {
@@ -42,17 +43,18 @@ pub(crate) fn take_pointer(
     let here = at.filter(|at| frame.rect.contains(*at) && response.hovered());
     // Where a press began counts, not where the pointer has slid to since.
     let aimed = if response.is_pointer_button_down_on() { press } else { here };
-    let handle = aimed.and_then(|at| handle_at(editing, frame, at, draws, cx));
+    let handle = aimed.and_then(|at| handle_at(editing, frame, at, allowed, cx));
     if response.hovered() || response.is_pointer_button_down_on() {
         editing.hovered = handle;
+    }
+    if allowed.boxes && response.hovered() {
+        cx.status.hint = "Click selects, a drag moves by the handles or draws a box; E takes up the pen";
     }
     if handle.is_some() {
         ui.ctx().set_cursor_icon(CursorIcon::Grab);
     }
-    if response.drag_started_by(egui::PointerButton::Primary)
-        && !modifiers.alt
-        && let (Some(handle), Some(start)) = (handle, press)
-    {
+    let starts = response.drag_started_by(egui::PointerButton::Primary) && !modifiers.alt;
+    if starts && let (Some(handle), Some(start)) = (handle, press) {
         let (kind, axis) = match handle {
             Handle::Axis(axis) => (Kind::Move, Some(axis)),
             Handle::Middle => (Kind::Move, None),
@@ -66,10 +68,21 @@ pub(crate) fn take_pointer(
         };
         begin_moving(editing, kind, axis, frame.kind, start, true, cx);
         editing.hovered = None;
+    } else if starts && allowed.boxes {
+        editing.boxed = Some(BoxDrag { from: press });
     } else if response.clicked_by(egui::PointerButton::Primary)
         && let Some(at) = at
     {
         click(frame, at, modifiers.shift, cx);
+    }
+}
+
+/// Chooses the fibre at a point, unless it is chosen already, for the menu of what lies there.
+pub(crate) fn choose_at(frame: &ViewFrame, at: Pos2, cx: &mut Context) {
+    if cx.selection.vertices().is_none()
+        && let Some(fibre) = fibre_at(frame, at, cx).filter(|fibre| !cx.selection.contains(fibre))
+    {
+        cx.selection.only(fibre);
     }
 }
 
@@ -123,7 +136,14 @@ fn select_in(frame: &ViewFrame, rect: Rect, adding: bool, cx: &mut Context) {
 }
 
 /// The box that is being drawn, marks of vertices, the gizmo and the brush.
-pub(crate) fn paint(editing: &Editing, ui: &Ui, frame: &ViewFrame, slice: Option<Slice>, draws: bool, cx: &Context) {
+pub(crate) fn paint(
+    editing: &Editing,
+    ui: &Ui,
+    frame: &ViewFrame,
+    slice: Option<Slice>,
+    allowed: Allowed,
+    cx: &Context,
+) {
     let painter = ui.painter_at(frame.rect);
     let accent = theme::color(cx.tone.pictures().accent);
     let from = editing.boxed.and_then(|boxed| boxed.from);
@@ -141,6 +161,6 @@ pub(crate) fn paint(editing: &Editing, ui: &Ui, frame: &ViewFrame, slice: Option
             painter.circle(at, VERTEX_RADIUS, fill, Stroke::new(1.5, accent));
         }
     }
-    paint_gizmo(editing, &painter, frame, draws, cx);
+    paint_gizmo(editing, &painter, frame, allowed, cx);
     paint_brush(editing, ui, frame, slice, cx);
 }

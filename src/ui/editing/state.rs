@@ -21,6 +21,8 @@ pub(crate) struct Editing {
     pub(super) hovered: Option<Handle>,
     /// The brush, while it is in use.
     pub(super) brush: Option<Brush>,
+    /// The right button has just given a gesture up: its click is no call for a menu.
+    pub(super) given_up: bool,
     /// Tab was pressed for a command.
     tabbed: bool,
 }
@@ -75,6 +77,16 @@ impl Editing {
         if std::mem::take(&mut self.tabbed) {
             ctx.memory_mut(egui::Memory::stop_text_input);
         }
+    }
+
+    /// Whether a right click asks for a menu.
+    pub(crate) fn opens_menu(&self) -> bool {
+        !self.given_up && !self.has_gesture()
+    }
+
+    /// The right button was let go: its next click asks for a menu again.
+    pub(crate) fn note_release(&mut self) {
+        self.given_up = false;
     }
 
     /// Whether a move, a turn or a box is under way.

@@ -1,4 +1,4 @@
-//! The start screen: every scene that ships, with a picture and what to look at.
+//! The examples: every scene that ships, with a picture and what to look at.
 
 mod examples;
 mod models;
@@ -7,12 +7,12 @@ pub(crate) use examples::shipped_assets;
 pub use examples::{EXAMPLES, Example, Group};
 pub(crate) use models::with_models_in;
 
-use super::action::Action;
 use super::theme::{self, GRID};
 use super::thumbs::Thumbs;
 use crate::draw::Theme;
 use egui::{
-    Align2, CornerRadius, FontId, Frame, Pos2, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    Align2, CornerRadius, FontId, Frame, Pos2, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, TextEdit,
+    Ui,
 };
 
 /// Width of a card, height of its picture and of what stands below [points].
@@ -22,55 +22,23 @@ const BELOW: f32 = 56.0;
 /// Cards beside each other at most.
 const COLUMNS: usize = 4;
 
-/// The start screen, with the pictures that have been seen.
+/// The examples, with the pictures that have been seen.
 #[derive(Default)]
 pub(crate) struct Gallery {
     thumbs: Thumbs,
-    /// Whether the start screen has been shown.
-    welcomed: bool,
-    /// Whether it is shown over a scene that nobody has seen start.
-    welcoming: bool,
+    /// What is searched for.
+    search: String,
 }
 
 /// What a person wants of the gallery.
 pub(crate) enum Choice {
     /// To go on with what is open.
-    Draw,
+    Close,
     /// To open an example.
     Open(&'static Example),
 }
 
 impl Gallery {
-    /// Whether the start screen is to be shown now, over the scene that runs: it is unless it was shown before.
-    pub(crate) fn begin_welcome(&mut self) -> bool {
-        let is_first = !self.welcomed;
-        if is_first {
-            self.welcomed = true;
-            self.welcoming = true;
-        }
-        is_first
-    }
-
-    /// The start screen was closed: whether the scene that it was shown over is to be started anew.
-    pub(crate) fn end_welcome(&mut self) -> bool {
-        std::mem::take(&mut self.welcoming)
-    }
-
-    /// The scene that the start screen was shown over is there no more.
-    pub(crate) fn forget_welcome(&mut self) {
-        self.welcoming = false;
-    }
-
-    /// Goes on from whether the start screen was shown the last time.
-    pub(crate) fn recall(&mut self, welcomed: bool) {
-        self.welcomed = welcomed;
-    }
-
-    /// Whether the start screen has been shown, to be remembered.
-    pub(crate) fn was_welcomed(&self) -> bool {
-        self.welcomed
-    }
-
     /// Whether the picture of an example, by its name, has been decoded.
     pub(crate) fn has_decoded(&self, example: &str) -> bool {
         self.thumbs.has(example)
@@ -82,22 +50,36 @@ impl Gallery {
     }
 
     fn sections(&mut self, ui: &mut Ui) -> Option<Choice> {
-        let room = ui.ctx().content_rect().size() - egui::vec2(16.0 * GRID, 48.0 * GRID);
+        // Of one size, whatever is found: no button moves away under the pointer.
+        let room =
+            (ui.ctx().content_rect().size() - egui::vec2(16.0 * GRID, 48.0 * GRID)).max(egui::vec2(CARD, PICTURE));
         let gap = 3.0 * GRID;
         let columns = (((room.x + gap) / (CARD + gap)).floor() as usize).clamp(1, COLUMNS);
         ui.set_width(columns as f32 * (CARD + gap) + gap);
         let mut choice = None;
-        ui.heading("Examples");
-        ui.label(
-            RichText::new("Open one to watch, pull and change it, or draw into the solid that is open now.").weak(),
-        );
+        ui.horizontal(|ui| {
+            ui.heading("Examples");
+            ui.add_space(2.0 * GRID);
+            let hint = "Search: twist, leaf, figure 8…";
+            let search = ui.add(TextEdit::singleline(&mut self.search).hint_text(hint).desired_width(CARD));
+            let search = search.on_hover_text("Shows the examples whose words have these in them");
+            if ui.memory(|memory| memory.focused().is_none()) {
+                search.request_focus();
+            }
+        });
         ui.add_space(GRID);
-        ScrollArea::vertical().max_height(room.y.max(120.0)).auto_shrink(false).show(ui, |ui| {
+        let wanted: Vec<String> = self.search.to_lowercase().split_whitespace().map(str::to_owned).collect();
+        let mut found = 0;
+        ScrollArea::vertical().max_height(room.y).min_scrolled_height(room.y).auto_shrink(false).show(ui, |ui| {
             for group in Group::ALL {
+                let is_meant = |example: &&&'static Example| example.group == group && is_found(example, &wanted);
+                let of_group: Vec<&'static Example> = EXAMPLES.iter().filter(|example| is_meant(&example)).collect();
+                if of_group.is_empty() {
+                    continue;
+                }
+                found += of_group.len();
                 ui.label(RichText::new(group.title()).strong());
                 ui.add_space(GRID);
-                let of_group: Vec<&'static Example> =
-                    EXAMPLES.iter().filter(|example| example.group == group).collect();
                 for row in of_group.chunks(columns) {
                     ui.horizontal(|ui| {
                         ui.spacing_mut().item_spacing.x = gap;
@@ -111,17 +93,14 @@ impl Gallery {
                 }
                 ui.add_space(2.0 * GRID);
             }
+            if found == 0 {
+                ui.label(RichText::new("No example has these words").weak());
+            }
         });
         ui.add_space(GRID);
-        ui.horizontal(|ui| {
-            let start = egui::Button::new(RichText::new("Start drawing").strong());
-            if ui.add(start).on_hover_text("Closes this and goes on with the scene that is open").clicked() {
-                choice = Some(Choice::Draw);
-            }
-            let key = Action::Examples.shortcuts().first().map(|shortcut| ui.ctx().format_shortcut(shortcut));
-            let again = format!("{} or the File menu shows this again", key.unwrap_or_default());
-            ui.label(RichText::new(again).weak());
-        });
+        if ui.button("Close").on_hover_text("Goes on with the scene that is open").clicked() {
+            choice = Some(Choice::Close);
+        }
         choice
     }
 
@@ -143,9 +122,18 @@ impl Gallery {
             let ink = ui.visuals().strong_text_color();
             painter.text(title, Align2::LEFT_TOP, example.title, FontId::proportional(13.0), ink);
             let weak = ui.visuals().weak_text_color();
+            let source = picture.max - egui::vec2(1.5 * GRID, GRID);
+            let pale = theme::color(Theme::gallery().text).gamma_multiply(0.7);
+            painter.text(source, Align2::RIGHT_BOTTOM, example.source, FontId::proportional(11.0), pale);
             let line = painter.layout(example.line.to_owned(), FontId::proportional(11.0), weak, CARD);
             painter.galley(title + egui::vec2(0.0, 4.5 * GRID), line, weak);
         }
         card.on_hover_text(example.line).clicked()
     }
+}
+
+/// Whether what is said of an example has all of these words in it.
+fn is_found(example: &Example, wanted: &[String]) -> bool {
+    let said = format!("{} {} {}", example.title, example.source, example.line).to_lowercase();
+    wanted.iter().all(|word| said.contains(word.as_str()))
 }

@@ -11,9 +11,12 @@ use crate::solver::snapshot::{BodySnapshot, Snapshot};
 use crate::ui::context::Context;
 use egui::{Key, PointerButton, Rect, Response, Ui};
 use glam::{DVec2, DVec3};
+use std::sync::Arc;
 
 /// A drawing view leaves this much room around the model.
 const DRAWING_MARGIN: f64 = 1.15;
+/// Bodies that are shown beside their ghosts leap by up to this share of their height.
+const LEAP: f64 = 1.0;
 /// Turn of the result view for each pixel of a drag [rad].
 const TURN: f64 = 0.008;
 
@@ -22,11 +25,12 @@ fn aspect(rect: Rect) -> f64 {
 }
 
 /// Fits the camera, where that was asked for, and moves it on where it is on its way.
-pub(super) fn settle(pane: &mut Pane, ui: &Ui, links: &Links, cx: &Context) {
+pub(super) fn settle(pane: &mut Pane, ui: &Ui, links: &Links, follows: bool, cx: &Context) {
     let now = ui.input(|input| input.time);
     // Before the first frame it is not known where the drawing views lie, whose scales depend on each other.
     if !pane.framed
         && !links.drawing.is_empty()
+        && cx.simulation.has_opened()
         && let Some(bounds) = to_fit(pane.kind, links.fits_selected, cx)
     {
         let mut camera = pane.camera;
@@ -49,6 +53,9 @@ pub(super) fn settle(pane: &mut Pane, ui: &Ui, links: &Links, cx: &Context) {
         }
         pane.framed = true;
     }
+    if pane.kind == PaneKind::Result {
+        keep_up(pane, follows, cx);
+    }
     if let Some(ease) = pane.ease {
         let (camera, arrived) = ease.at(now);
         pane.camera = camera;
@@ -58,6 +65,28 @@ pub(super) fn settle(pane: &mut Pane, ui: &Ui, links: &Links, cx: &Context) {
             ui.ctx().request_repaint();
         }
     }
+}
+
+/// Goes along with the active body, where the camera follows it.
+fn keep_up(pane: &mut Pane, follows: bool, cx: &Context) {
+    let particles = cx.simulation.published().snapshot.bodies.get(cx.active.index).map(|body| &body.particles[..]);
+    let Some(particles) = particles.filter(|particles| follows && !particles.is_empty()) else {
+        pane.followed = None;
+        return;
+    };
+    let of = (cx.active.index, Arc::clone(&cx.simulation.published().at_rest));
+    let middle = particles.iter().sum::<DVec3>() / particles.len() as f64;
+    let before = pane.followed.take().filter(|(body, rest, _)| *body == of.0 && Arc::ptr_eq(rest, &of.1));
+    if let Some((_, _, before)) = before
+        && (middle - before).is_finite()
+    {
+        let by = middle - before;
+        pane.camera.target += by;
+        if let Some(ease) = &mut pane.ease {
+            ease.shift(by);
+        }
+    }
+    pane.followed = middle.is_finite().then_some((of.0, of.1, middle));
 }
 
 /// What a view is to be fitted to; none before there is anything.
@@ -78,7 +107,10 @@ fn to_fit(kind: PaneKind, fits_selected: bool, cx: &Context) -> Option<Bounds> {
         PaneKind::Result => points(&shown.bodies).map(|bounds| {
             let [low, high] = cx.simulation.published().placed.unwrap_or([bounds.min, bounds.max]);
             let floor = cx.scene().room.floor.unwrap_or(bounds.min.y);
-            Bounds { min: bounds.min.min(low).min(bounds.min.with_y(floor)), max: bounds.max.max(high) }
+            // A ghost beside it needs its own room, and one that shows a leap room for that.
+            let leap = if cx.ghost_beside { LEAP * (high.y - low.y) } else { 0.0 };
+            let aside = cx.ghost_aside() + leap * DVec3::Y;
+            Bounds { min: bounds.min.min(low).min(bounds.min.with_y(floor)), max: bounds.max.max(high) + aside }
         }),
     }
 }

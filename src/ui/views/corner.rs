@@ -9,9 +9,11 @@ use super::pane::Pane;
 use crate::draw::Theme;
 use crate::render::{Facing, Projection};
 use crate::sketch::View;
-use crate::ui::context::Context;
+use crate::ui::action::Action;
+use crate::ui::context::{Context, Request};
+use crate::ui::controls::key_of;
 use crate::ui::theme::{self, GRID, Tone};
-use egui::{Align2, FontId, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, Vec2};
+use egui::{Align2, Button, FontId, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, Vec2};
 use glam::DVec3;
 
 /// Reach of the axes gizmo [points].
@@ -29,7 +31,10 @@ pub(super) fn corner(pane: &mut Pane, ui: &mut Ui, options: &mut ViewOptions, li
     }
     let mut child = ui.new_child(UiBuilder::new().max_rect(bar));
     match pane.kind {
-        PaneKind::Drawing(view) => child.horizontal(|ui| choose_view(ui, view, links)),
+        PaneKind::Drawing(view) => child.horizontal(|ui| {
+            choose_view(ui, view, links);
+            choose_tool(ui, cx);
+        }),
         PaneKind::Result => child.horizontal_wrapped(|ui| {
             choose_projection(pane, ui);
             options.menus(ui, cx);
@@ -53,6 +58,19 @@ fn choose_view(ui: &mut Ui, view: View, links: &mut Links) {
         }
     });
     menu.response.on_hover_text("Which side this view draws; the other drawing view makes room");
+}
+
+/// Shows what a drag does here, and changes it.
+fn choose_tool(ui: &mut Ui, cx: &mut Context) {
+    ui.spacing_mut().item_spacing.x = 0.5 * GRID;
+    for (action, name) in [(Action::DrawTool, "Draw"), (Action::SelectTool, "Select")] {
+        let is_in_hand = cx.actions[action].on == Some(true);
+        let tooltip = format!("{} ({})", action.tooltip(), key_of(ui, action));
+        let button = ui.add(Button::selectable(is_in_hand, name).frame_when_inactive(true)).on_hover_text(tooltip);
+        if button.clicked() {
+            cx.request(Request::Do(action));
+        }
+    }
 }
 
 fn choose_projection(pane: &mut Pane, ui: &mut Ui) {

@@ -1,6 +1,7 @@
 //! A camera on its way to where it was sent.
 
 use crate::render::Camera;
+use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
 /// How long a camera takes to where it was sent [s].
@@ -19,6 +20,12 @@ impl Ease {
     /// A camera that starts on its way now [s].
     pub(crate) fn new(from: Camera, to: Camera, start: f64) -> Self {
         Self { from, to, start }
+    }
+
+    /// Goes along with what moves [m].
+    pub(crate) fn shift(&mut self, by: DVec3) {
+        self.from.target += by;
+        self.to.target += by;
     }
 
     /// Where it is, and whether it has arrived.

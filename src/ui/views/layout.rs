@@ -1,5 +1,6 @@
 //! How the three views lie beside each other and what links them.
 
+use super::drawing_tool::DrawingTool;
 use super::frame::ViewFrame;
 use super::kind::PaneKind;
 use super::links::Links;
@@ -12,7 +13,7 @@ use super::view::{Tools, show};
 use crate::sketch::View;
 use crate::ui::context::Context;
 use crate::ui::editing::{self, Editing, Kind};
-use egui::{Pos2, Rect, Ui};
+use egui::{PointerButton, Pos2, Rect, Ui};
 use egui_tiles::{Behavior, Container, Linear, LinearDir, Tile, TileId, Tiles, Tree, UiResponse};
 use glam::DVec3;
 
@@ -104,7 +105,11 @@ impl Views {
         });
         self.turn_views();
         self.link_views();
+        if ui.input(|input| input.pointer.button_released(PointerButton::Secondary)) {
+            self.tools.editing.note_release();
+        }
         cx.status.gesture = self.tools.editing.hint();
+        cx.status.strokes = self.tools.sketching.tool.stage().number();
         cx.status.offers_stretch = self.tools.sketching.is_refused();
         if cx.simulation.is_playing() {
             // Should a notification be missed, the next picture still comes.
@@ -115,6 +120,19 @@ impl Views {
     /// What is drawn.
     pub(crate) fn sketching(&mut self) -> &mut Sketching {
         &mut self.tools.sketching
+    }
+
+    /// What drags in the drawing views do.
+    pub(crate) fn drawing_tool(&self, cx: &Context) -> DrawingTool {
+        self.tools.drawing(cx)
+    }
+
+    /// Takes another tool in hand for the drawing views.
+    pub(crate) fn take_in_hand(&mut self, tool: DrawingTool, cx: &mut Context) {
+        self.tools.drawing = tool;
+        if tool == DrawingTool::Draw {
+            cx.selection.enter_vertices(false);
+        }
     }
 
     /// Whether the next stroke takes the place of the selected fibre's.

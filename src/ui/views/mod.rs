@@ -2,8 +2,10 @@
 
 mod affine;
 mod camera;
+mod context_menu;
 mod corner;
 mod displayed;
+mod drawing_tool;
 mod ease;
 mod frame;
 mod grab;
@@ -12,9 +14,11 @@ mod layout;
 mod legend;
 mod links;
 mod options;
+mod out_of_sight;
 mod overlay;
 mod pane;
 mod picture;
+mod pins;
 mod region;
 mod sketch_tool;
 mod sketching;
@@ -22,6 +26,7 @@ mod strokes;
 mod view;
 
 pub(crate) use displayed::DisplayedState;
+pub(crate) use drawing_tool::DrawingTool;
 pub(crate) use frame::ViewFrame;
 pub(crate) use grab::seen_on;
 pub(crate) use kind::PaneKind;

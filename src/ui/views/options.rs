@@ -15,12 +15,14 @@ pub(crate) struct ViewOptions {
     field: Option<FieldKind>,
     /// Whether fibres are coloured by what they carry.
     pub tension: bool,
+    /// Whether the camera goes along with the active body.
+    pub follow: bool,
 }
 
 impl Default for ViewOptions {
     fn default() -> Self {
         let display = Display { skin: SkinStyle::XRay, axes: false, ..Display::default() };
-        Self { display, field: None, tension: false }
+        Self { display, field: None, tension: false, follow: false }
     }
 }
 

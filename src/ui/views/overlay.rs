@@ -18,6 +18,9 @@ pub(super) fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx
     let accent = theme::color(cx.tone.pictures().accent);
     let bodies = &cx.simulation.published().snapshot.bodies;
     paint_thin(&painter, frame, cx);
+    if let Some(caption) = cx.caption {
+        paint_words(&painter, frame.rect, caption, cx);
+    }
     // The preview goes with the body, which may have moved from where it is drawn into.
     let middle = |bodies: &[BodySnapshot], index: usize| {
         let points = &bodies.get(index)?.particles;
@@ -79,16 +82,23 @@ pub(super) fn paint_title(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx:
     let below = at + egui::vec2(GRID, 6.0 * GRID);
     painter.text(below, Align2::LEFT_TOP, axes, FontId::proportional(11.0), text.gamma_multiply(0.7));
     if let Some(coach) = coach(sketching, frame.kind, cx) {
-        let room = rect.width() - 12.0 * GRID;
-        let words = painter.layout(coach.to_owned(), FontId::proportional(13.0), text, room);
-        let size = words.size() + egui::vec2(4.0 * GRID, 2.0 * GRID);
-        let at = rect.center_bottom() - egui::vec2(0.5 * size.x, size.y + 10.0 * GRID);
-        let accent = theme::color(pictures.accent);
-        let paper = theme::color(pictures.background_top).gamma_multiply(0.9);
-        let edge = Stroke::new(1.0, accent);
-        painter.rect(Rect::from_min_size(at, size), GRID, paper, edge, egui::StrokeKind::Inside);
-        painter.galley(at + egui::vec2(2.0 * GRID, GRID), words, text);
+        paint_words(&painter, rect, coach, cx);
     }
+}
+
+/// Words on a ground of their own, at the foot of a view.
+fn paint_words(painter: &Painter, rect: Rect, words: &str, cx: &Context) {
+    let pictures = cx.tone.pictures();
+    let text = theme::color(pictures.text);
+    let room = rect.width() - 12.0 * GRID;
+    let words = painter.layout(words.to_owned(), FontId::proportional(13.0), text, room);
+    let size = words.size() + egui::vec2(4.0 * GRID, 2.0 * GRID);
+    let at = rect.center_bottom() - egui::vec2(0.5 * size.x, size.y + 10.0 * GRID);
+    let accent = theme::color(pictures.accent);
+    let paper = theme::color(pictures.background_top).gamma_multiply(0.9);
+    let edge = Stroke::new(1.0, accent);
+    painter.rect(Rect::from_min_size(at, size), GRID, paper, edge, egui::StrokeKind::Inside);
+    painter.galley(at + egui::vec2(2.0 * GRID, GRID), words, text);
 }
 
 /// What the first fibre takes, step by step, in the view where the next step is.

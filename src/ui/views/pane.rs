@@ -4,8 +4,11 @@ use super::ease::Ease;
 use super::kind::{PaneKind, facing};
 use super::picture::Picture;
 use crate::render::Camera;
+use crate::solver::snapshot::Snapshot;
 use egui::Rect;
+use glam::DVec3;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::sync::Arc;
 
 /// One view.
 pub(crate) struct Pane {
@@ -19,6 +22,8 @@ pub(crate) struct Pane {
     pub framed: bool,
     /// Whether it has been fitted before.
     pub shown: bool,
+    /// The body that its camera follows, of which scene, and where the middle of that was [m].
+    pub followed: Option<(usize, Arc<Snapshot>, DVec3)>,
     /// Where it lay in the last frame.
     pub rect: Rect,
     /// What it showed in the last frame.
@@ -32,7 +37,16 @@ impl Pane {
             PaneKind::Drawing(view) => Camera::facing(facing(view)),
             PaneKind::Result => Camera::perspective(),
         };
-        Self { kind, camera, ease: None, framed: false, shown: false, rect: Rect::NOTHING, picture: Picture::default() }
+        Self {
+            kind,
+            camera,
+            ease: None,
+            framed: false,
+            shown: false,
+            followed: None,
+            rect: Rect::NOTHING,
+            picture: Picture::default(),
+        }
     }
 
     /// Sends the camera somewhere, from now on [s].

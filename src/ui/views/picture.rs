@@ -4,9 +4,11 @@ use super::displayed::DisplayedState;
 use crate::draw::{Display, Subject, draw};
 use crate::render::{Blit, Camera, Content, Options, Renderer, Viewport};
 use crate::scene::Scene;
+use crate::solver::snapshot::Snapshot;
 use crate::ui::theme::Tone;
 use egui::{PaintCallback, PaintCallbackInfo, Rect};
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState};
+use glam::DVec3;
 use std::sync::Arc;
 
 /// Draws pictures on the window's own device.
@@ -28,6 +30,8 @@ pub(crate) struct ViewInputs {
     pub display: Display,
     /// In which colours.
     pub tone: Tone,
+    /// By how much the ghost is shown aside [m].
+    pub ghost_aside: DVec3,
 }
 
 impl PartialEq for ViewInputs {
@@ -36,6 +40,7 @@ impl PartialEq for ViewInputs {
             && Arc::ptr_eq(&self.scene, &other.scene)
             && self.display == other.display
             && self.tone == other.tone
+            && self.ghost_aside == other.ghost_aside
     }
 }
 
@@ -94,6 +99,11 @@ impl Painter {
                 DisplayedState::Running(published) => published.ghost.as_ref(),
                 DisplayedState::Model(_) => None,
             };
+            let moved = ghost.filter(|_| inputs.ghost_aside != DVec3::ZERO).map(|ghost| {
+                let bodies = ghost.bodies.iter().map(|body| body.moved(inputs.ghost_aside)).collect();
+                Snapshot { bodies, ..ghost.clone() }
+            });
+            let ghost = moved.as_ref().or(ghost);
             let subject = Subject { scene: &inputs.scene, snapshot: &inputs.state, ghost };
             let list = draw(&subject, &inputs.display, &inputs.tone.pictures());
             if *content.list() != list || picture.source.is_none() {

@@ -43,6 +43,19 @@ pub(crate) enum Stage {
     },
 }
 
+impl Stage {
+    /// A number for each stage.
+    pub(crate) fn number(&self) -> u8 {
+        match self {
+            Self::Empty => 0,
+            Self::Drawing { first: None, .. } => 1,
+            Self::Waiting { .. } => 2,
+            Self::Drawing { first: Some(_), .. } => 3,
+            Self::Refused { .. } => 4,
+        }
+    }
+}
+
 /// What a released stroke has led to.
 #[derive(Clone, Debug)]
 pub(crate) enum Outcome {

@@ -2,12 +2,13 @@
 
 use super::frame::ViewFrame;
 use super::sketch_tool::{Outcome, SHORTEST_STROKE, SketchTool, Stage};
-use crate::edit::{Command, fibre_ops};
-use crate::scene::{Fibre, StrokePair};
+use crate::edit::Command;
+use crate::edit::fibre_ops::{self, FibreEditError};
+use crate::scene::{Fibre, FibreSource, Mismatch, StrokePair, ViewStroke};
 use crate::sketch::{SketchError, View};
 use crate::ui::context::{Context, Severity, Step};
 use crate::ui::editing::set_fibres;
-use egui::{Event, PointerButton, Pos2, Response, Ui};
+use egui::{CursorIcon, Event, PointerButton, Pos2, Response, Ui};
 
 /// What is drawn and what becomes of it.
 pub(crate) struct Sketching {
@@ -15,13 +16,15 @@ pub(crate) struct Sketching {
     pub tool: SketchTool,
     /// Whether the next stroke takes the place of the selected fibre's in its view.
     pub redraws: bool,
+    /// The stroke that was to take its place, and did not fit.
+    refused: Option<ViewStroke>,
     /// Whether the coach still explains the first fibre.
     pub coach: bool,
 }
 
 impl Default for Sketching {
     fn default() -> Self {
-        Self { tool: SketchTool::default(), redraws: false, coach: true }
+        Self { tool: SketchTool::default(), redraws: false, refused: None, coach: true }
     }
 }
 
@@ -30,17 +33,21 @@ impl Sketching {
     pub(crate) fn forget(&mut self) {
         self.tool = SketchTool::default();
         self.redraws = false;
+        self.refused = None;
     }
 
     /// Takes the last stroke back.
     pub(crate) fn cancel(&mut self) {
-        self.tool.cancel();
+        if self.refused.take().is_none() {
+            self.tool.cancel();
+        }
         self.redraws = false;
     }
 
     /// Has the next stroke take the place of the selected fibre's, or no longer.
     pub(crate) fn toggle_redraw(&mut self, cx: &mut Context) {
         self.redraws = !self.redraws;
+        self.refused = None;
         if self.redraws {
             cx.say(Severity::Note, "Draw the stroke again in either of the fibre's two views");
         }
@@ -53,10 +60,12 @@ impl Sketching {
             && !ui.input(|input| input.modifiers.alt)
             && let Some(at) = ui.input(|input| input.pointer.press_origin())
         {
+            self.refused = None;
             self.tool.press(view, frame.pixel(at), frame.drawn(view, at));
         }
         if !self.tool.draws_in(view) {
             if response.hovered() {
+                ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
                 cx.status.hint = match self.tool.first() {
                     Some(first) if first.view != view => {
                         "Draw the second stroke between the guides; Escape takes the first one back"
@@ -91,7 +100,9 @@ impl Sketching {
 
     /// Takes refused strokes by stretching the second onto the first.
     pub(crate) fn stretch(&mut self, cx: &mut Context) {
-        if self.is_refused()
+        if let Some(stroke) = self.refused.take() {
+            self.put_in_place(stroke, Mismatch::Stretch, cx);
+        } else if self.is_refused()
             && let Some(outcome) = self.tool.stretch(cx.active.diagonal())
         {
             self.released(outcome, cx);
@@ -100,7 +111,7 @@ impl Sketching {
 
     /// Whether the strokes that are drawn were refused and can be stretched.
     pub(crate) fn is_refused(&self) -> bool {
-        matches!(self.tool.stage(), Stage::Refused { .. })
+        self.refused.is_some() || matches!(self.tool.stage(), Stage::Refused { .. })
     }
 
     /// What a released stroke leads to.
@@ -130,10 +141,23 @@ impl Sketching {
     fn redraw(&mut self, cx: &mut Context) {
         let Some(stroke) = self.tool.first().cloned() else { return };
         self.tool = SketchTool::default();
+        self.put_in_place(ViewStroke::new(stroke.view, stroke.points), Mismatch::Clip, cx);
+    }
+
+    /// Puts a stroke in the place of the selected fibre's; one that does not fit can be stretched.
+    fn put_in_place(&mut self, stroke: ViewStroke, mismatch: Mismatch, cx: &mut Context) {
         let Some((_, fibre)) = cx.selected_fibre() else { return };
-        let points = stroke.points.iter().map(glam::DVec2::to_array).collect();
-        let edited = fibre_ops::redraw(fibre, stroke.view, points, cx.sampling());
+        let mut fibre = fibre.clone();
+        if let FibreSource::Strokes(pair) = &mut fibre.source
+            && mismatch == Mismatch::Stretch
+        {
+            pair.mismatch = mismatch;
+        }
+        let edited = fibre_ops::redraw(&fibre, stroke.view, stroke.points.clone(), cx.sampling());
         self.redraws = edited.is_err();
+        if matches!(edited, Err(FibreEditError::Sketch(SketchError::Overlap { .. }))) {
+            self.refused = Some(stroke);
+        }
         set_fibres(cx, "Redraw", edited.map(|edited| vec![edited]), Step::Own);
     }
 

@@ -1,0 +1,85 @@
+//! Fibres on the system's clipboard: as JSON text, so that they go from scene to scene, window to window and into letters.
+
+use super::context::{Context, Severity, Step};
+use crate::draw::Bounds;
+use crate::edit::Command;
+use crate::edit::fibre_ops::{self, Transform};
+use crate::scene::Fibre;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// What the text says that it holds.
+const FIBRES: &str = "fibres";
+/// Fibres that would lie on their like are put aside by this share of the body's diagonal.
+const APART: f64 = 0.04;
+
+/// What is put on the clipboard. Places are those of the model frame [m].
+#[derive(Serialize, Deserialize)]
+struct Clipping {
+    sinew: String,
+    fibres: Vec<Fibre>,
+}
+
+/// The selected fibres as text.
+pub(super) fn copied(cx: &mut Context) -> Option<String> {
+    let fibres: Vec<Fibre> = cx.selected_fibres().into_iter().cloned().collect();
+    let count = fibres.len();
+    let text = serde_json::to_string_pretty(&Clipping { sinew: FIBRES.to_owned(), fibres }).ok()?;
+    cx.say(Severity::Note, format!("Copied {}", counted(count)));
+    Some(text)
+}
+
+/// Puts the fibres of a text into the body, selected.
+pub(super) fn paste(text: &str, cx: &mut Context) {
+    let clipping = serde_json::from_str::<Clipping>(text).ok().filter(|clipping| clipping.sinew == FIBRES);
+    let Some(Clipping { fibres, .. }) = clipping.filter(|clipping| !clipping.fibres.is_empty()) else {
+        cx.say(Severity::Warning, "The clipboard holds no fibres: copy some with Ctrl+C first");
+        return;
+    };
+    let Some(body) = cx.active_body() else {
+        cx.say(Severity::Error, "Fibres go into fibre solids: choose one in the list of bodies");
+        return;
+    };
+    let id = body.id.clone();
+    let copies = fibre_ops::copies(fibres.iter(), &body.fibres);
+    let by = Transform::translation(aside(&copies, cx));
+    let sampling = cx.sampling();
+    let moved: Result<Vec<Fibre>, _> =
+        copies.iter().map(|fibre| fibre_ops::transform(fibre, &by, sampling).map(|edited| edited.fibre)).collect();
+    match moved {
+        Ok(fibres) => {
+            let (count, chosen): (_, Vec<String>) = (fibres.len(), fibres.iter().map(|f| f.id.clone()).collect());
+            cx.say(Severity::Note, format!("Pasted {}", counted(count)));
+            cx.edit(&Command::add_fibres("Paste", &id, fibres), Step::Own);
+            let there = chosen.into_iter().filter(|id| is_there(cx, id)).collect::<Vec<_>>();
+            cx.selection.set(there);
+        }
+        Err(error) => cx.say(Severity::Error, error.to_string()),
+    }
+}
+
+/// By how much pasted fibres are moved [m]: into a body that lies elsewhere, and off their like.
+fn aside(fibres: &[Fibre], cx: &Context) -> DVec3 {
+    let (Some(room), Some(body)) = (cx.active.bounds(), cx.active_body()) else { return DVec3::ZERO };
+    let sampling = cx.sampling();
+    let points = fibres.iter().flat_map(|fibre| fibre_ops::vertices(fibre, sampling).unwrap_or_default());
+    let Some(bounds) = Bounds::of(points) else { return DVec3::ZERO };
+    let middle = bounds.center();
+    if middle.cmplt(room.min).any() || middle.cmpgt(room.max).any() {
+        return room.center() - middle;
+    }
+    let lies_on_like = fibres.iter().any(|fibre| body.fibres.iter().any(|known| known.source == fibre.source));
+    if !lies_on_like {
+        return DVec3::ZERO;
+    }
+    let inwards = if room.center().x < middle.x { -1.0 } else { 1.0 };
+    inwards * sampling.spacing.max(APART * cx.active.diagonal()) * DVec3::X
+}
+
+fn is_there(cx: &Context, fibre: &str) -> bool {
+    cx.active_body().is_some_and(|body| body.fibres.iter().any(|known| known.id == fibre))
+}
+
+fn counted(count: usize) -> String {
+    if count == 1 { "one fibre".to_owned() } else { format!("{count} fibres") }
+}

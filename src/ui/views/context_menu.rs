@@ -1,0 +1,44 @@
+//! The menu of a right click in a view: what can be done to what lies there.
+
+use super::kind::PaneKind;
+use crate::ui::action::Action;
+use crate::ui::context::Context;
+use crate::ui::controls::menu_entry;
+use egui::{Popup, Response, SetOpenCommand};
+
+/// What can be done to chosen fibres, to a body without any chosen, and in a view of either kind.
+const CHOSEN: [Action; 9] = [
+    Action::Vertices,
+    Action::Duplicate,
+    Action::Copy,
+    Action::Cut,
+    Action::Paste,
+    Action::Delete,
+    Action::Smooth,
+    Action::SnapToSurface,
+    Action::Hide,
+];
+const NONE_CHOSEN: [Action; 3] = [Action::Paste, Action::SelectAll, Action::ShowAll];
+const DRAWING: [Action; 4] = [Action::DrawTool, Action::SelectTool, Action::Frame, Action::FrameAll];
+const RESULT: [Action; 6] =
+    [Action::Frame, Action::FrameAll, Action::Follow, Action::XRay, Action::PlayPause, Action::Reset];
+
+/// Opens the menu where the right button is clicked (`opens`), and shows it while it is open.
+pub(super) fn context_menu(response: &Response, kind: PaneKind, opens: bool, cx: &mut Context) {
+    let command = if opens {
+        Some(SetOpenCommand::Bool(true))
+    } else {
+        response.clicked().then_some(SetOpenCommand::Bool(false))
+    };
+    Popup::menu(response).open_memory(command).at_pointer_fixed().show(|ui| {
+        let of_fibres: &[Action] = if cx.selection.active().is_some() { &CHOSEN } else { &NONE_CHOSEN };
+        for &action in of_fibres {
+            menu_entry(ui, cx, action);
+        }
+        ui.separator();
+        let of_view: &[Action] = if kind == PaneKind::Result { &RESULT } else { &DRAWING };
+        for &action in of_view {
+            menu_entry(ui, cx, action);
+        }
+    });
+}

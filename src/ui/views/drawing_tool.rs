@@ -1,0 +1,11 @@
+//! What a drag does in the drawing views.
+
+/// The tool in hand.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum DrawingTool {
+    /// Draws a stroke, wherever it begins.
+    #[default]
+    Draw,
+    /// Moves what is selected by its handles, and draws a box around what is to be selected elsewhere.
+    Select,
+}

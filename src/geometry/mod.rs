@@ -7,6 +7,7 @@ pub(crate) mod cluster;
 pub(crate) mod crossing;
 pub(crate) mod curve;
 pub(crate) mod edges;
+pub(crate) mod file_mesh;
 pub(crate) mod fill;
 pub(crate) mod fineness;
 pub(crate) mod holes;
@@ -39,6 +40,7 @@ pub(crate) mod two_layers;
 pub(crate) mod weld;
 pub(crate) mod winding;
 
+pub use file_mesh::{FileMesh, FilePart, UvSet};
 pub use fill::{FillError, FillResolution, fill};
 pub use kernel::Kernel;
 pub use lattice::Cuboid;

@@ -1,8 +1,10 @@
 //! Models: what a file of meshes holds, for the picture and as the start of a solid.
 
+use super::file_mesh::FileMesh;
 use super::model_report::Finding;
 use glam::{DVec3, Vec3};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Triangles as a file gives them: vertices are split where normals, colours or texture coordinates differ.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,6 +21,8 @@ pub struct Model {
     pub parts: Vec<Part>,
     /// What the reader of the file left out or took another way.
     pub notes: Vec<Finding>,
+    /// The mesh as the file has it; none where the model is of no file.
+    pub file: Option<Arc<FileMesh>>,
 }
 
 /// A named run of a model's faces.
@@ -94,6 +98,9 @@ impl Model {
         for normal in &mut self.normals {
             *normal = up.stand_up(normal.as_dvec3()).as_vec3();
         }
+        if let Some(file) = &mut self.file {
+            Arc::make_mut(file).move_points(|point| scale * up.stand_up(point));
+        }
     }
 
     /// Leaves out faces that `keep` refuses and vertices that no face uses any more; the rest stay in their order.
@@ -103,7 +110,7 @@ impl Model {
         for &vertex in self.triangles.iter().filter(|t| keep(t)).flatten() {
             used[vertex as usize] = true;
         }
-        let mut kept = Self { notes: self.notes.clone(), ..Self::default() };
+        let mut kept = Self { notes: self.notes.clone(), file: self.file.clone(), ..Self::default() };
         let mut new_index = vec![0; self.positions.len()];
         for (old, _) in used.iter().enumerate().filter(|(_, used)| **used) {
             new_index[old] = kept.positions.len() as u32;

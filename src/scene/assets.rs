@@ -1,6 +1,7 @@
 //! What a scene refers to but does not hold: the solids that its meshes stand for.
 
 use super::{Axis, ClosedMesh, MeshShape};
+use crate::geometry::file_mesh::FileMesh;
 use crate::geometry::mesh::TriangleMesh;
 use crate::geometry::model::{MeshData, Model, UpAxis};
 use crate::geometry::model_report::Refusal;
@@ -110,6 +111,7 @@ impl Assets {
             triangles: mesh.triangles.clone(),
             ..MeshData::default()
         });
+        model.file = Some(Arc::new(FileMesh::of_triangles(file.path, mesh.positions.clone(), &mesh.triangles)));
         model.stand_up(file.up_axis(), file.scale);
         self.insert(file, Arc::new(Solid::new(&model)?));
         Ok(())

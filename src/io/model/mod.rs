@@ -18,10 +18,12 @@ use self::failure::Failure;
 use self::limits::MOST;
 use super::IoError;
 use super::read::read_bytes;
+use crate::geometry::file_mesh::{FileMesh, FilePart};
 use crate::geometry::model::Model;
 use crate::scene::one_line;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Formats, by how names end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,16 +96,34 @@ fn read(bytes: &[u8], format: Format, path: &Path) -> Result<Model, IoError> {
         Ok(Ok(model)) if model.triangles.len().max(model.positions.len()) > MOST => {
             Failure::new(format_args!("it has more than {} million faces or vertices", MOST / 1_000_000))
         }
-        Ok(Ok(model)) => return Ok(without_strays(model)),
+        Ok(Ok(model)) => return Ok(without_strays(with_file(model))),
         Ok(Err(failure)) => failure,
         Err(_) => Failure::new("it is damaged"),
     };
-    Err(match failure {
+    Err(error_of(failure, format))
+}
+
+fn error_of(failure: Failure, format: Format) -> IoError {
+    match failure {
         Failure::Content { problem, remedy } => {
             IoError::Model { format: format.name(), problem: one_line(&problem), remedy: one_line(&remedy) }
         }
         Failure::Other(error) => error,
-    })
+    }
+}
+
+/// Where a reader cuts and splits nothing, the model is the mesh of its file.
+fn with_file(mut model: Model) -> Model {
+    if model.file.is_none() {
+        let mut mesh = FileMesh { points: model.positions.clone(), ..FileMesh::default() };
+        for part in &model.parts {
+            mesh.begin_part(FilePart { name: part.name.clone(), ..FilePart::default() });
+            model.triangles[part.triangles.clone()].iter().for_each(|triangle| mesh.add_face(triangle));
+        }
+        mesh.end_part();
+        model.file = Some(Arc::new(mesh));
+    }
+    model
 }
 
 /// Vertices that are at no place stay only where nothing refers to them: then none that is not referred to does.

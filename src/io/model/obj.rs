@@ -8,10 +8,12 @@ use super::mtl::{Materials, linear};
 use super::notes::note;
 use super::obj_piece::{Corner, Piece, Vertices};
 use super::text::{Lines, decoded, number, shown, without_mark, words};
+use crate::geometry::file_mesh::{FileMesh, FilePart, UvSet};
 use crate::geometry::model::Model;
 use glam::DVec3;
 use std::borrow::Cow;
 use std::path::Path;
+use std::sync::Arc;
 
 pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
     let text = without_mark(bytes);
@@ -120,6 +122,12 @@ fn add_vertex(line: &Statement<'_>, vertices: &mut Vertices) -> Result<(), Failu
             let normal = DVec3::from_array(n).as_vec3().normalize_or_zero();
             vertices.normals.push(whole.then_some(normal));
         }
+        b"vt" => {
+            let mut uv = [0.0; 3];
+            // One coordinate alone runs along a line; one that is no number stands for none.
+            let whole = line.numbers(&mut uv).is_ok_and(|count| count >= 1) && uv.iter().all(|c| c.is_finite());
+            vertices.textures.push(whole.then_some([uv[0], uv[1]]));
+        }
         _ => {}
     }
     Ok(())
@@ -136,6 +144,10 @@ struct Reader<'a> {
     piece: Piece,
     corners: Vec<Corner>,
     model: Model,
+    file: FileMesh,
+    /// Name of the present material, known or not.
+    material_name: String,
+    textures: Vec<u32>,
 }
 
 impl<'a> Reader<'a> {
@@ -150,6 +162,9 @@ impl<'a> Reader<'a> {
             piece: Piece::default(),
             corners: Vec::new(),
             model: Model::default(),
+            file: FileMesh::default(),
+            material_name: String::new(),
+            textures: Vec::new(),
         }
     }
 
@@ -163,6 +178,7 @@ impl<'a> Reader<'a> {
             b"o" | b"g" => {
                 self.finish_piece();
                 self.name = decoded(line.name());
+                self.begin_part();
             }
             b"mtllib" => self.materials.load(self.folder, &decoded(line.name())),
             b"usemtl" => {
@@ -171,6 +187,8 @@ impl<'a> Reader<'a> {
                     self.finish_piece();
                     self.material = material;
                 }
+                self.material_name = decoded(line.name());
+                self.begin_part();
             }
             // Lines, points, curves and what else is no surface.
             _ => {}
@@ -191,7 +209,18 @@ impl<'a> Reader<'a> {
             return Err(line.fail(format_args!("a face has three corners at least, not {}", self.corners.len())));
         }
         self.piece.add_face(&self.corners, self.vertices);
+        let Self { corners, file, vertices, textures, .. } = self;
+        let is_there = |index: &u32| vertices.textures.get(*index as usize).is_some_and(Option::is_some);
+        textures.extend(corners.iter().map(|corner| corner.texture.filter(is_there).unwrap_or(UvSet::NONE)));
+        let corners: Vec<u32> = corners.iter().map(|corner| corner.vertex).collect();
+        file.add_face(&corners);
         Ok(())
+    }
+
+    fn begin_part(&mut self) {
+        let colour = self.material.as_ref().and_then(|name| self.materials.colour(name));
+        let (name, material) = (self.name.clone(), self.material_name.clone());
+        self.file.begin_part(FilePart { name, material, colour, ..FilePart::default() });
     }
 
     /// One corner of a face: `vertex`, `vertex/texture`, `vertex//normal` or `vertex/texture/normal`.
@@ -236,6 +265,13 @@ impl<'a> Reader<'a> {
 
     fn finish(mut self) -> Model {
         self.finish_piece();
+        self.file.end_part();
+        self.file.points.clone_from(&self.vertices.positions);
+        if self.textures.iter().any(|&index| index != UvSet::NONE) {
+            let values = self.vertices.textures.iter().map(|uv| uv.unwrap_or_default()).collect();
+            self.file.uv_sets.push(UvSet { values, corners: self.textures });
+        }
+        self.model.file = Some(Arc::new(self.file));
         self.model.notes.extend(self.materials.notes.into_iter().map(note));
         self.model
     }

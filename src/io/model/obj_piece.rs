@@ -14,6 +14,8 @@ pub(super) struct Vertices {
     pub(super) positions: Vec<DVec3>,
     /// None for those that are incomplete.
     pub(super) normals: Vec<Option<Vec3>>,
+    /// Texture coordinates; none for those that are incomplete.
+    pub(super) textures: Vec<Option<[f64; 2]>>,
     /// Colours of the first vertices; those behind the last coloured one have none.
     colours: Vec<Option<[f32; 4]>>,
     /// Vertices that are no numbers, and their lines.

@@ -125,6 +125,7 @@ pub(super) struct Buffer {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(super) struct Material {
+    pub(super) name: String,
     pub(super) pbr_metallic_roughness: BaseColour,
 }
 

@@ -9,6 +9,7 @@ mod buffers;
 mod container;
 mod document;
 mod extensions;
+mod own_mesh;
 mod pose;
 mod primitive;
 
@@ -20,9 +21,11 @@ use self::pose::{DEEPEST, instances, joints, local, worlds};
 use self::primitive::{Piece, Pose};
 use super::failure::Failure;
 use super::limits::MOST;
+use crate::geometry::file_mesh::FileMesh;
 use crate::geometry::model::Model;
 use glam::DMat4;
 use std::path::Path;
+use std::sync::Arc;
 
 pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
     let Container { json, bin } = Container::open(bytes)?;
@@ -30,7 +33,8 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
     let notes = extensions::left_out(&document.extensions_required)?;
     let accessors = Accessors { document: &document, buffers: Buffers::new(&document, folder, bin) };
     let model = Model { notes, ..Model::default() };
-    let mut reader = Reader { accessors: &accessors, worlds: worlds(&document), model, visited: 0 };
+    let mut reader =
+        Reader { accessors: &accessors, worlds: worlds(&document), model, file: FileMesh::default(), visited: 0 };
     match document.scene.map_or_else(|| document.scenes.first(), |scene| document.scenes.get(scene)) {
         Some(scene) => scene.nodes.iter().try_for_each(|&node| reader.add_node(node, DMat4::IDENTITY, 0))?,
         None if document.scene.is_some() => return Err(Failure::new("/scene refers to a scene that is not there")),
@@ -38,13 +42,14 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
         None => (0..document.meshes.len())
             .try_for_each(|mesh| reader.add_mesh(mesh, &[], &Pose::Placed(DMat4::IDENTITY)))?,
     }
-    Ok(reader.model)
+    Ok(Model { file: Some(Arc::new(reader.file)), ..reader.model })
 }
 
 struct Reader<'a, 'b> {
     accessors: &'a Accessors<'b>,
     worlds: Vec<DMat4>,
     model: Model,
+    file: FileMesh,
     visited: usize,
 }
 
@@ -82,8 +87,9 @@ impl Reader<'_, '_> {
         for (number, primitive) in mesh.primitives.iter().enumerate() {
             let name = format!("meshes[{index}].primitives[{number}]");
             let piece = Piece { accessors, mesh, primitive, name, weights };
-            if let Some(piece) = piece.read(pose)? {
-                self.model.add(piece);
+            if let Some(drawn) = piece.read(pose)? {
+                own_mesh::add_piece(&mut self.file, &drawn);
+                self.model.add(drawn.mesh);
             }
         }
         if self.model.positions.len() > MOST {

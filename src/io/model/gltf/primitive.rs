@@ -3,7 +3,7 @@
 use super::super::failure::Failure;
 use super::accessor::{Accessors, Rows, Whole};
 use super::buffers::compressed;
-use super::document::{Mesh, Primitive};
+use super::document::{Material, Mesh, Primitive};
 use crate::geometry::model::MeshData;
 use glam::{DMat3, DMat4, DVec3, Vec3};
 
@@ -26,9 +26,18 @@ pub(super) struct Piece<'a, 'b> {
     pub(super) weights: &'a [f64],
 }
 
+/// A piece as it is drawn.
+pub(super) struct Drawn {
+    pub(super) mesh: MeshData,
+    /// Coordinates a vertex, right and up, of every set; empty for one that cannot be read.
+    pub(super) uv_sets: Vec<Vec<[f64; 2]>>,
+    /// Name and base colour of its material; none without one.
+    pub(super) material: Option<(String, [f32; 4])>,
+}
+
 impl Piece<'_, '_> {
     /// The piece as a mesh; nothing where it has no faces.
-    pub(super) fn read(&self, pose: &Pose<'_>) -> Result<Option<MeshData>, Failure> {
+    pub(super) fn read(&self, pose: &Pose<'_>) -> Result<Option<Drawn>, Failure> {
         let mode = self.primitive.mode.unwrap_or(TRIANGLES);
         if !matches!(mode, TRIANGLES | STRIP | FAN) {
             return Ok(None);
@@ -63,7 +72,28 @@ impl Piece<'_, '_> {
         self.check(&triangles, &positions)?;
         let colours = self.colours(positions.len())?;
         let name = self.mesh.name.clone().unwrap_or_default();
-        Ok(Some(MeshData { name, positions, normals, colours, triangles }).filter(|mesh| !mesh.triangles.is_empty()))
+        if triangles.is_empty() {
+            return Ok(None);
+        }
+        let uv_sets = self.uv_sets(positions.len());
+        let material = self.material().map(|material| (material.name.clone(), base_colour(material)));
+        Ok(Some(Drawn { mesh: MeshData { name, positions, normals, colours, triangles }, uv_sets, material }))
+    }
+
+    /// Texture coordinates, whose second one points down in the format. Those that cannot be read are none: a shape does
+    /// without.
+    fn uv_sets(&self, vertices: usize) -> Vec<Vec<[f64; 2]>> {
+        let set = |number: usize| self.primitive.attributes.get(&format!("TEXCOORD_{number}"));
+        let read = |&index: &usize| {
+            let rows = self.accessors.read(index, &["VEC2"], Whole::Shares, "texture coordinates").ok()?;
+            let uvs: Vec<[f64; 2]> = rows.rows().map(|row| [row[0], 1.0 - row[1]]).collect();
+            (uvs.len() == vertices && uvs.iter().flatten().all(|c| c.is_finite())).then_some(uvs)
+        };
+        (0..).map_while(set).map(|index| read(index).unwrap_or_default()).collect()
+    }
+
+    fn material(&self) -> Option<&Material> {
+        self.primitive.material.and_then(|index| self.accessors.document.materials.get(index))
     }
 
     /// Refuses data that stands in the file only in a form that is not read.
@@ -167,14 +197,17 @@ impl Piece<'_, '_> {
 
     /// Colours of the vertices, tinted by the material.
     fn colours(&self, vertices: usize) -> Result<Vec<[f32; 4]>, Failure> {
-        let material = self.primitive.material.and_then(|index| self.accessors.document.materials.get(index));
-        let base = material.map_or([1.0; 4], |material| material.pbr_metallic_roughness.base_color_factor);
+        let base = self.material().map_or([1.0; 4], base_colour);
         let Some(&index) = self.primitive.attributes.get("COLOR_0") else { return Ok(vec![base; vertices]) };
         let purpose = format!("COLOR_0 of {}", self.name);
         let rows = self.accessors.read(index, &["VEC3", "VEC4"], Whole::Shares, &purpose)?;
         let colour = |row: &[f64]| [0, 1, 2, 3].map(|k| row.get(k).map_or(1.0, |&share| share as f32) * base[k]);
         Ok(rows.rows().map(colour).collect())
     }
+}
+
+fn base_colour(material: &Material) -> [f32; 4] {
+    material.pbr_metallic_roughness.base_color_factor
 }
 
 // The format's numbers for how vertices make faces.

@@ -11,8 +11,11 @@ use self::values::{Place, Values};
 use super::failure::Failure;
 use super::polygon::triangulate;
 use super::text::without_mark;
+use crate::geometry::file_mesh::{FileMesh, UvSet};
 use crate::geometry::model::{MeshData, Model};
 use glam::{DVec3, Vec3};
+use std::ops::Range;
+use std::sync::Arc;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Model, Failure> {
     let text = without_mark(bytes);
@@ -35,9 +38,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Model, Failure> {
             _ => skip(element, &mut values)?,
         }
     }
+    let textures = std::mem::take(&mut vertices.textures);
     let mut piece = vertices.into_mesh();
     piece.triangles = faces.triangles(&piece.positions)?;
-    let mut model = Model::default();
+    let mut model = Model { file: Some(Arc::new(faces.as_listed(&piece.positions, textures))), ..Model::default() };
     model.add(piece);
     Ok(model)
 }
@@ -62,7 +66,7 @@ fn skip_property(property: &Property, place: &Place<'_>, values: &mut Values<'_>
 }
 
 /// What a vertex may have, by the names of its properties.
-const NAMES: [[&str; 3]; 9] = [
+const NAMES: [[&str; 3]; 11] = [
     ["x", "", ""],
     ["y", "", ""],
     ["z", "", ""],
@@ -72,6 +76,8 @@ const NAMES: [[&str; 3]; 9] = [
     ["red", "r", "diffuse_red"],
     ["green", "g", "diffuse_green"],
     ["blue", "b", "diffuse_blue"],
+    ["s", "u", "texture_u"],
+    ["t", "v", "texture_v"],
 ];
 
 #[derive(Default)]
@@ -79,6 +85,7 @@ struct Vertices {
     positions: Vec<DVec3>,
     normals: Vec<Vec3>,
     colours: Vec<[f32; 4]>,
+    textures: Vec<[f64; 2]>,
 }
 
 impl Vertices {
@@ -88,40 +95,43 @@ impl Vertices {
             .iter()
             .map(|property| NAMES.iter().position(|names| names.contains(&property.name.as_str())))
             .collect();
-        let has = |from: usize| (from..from + 3).all(|role| roles.contains(&Some(role)));
-        if !has(0) {
+        let has = |wanted: Range<usize>| wanted.clone().all(|role| roles.contains(&Some(role)));
+        if !has(0..3) {
             let missing = ["x", "y", "z"].into_iter().enumerate().find(|(role, _)| !roles.contains(&Some(*role)));
             let name = missing.map_or("x", |(_, name)| name);
             return Err(Failure::new(format_args!("its vertices have no property `{name}`")));
         }
         for index in 0..element.count {
-            let mut found = [0.0; 9];
+            let mut found = [0.0; 11];
             for (property, role) in element.properties.iter().zip(&roles) {
                 let place = Place { element, index, property };
                 match (role, property.count) {
                     (Some(role), None) => {
                         let value = values.next(property.scalar, &place)?;
-                        found[*role] = if *role < 6 { value } else { share(value, property.scalar).into() };
+                        found[*role] = if (6..9).contains(role) { share(value, property.scalar).into() } else { value };
                     }
                     (Some(_), Some(_)) => return Err(values.fail(&place, "this is a list where one number is meant")),
                     (None, _) => skip_property(property, &place, values)?,
                 }
             }
             values.end(element, index)?;
-            let [x, y, z, nx, ny, nz, red, green, blue] = found;
+            let [x, y, z, nx, ny, nz, red, green, blue, s, t] = found;
             self.positions.push(DVec3::new(x, y, z));
-            if has(3) {
+            if has(3..6) {
                 self.normals.push(DVec3::new(nx, ny, nz).as_vec3().normalize_or_zero());
             }
-            if has(6) {
+            if has(6..9) {
                 self.colours.push(linear([red, green, blue]));
+            }
+            if has(9..11) {
+                self.textures.push([s, t]);
             }
         }
         Ok(())
     }
 
     fn into_mesh(self) -> MeshData {
-        let Self { positions, normals, colours } = self;
+        let Self { positions, normals, colours, .. } = self;
         MeshData { positions, normals, colours, ..MeshData::default() }
     }
 }
@@ -149,6 +159,8 @@ struct Faces {
     corners: Vec<i64>,
     /// Where each face ends in the list, and what a message calls it.
     ends: Vec<(usize, bool)>,
+    /// Texture coordinates of all corners; as many as there are, or they are not used.
+    textures: Vec<[f64; 2]>,
 }
 
 impl Faces {
@@ -157,7 +169,10 @@ impl Faces {
             for property in &element.properties {
                 let place = Place { element, index, property };
                 let (true, Some(count)) = (is_corners(property), property.count) else {
-                    skip_property(property, &place, values)?;
+                    match property.count.filter(|_| property.name == "texcoord") {
+                        Some(count) => self.read_textures(count, property, &place, values)?,
+                        None => skip_property(property, &place, values)?,
+                    }
                     continue;
                 };
                 for _ in 0..values.length(count, &place)? {
@@ -172,6 +187,46 @@ impl Faces {
             values.end(element, index)?;
         }
         Ok(())
+    }
+
+    /// Coordinates of a face's corners, two numbers each.
+    fn read_textures(
+        &mut self,
+        count: Scalar,
+        property: &Property,
+        place: &Place<'_>,
+        values: &mut Values<'_>,
+    ) -> Result<(), Failure> {
+        let length = values.length(count, place)?;
+        let numbers: Vec<f64> = (0..length).map(|_| values.next(property.scalar, place)).collect::<Result<_, _>>()?;
+        self.textures.extend(numbers.as_chunks::<2>().0);
+        Ok(())
+    }
+
+    /// The faces as the file lists them, strips as their triangles, over `points`; `textures` are those of the vertices.
+    fn as_listed(&self, points: &[DVec3], textures: Vec<[f64; 2]>) -> FileMesh {
+        let mut mesh = FileMesh { points: points.to_vec(), ..FileMesh::default() };
+        let mut triangles = Vec::new();
+        for (corners, is_strip) in self.each() {
+            for run in corners.split(|&corner| is_strip && corner == -1) {
+                let face: Vec<u32> = run.iter().map(|&corner| corner as u32).collect();
+                if is_strip {
+                    triangles.clear();
+                    add_strip(&face, &mut triangles);
+                    triangles.iter().for_each(|triangle| mesh.add_face(triangle));
+                } else if face.len() > 2 {
+                    mesh.add_face(&face);
+                }
+            }
+        }
+        let is_whole = |uvs: &[[f64; 2]]| !uvs.is_empty() && uvs.iter().flatten().all(|c| c.is_finite());
+        if mesh.corners.len() == self.textures.len() && is_whole(&self.textures) {
+            let corners = (0..mesh.corners.len() as u32).collect();
+            mesh.uv_sets.push(UvSet { values: self.textures.clone(), corners });
+        } else if is_whole(&textures) {
+            mesh.uv_sets.push(UvSet { values: textures, corners: mesh.corners.clone() });
+        }
+        mesh
     }
 
     /// Triangles of what is there.

@@ -72,9 +72,10 @@
 //! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
 //!   paces it for a window and keeps as much of the last motion as fits its memory, to be shown again and gone on
 //!   from bit for bit; time series; the comparison of integrators, by numbers and side by side.
-//! - [`io`]: the only module that reads and writes files. Scene JSON and its schema, models, OBJ sequences, atomic writes,
-//!   recovery, folders of what the program keeps for a person, traces of what took how long. (The window's toolkit keeps
-//!   the window's settings.)
+//! - `export`: a motion as other programs take it, as plain data: surfaces on the vertices of the files that they are from,
+//!   fibres with what they carry, particles with their fields. Formats are [`io`]'s.
+//! - [`io`]: the only module that reads and writes files. Scene JSON and its schema, models, motions for other programs, atomic
+//!   writes, recovery, folders of what the program keeps for a person, traces of what took how long. (The window's toolkit keeps the window's settings.)
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.
 //! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,
@@ -89,7 +90,8 @@
 //! `pub(crate)` or less, which the lint `unreachable_pub` holds the code to.
 //!
 //! What a module may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
-//! geometry; solver geometry; bake scene, sketch, geometry and solver; io scene, geometry and the solver's snapshot;
+//! geometry; solver geometry; bake scene, sketch, geometry and solver; export scene, geometry and solver; io scene, geometry,
+//! export and the solver's snapshot;
 //! sim scene, bake and solver; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
 //! ui; ui all but cli; any but geometry and solver may import text; and test_support may import all. A test holds the code to this.
 //!
@@ -111,6 +113,9 @@
 //! | the stable step | `solver::stable_step` of fibre solids, `solver::modes` of two-layer bodies; what sets it: `bake::limits` |
 //! | how a frame is divided into steps | `bake::step_plan`, carried out by [`solver::World::advance_frame`] |
 //! | what a file may hold, and the errors | `scene::validate` |
+//! | what a file holds of a mesh, vertex by vertex | [`geometry::FileMesh`], kept by the readers in `io::model` |
+//! | how its vertices ride on the particles | `export::carrier` |
+//! | a format that a motion is written in | `io::export` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
 //!
@@ -149,6 +154,7 @@
 //! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved. One that is new to a motion
 //!   takes hold of the region where it finds it. *Pinned point*: what a drag has left where it pulls.
 //! - *measure*: a quantity read off a body, such as the twist of one region against another. *Probe*: a measure in a world.
+//! - *file's mesh*: a model as its file has it, every vertex in its order, polygons uncut; motions are written on it.
 //! - *model frame*: the frame in which a body is described. *Placement*: where it stands in the world.
 //! - *view*: front, side or top. *Stroke*: what was drawn in one. *Lift*: to make a curve of two strokes.
 //! - *pattern*: a layout of fibres to start from. *Dab*: one touch of the brush that paints the volume fraction.
@@ -270,6 +276,7 @@ pub mod bake;
 pub mod cli;
 pub mod draw;
 pub mod edit;
+mod export;
 pub mod geometry;
 pub mod io;
 #[cfg(feature = "render")]

@@ -61,6 +61,21 @@ pub enum CliError {
     /// Options of pictures where none are made.
     #[error("--view, --size, --x-ray, --particles and --theme say how pictures look; give --png DIR to make some")]
     NoPicturesAsked,
+    /// Options of files where none are written.
+    #[error("--format, --frames, --scale and --up say what is written of a run; give --out DIR for its files to go to")]
+    NoFilesAsked,
+    /// Frames that a run does not have.
+    #[error(
+        "--frames {first}..{last}: the run has the frames 0 to {most}; choose among them, or give a longer time by --seconds"
+    )]
+    FramesBeyond {
+        /// First that was asked for.
+        first: u64,
+        /// Last that was asked for.
+        last: u64,
+        /// Last that there is.
+        most: u64,
+    },
     /// Two files that would be one.
     #[error("{}: {first} and {second} are the same file; give {second} another name", printable(path))]
     SameFile {

@@ -17,6 +17,7 @@ mod finite;
 mod interruption;
 mod make_models;
 pub(crate) mod make_pictures;
+mod motion;
 #[cfg(not(feature = "render"))]
 mod no_scene_renderer;
 mod order_plot;

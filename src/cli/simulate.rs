@@ -3,16 +3,18 @@
 use super::drive::{Drive, RunEnd, drive};
 use super::finite::{NotFinite, check_finite};
 use super::interruption::Interruption;
+use super::motion::{MotionOptions, MotionOutput, warn_of_left_over};
 use super::picture::Look;
-use super::prepare::{Sets, Span, Threads, frames_to, load, put_together, source_name, tell, word};
+use super::prepare::{Loaded, Sets, Span, Threads, frames_to, load, put_together, source_name, tell, word};
 use super::repeat::{Repeated, Run, RunReport};
 use super::summary::summary;
 use super::{CliError, Console, Outcome, SceneRenderer, output};
-use crate::io::{FrameFolder, write_obj};
-use crate::scene::Scene;
+use crate::io::FrameFolder;
+use crate::scene::{Assets, Scene};
 use crate::sim::{Report, Runner, TimeSeries};
 use crate::text::number::four_figures;
 use clap::Args;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 /// Arguments of `sinew simulate`.
@@ -35,9 +37,11 @@ pub struct Simulate {
     /// Write energies, momenta and measures of every frame as CSV
     #[arg(long, value_name = "FILE.csv")]
     series: Option<PathBuf>,
-    /// Write the shape in every frame as an OBJ file in this folder
+    /// Write the shapes of every frame to this folder, each on the vertices of the file that it is from
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    motion: MotionOptions,
     /// Write a picture of every frame as a PNG file in this folder
     #[arg(long, value_name = "DIR")]
     png: Option<PathBuf>,
@@ -73,27 +77,34 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
         }
         None => args.clone(),
     };
+    args.motion.check(args.out.is_some(), args.png.is_some())?;
     let source = source_name(args.scene.as_deref());
     let mut loaded = load(args.scene.as_ref(), &args.sets, args.span.fps, console)?;
     let baked = put_together(&mut loaded, args.scene.as_deref(), console)?;
     let notes = loaded.notes(&baked);
-    let scene = loaded.scene;
+    let Loaded { scene, assets, .. } = loaded;
     tell(&notes, console);
     output::check(args.scene.as_ref(), &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
 
     let mut runner = Runner::new(baked);
-    let mut outputs = FrameOutputs::new(args, &scene, &runner)?;
+    let most = runner.frames_for(args.span.limit(&scene));
+    let last = args.motion.last_frame(most, args.span.seconds)?;
+    let mut outputs = FrameOutputs::new(args, (&scene, &assets), &runner, last)?;
     interruption.wait_for_end();
-    let ran = watch(args, &scene, &mut runner, interruption, &mut outputs, console)?;
+    let ran = watch(args, (&scene, last), &mut runner, interruption, &mut outputs, console)?;
     let lines = notes.iter().map(|note| format!("{}: {note}", word(note))).collect();
     let mut report = Report::new(&scene, &runner, ran.wall_seconds, lines);
     report.complete = !matches!(ran.end, RunEnd::Interrupted(_));
     let mut text = summary(&report, runner.world(), &source);
     let finite = outputs.is_finite(&report, console);
-    if finite {
-        let run = Run::new(&scene, args.scene.as_ref(), &args.sets.sets, args.span.fps);
-        text += &outputs.finish(args, &RunReport { report: &report, run }, console)?;
-    } else if args.report.is_some() || args.series.is_some() {
+    let run = Run::new(&scene, args.scene.as_ref(), &args.sets.sets, args.span.fps);
+    let whole = RunReport { report: &report, run };
+    let written = outputs.finish(args, finite.then_some(&whole), console)?;
+    if !written.is_empty() {
+        text.push('\n');
+        text.push_str(&written);
+    }
+    if !finite && (args.report.is_some() || args.series.is_some()) {
         console.warn(&"report and series are not written: they would hold what is no number");
     }
     console.print(&text)?;
@@ -106,17 +117,17 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     })
 }
 
-/// Runs to the end; every frame is recorded, every divergence said when it happens.
+/// Runs to frame `last` at most; every frame is recorded, every divergence said when it happens.
 fn watch(
     args: &Simulate,
-    scene: &Scene,
+    (scene, last): (&Scene, u64),
     runner: &mut Runner,
     interruption: &Interruption,
     outputs: &mut FrameOutputs,
     console: &mut Console,
 ) -> Result<Drive, CliError> {
     let limit = args.span.limit(scene);
-    let frames = frames_to(limit, runner, console);
+    let frames = frames_to(limit, runner, console).min(last);
     let pieces = if args.span.until_rest { "frames at most" } else { "frames" };
     let mut stopped = vec![false; runner.world().bodies().len()];
     console.begin();
@@ -151,32 +162,34 @@ fn watch(
 /// What is kept of every frame.
 struct FrameOutputs {
     series: Option<TimeSeries>,
-    shapes: Option<FrameFolder>,
+    shapes: Option<MotionOutput>,
     pictures: Option<(SceneRenderer, FrameFolder)>,
+    frames: RangeInclusive<u64>,
 }
 
 impl FrameOutputs {
-    fn new(args: &Simulate, scene: &Scene, runner: &Runner) -> Result<Self, CliError> {
+    fn new(args: &Simulate, (scene, assets): (&Scene, &Assets), runner: &Runner, last: u64) -> Result<Self, CliError> {
         // A driver may be missing: that is found out before a folder is made.
         let renderer =
             args.png.as_ref().map(|_| SceneRenderer::open(&args.look, scene, &runner.snapshot())).transpose()?;
         let series = args.series.as_ref().map(|_| TimeSeries::new(runner.world(), usize::MAX));
-        let folder = |path: Option<&PathBuf>, extension| path.map(|path| FrameFolder::create(path, extension));
-        let shapes = folder(args.out.as_ref(), "obj").transpose()?;
-        let pictures = renderer.zip(folder(args.png.as_ref(), "png").transpose()?);
-        Ok(Self { series, shapes, pictures })
+        let frames = args.motion.range(last);
+        let shapes =
+            args.out.as_ref().map(|out| MotionOutput::create(&args.motion, out, (scene, assets), runner, last));
+        let shapes = shapes.transpose()?;
+        let folder = args.png.as_ref().map(|path| FrameFolder::numbered(path, "frame", "png", *frames.start()));
+        Ok(Self { series, shapes, pictures: renderer.zip(folder.transpose()?), frames })
     }
 
     fn push(&mut self, scene: &Scene, runner: &Runner) -> Result<(), CliError> {
+        let frame = runner.world().frame();
         if let Some(series) = &mut self.series {
             series.push(runner.world());
         }
         if let Some(shapes) = &mut self.shapes {
-            let snapshot = runner.snapshot();
-            check_finite(&snapshot)?;
-            shapes.push(|out| write_obj(out, &snapshot))?;
+            shapes.push(runner)?;
         }
-        if let Some((renderer, pictures)) = &mut self.pictures {
+        if let Some((renderer, pictures)) = self.pictures.as_mut().filter(|_| self.frames.contains(&frame)) {
             let snapshot = runner.snapshot();
             check_finite(&snapshot)?;
             let picture = renderer.picture(scene, &snapshot)?;
@@ -197,27 +210,28 @@ impl FrameOutputs {
         found.is_empty()
     }
 
-    /// Writes what was collected; gives a line about each file.
-    fn finish(self, args: &Simulate, report: &RunReport<'_>, console: &mut Console) -> Result<String, CliError> {
+    /// Writes what was collected, the report and the series where they are made of numbers; gives a line about each file.
+    fn finish(
+        self,
+        args: &Simulate,
+        report: Option<&RunReport<'_>>,
+        console: &mut Console,
+    ) -> Result<String, CliError> {
         let mut text = String::new();
-        if let Some(path) = &args.report {
+        if let (Some(path), Some(report)) = (&args.report, report) {
             text += &output::write_report(path, report)?;
         }
-        if let (Some(path), Some(series)) = (&args.series, self.series) {
+        if let (Some(path), Some(series), Some(_)) = (&args.series, self.series, report) {
             output::write_bytes(path, &series.to_csv()?)?;
             text += &output::wrote("series", path);
         }
-        let pictures = self.pictures.as_ref().map(|(_, pictures)| ("pictures", pictures));
-        for (what, frames) in self.shapes.as_ref().map(|shapes| ("OBJ files", shapes)).into_iter().chain(pictures) {
-            text += &output::wrote(&format!("{} {what}", frames.frames()), frames.folder());
-            let left_over = frames.left_over();
-            if left_over > 0 {
-                console.warn(&format!(
-                    "{}: {left_over} more frames of an earlier, longer run lie behind the last of this one; remove them",
-                    super::error::printable(frames.folder())
-                ));
-            }
+        if let Some(shapes) = self.shapes {
+            text += &shapes.finish(console)?;
         }
-        Ok(if text.is_empty() { text } else { format!("\n{text}") })
+        if let Some((_, pictures)) = &self.pictures {
+            text += &output::wrote(&format!("{} pictures", pictures.frames()), pictures.folder());
+            warn_of_left_over(pictures.folder(), pictures.left_over(), console);
+        }
+        Ok(text)
     }
 }

@@ -125,7 +125,7 @@ impl WriteTarget {
 fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut draft = Draft::begin(path)?;
     content(&mut draft)?;
-    draft.replace()
+    draft.replace().map(drop)
 }
 
 /// A file that is being written beside the one that it is to replace. Dropped, it is gone.
@@ -141,19 +141,19 @@ impl Draft {
         Ok(Self { target, file })
     }
 
-    /// Brings what was written to the disk and renames it over what was there.
-    pub(super) fn replace(self) -> io::Result<()> {
+    /// Brings what was written to the disk and renames it over what was there. Gives the file, to be written on.
+    pub(super) fn replace(self) -> io::Result<File> {
         let file = self.file.into_inner().map_err(io::IntoInnerError::into_error)?;
         if let Some(old) = &self.target.old {
             file.as_file().set_permissions(old.permissions())?;
         }
         file.as_file().sync_all()?;
-        file.persist(&self.target.path).map_err(|error| error.error)?;
+        let file = file.persist(&self.target.path).map_err(|error| error.error)?;
         // The rename itself is on the disk once the folder is. Not every system can open a folder: then it is on its own.
         if let Ok(folder) = File::open(self.target.folder()) {
             folder.sync_all().ok();
         }
-        Ok(())
+        Ok(file)
     }
 }
 

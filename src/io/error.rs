@@ -45,6 +45,19 @@ pub enum IoError {
         /// What it is instead of a number.
         value: String,
     },
+    /// A motion that a format cannot hold.
+    #[error(
+        "--format {format}: {frames} frames of these bodies are more than the {most} that a file takes; choose fewer by \
+         --frames, or a format without that limit, such as usd"
+    )]
+    TooLong {
+        /// Name of the format.
+        format: &'static str,
+        /// Frames that were asked for.
+        frames: u64,
+        /// Most that it takes.
+        most: u64,
+    },
     /// The system refused to make or use a folder.
     #[error("the folder cannot be written to ({0}); name a folder that can be made or may be written to")]
     Folder(#[source] io::Error),

@@ -25,22 +25,36 @@ pub fn write_glb(path: &Path, model: &Model, name: &str) -> Result<(), IoError> 
 }
 
 // The format's numbers for types and uses of data.
-const FLOAT: u32 = 5126;
+pub(super) const FLOAT: u32 = 5126;
 const SHORT: u32 = 5123;
 const INT: u32 = 5125;
-const VERTICES: u32 = 34962;
+pub(super) const VERTICES: u32 = 34962;
 const FACES: u32 = 34963;
 
 /// The binary part of a file, and what the document says of its pieces.
 #[derive(Default)]
-struct Parts {
-    bin: Vec<u8>,
-    views: Vec<Value>,
-    accessors: Vec<Value>,
+pub(super) struct Parts {
+    pub(super) bin: Vec<u8>,
+    pub(super) views: Vec<Value>,
+    pub(super) accessors: Vec<Value>,
 }
 
 impl Parts {
-    /// Adds a piece; returns its number. `accessor` says what it is made of.
+    /// Adds data of vertices; returns its number. `accessor` says what it is made of.
+    pub(super) fn add_vertices(&mut self, bytes: impl Iterator<Item = u8>, accessor: &Value) -> usize {
+        self.add(bytes, VERTICES, accessor)
+    }
+
+    /// Adds data that is neither of vertices nor of faces.
+    pub(super) fn add_plain(&mut self, bytes: impl Iterator<Item = u8>, accessor: &Value) -> usize {
+        let index = self.add(bytes, VERTICES, accessor);
+        if let Some(view) = self.views.last_mut().and_then(Value::as_object_mut) {
+            view.remove("target");
+        }
+        index
+    }
+
+    /// Adds a piece; returns its number.
     fn add(&mut self, bytes: impl Iterator<Item = u8>, target: u32, accessor: &Value) -> usize {
         let start = self.bin.len();
         self.bin.extend(bytes);
@@ -56,6 +70,35 @@ impl Parts {
     }
 }
 
+/// Adds faces over so many vertices; returns their number. Indices take two bytes where that is enough.
+pub(super) fn indices_into(parts: &mut Parts, triangles: &[[u32; 3]], vertices: usize) -> usize {
+    let indices = triangles.iter().flatten();
+    let count = 3 * triangles.len();
+    if u16::try_from(vertices).is_ok() {
+        let bytes = indices.flat_map(|&i| (i as u16).to_le_bytes());
+        parts.add(bytes, FACES, &json!({"componentType": SHORT, "count": count, "type": "SCALAR"}))
+    } else {
+        let bytes = indices.flat_map(|&i| i.to_le_bytes());
+        parts.add(bytes, FACES, &json!({"componentType": INT, "count": count, "type": "SCALAR"}))
+    }
+}
+
+/// What a file begins with before so many bytes of data: its head, the document, the head of the data.
+pub(super) fn container_head(document: &Value, data: usize) -> Vec<u8> {
+    let mut text = document.to_string().into_bytes();
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let mut out = Vec::with_capacity(28 + text.len());
+    out.extend(b"glTF");
+    out.extend(2_u32.to_le_bytes());
+    out.extend((28 + text.len() as u32 + data as u32).to_le_bytes());
+    out.extend((text.len() as u32).to_le_bytes());
+    out.extend(b"JSON");
+    out.extend(text);
+    out.extend((data as u32).to_le_bytes());
+    out.extend(b"BIN\0");
+    out
+}
+
 fn to_glb(model: &Model, name: &str) -> Vec<u8> {
     let mut parts = Parts::default();
     let positions: Vec<[f32; 3]> = model.positions.iter().map(|p| p.as_vec3().to_array()).collect();
@@ -66,15 +109,7 @@ fn to_glb(model: &Model, name: &str) -> Vec<u8> {
             max[k] = max[k].max(p[k]);
         }
     }
-    let indices = model.triangles.iter().flatten();
-    let count = 3 * model.triangles.len();
-    let indices = if u16::try_from(positions.len()).is_ok() {
-        let bytes = indices.flat_map(|&i| (i as u16).to_le_bytes());
-        parts.add(bytes, FACES, &json!({"componentType": SHORT, "count": count, "type": "SCALAR"}))
-    } else {
-        let bytes = indices.flat_map(|&i| i.to_le_bytes());
-        parts.add(bytes, FACES, &json!({"componentType": INT, "count": count, "type": "SCALAR"}))
-    };
+    let indices = indices_into(&mut parts, &model.triangles, positions.len());
     let vectors = json!({"componentType": FLOAT, "count": positions.len(), "type": "VEC3"});
     let mut bounded = vectors.clone();
     (bounded["min"], bounded["max"]) = (json!(min), json!(max));
@@ -99,18 +134,7 @@ fn to_glb(model: &Model, name: &str) -> Vec<u8> {
         "bufferViews": views,
         "buffers": [{"byteLength": bin.len()}]
     });
-    let mut text = document.to_string().into_bytes();
-    text.resize(text.len().next_multiple_of(4), b' ');
-
-    let total = 12 + 8 + text.len() + 8 + bin.len();
-    let mut out = Vec::with_capacity(total);
-    out.extend(b"glTF");
-    out.extend(2_u32.to_le_bytes());
-    out.extend((total as u32).to_le_bytes());
-    for (kind, chunk) in [(b"JSON", &text), (b"BIN\0", &bin)] {
-        out.extend((chunk.len() as u32).to_le_bytes());
-        out.extend(kind);
-        out.extend(chunk.iter());
-    }
+    let mut out = container_head(&document, bin.len());
+    out.extend(bin);
     out
 }

@@ -6,6 +6,7 @@ pub(crate) mod atomic;
 #[cfg(feature = "gui")]
 mod beside;
 mod error;
+pub(crate) mod export;
 mod finite;
 mod frames;
 mod glb;

@@ -120,7 +120,7 @@ impl Sink {
         }
         self.failure.map_or(Ok(()), Err)?;
         self.draft.write_all(TAIL.as_bytes())?;
-        self.draft.replace()
+        self.draft.replace().map(drop)
     }
 }
 

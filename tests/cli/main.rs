@@ -4,6 +4,7 @@ mod check;
 mod compare;
 mod converge;
 mod errors;
+mod export;
 mod interrupting;
 mod models;
 mod opened_models;

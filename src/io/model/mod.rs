@@ -12,6 +12,8 @@ mod polygon;
 mod stl;
 mod text;
 
+pub(super) use polygon::triangulate;
+
 use limits::MAX_MODEL_BYTES;
 
 use self::failure::Failure;

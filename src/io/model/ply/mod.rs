@@ -213,7 +213,9 @@ impl Faces {
                 if is_strip {
                     triangles.clear();
                     add_strip(&face, &mut triangles);
-                    triangles.iter().for_each(|triangle| mesh.add_face(triangle));
+                    for triangle in &triangles {
+                        mesh.add_face(triangle);
+                    }
                 } else if face.len() > 2 {
                     mesh.add_face(&face);
                 }

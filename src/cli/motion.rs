@@ -1,0 +1,210 @@
+//! How the shapes of a run are written: in which formats, which frames, in what unit.
+
+use super::{CliError, Console, output};
+use crate::cli::error::printable;
+use crate::cli::finite::check_finite;
+use crate::export::{Motion, Space, Wanted};
+use crate::geometry::model::UpAxis;
+use crate::io::export::{MotionFiles, MotionFormat};
+use crate::scene::{Assets, Scene};
+use crate::sim::Runner;
+use clap::{Args, ValueEnum};
+use std::ops::RangeInclusive;
+use std::path::Path;
+use std::str::FromStr;
+
+/// What goes into `--out`, and how.
+#[derive(Clone, Debug, Default, PartialEq, Args)]
+pub(super) struct MotionOptions {
+    /// Formats of the files in --out, as in usd,pc2: usd, pc2, mdd, gltf, obj, ply or csv; OBJ unless given
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    format: Vec<FormatName>,
+    /// First and last frame for --out and --png, as in 10..60; all unless given. The run ends with the last unless --seconds
+    /// is given
+    #[arg(long, value_name = "A..B")]
+    pub(super) frames: Option<FrameRange>,
+    /// Units to a metre in --out: 100 for a program that takes its units for centimetres
+    #[arg(long, value_name = "N", value_parser = scale, allow_negative_numbers = true)]
+    scale: Option<f64>,
+    /// Axis that points up in --out
+    #[arg(long, value_enum)]
+    up: Option<Up>,
+}
+
+/// Axes that point up in other programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Up {
+    /// As in Maya, Houdini and here
+    Y,
+    /// As in Blender and Unreal
+    Z,
+}
+
+/// A format by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct FormatName(MotionFormat);
+
+impl FromStr for FormatName {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let known = MotionFormat::ALL.iter().find(|(name, _)| name.eq_ignore_ascii_case(text.trim()));
+        known.map(|&(_, format)| Self(format)).ok_or_else(|| {
+            let names: Vec<&str> = MotionFormat::ALL.iter().map(|(name, _)| *name).collect();
+            format!("there is no format of that name; give one of {}", names.join(", "))
+        })
+    }
+}
+
+/// First and last frame, both of them meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct FrameRange {
+    first: u64,
+    last: u64,
+}
+
+impl FromStr for FrameRange {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let read = || {
+            let (first, last) = text.split_once("..")?;
+            let (first, last) = (first.trim().parse().ok()?, last.trim_start_matches('=').trim().parse().ok()?);
+            (first <= last).then_some(Self { first, last })
+        };
+        read().ok_or_else(|| "give the first and the last frame, counted from 0, as in 10..60".to_owned())
+    }
+}
+
+/// Units to a metre.
+pub(super) fn scale(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(scale) if (1e-6..=1e9).contains(&scale) => Ok(scale),
+        _ => Err("give how many units make a metre, as in 100 for centimetres".to_owned()),
+    }
+}
+
+impl MotionOptions {
+    /// Refuses options for which nothing is written.
+    ///
+    /// # Errors
+    /// [`CliError::NoFilesAsked`].
+    pub(super) fn check(&self, out: bool, png: bool) -> Result<(), CliError> {
+        let of_shapes = Self { frames: None, ..self.clone() } != Self::default();
+        let is_asked = out || (png && !of_shapes) || *self == Self::default();
+        if is_asked { Ok(()) } else { Err(CliError::NoFilesAsked) }
+    }
+
+    /// The last frame of a run that could go on to `most`.
+    ///
+    /// # Errors
+    /// [`CliError::FramesBeyond`] for frames that it does not reach.
+    pub(super) fn last_frame(&self, most: u64, seconds: Option<f64>) -> Result<u64, CliError> {
+        match self.frames {
+            Some(FrameRange { first, last }) if last > most => Err(CliError::FramesBeyond { first, last, most }),
+            Some(range) if seconds.is_none() => Ok(range.last),
+            _ => Ok(most),
+        }
+    }
+
+    /// The frames that are written of a run that goes on to `last`.
+    pub(super) fn range(&self, last: u64) -> RangeInclusive<u64> {
+        self.frames.map_or(0..=last, |range| range.first..=range.last)
+    }
+
+    fn formats(&self) -> Vec<MotionFormat> {
+        let mut formats: Vec<MotionFormat> = Vec::new();
+        for FormatName(format) in &self.format {
+            if !formats.contains(format) {
+                formats.push(*format);
+            }
+        }
+        if formats.is_empty() { vec![MotionFormat::Obj] } else { formats }
+    }
+
+    fn space(&self) -> Space {
+        let up = if self.up == Some(Up::Z) { UpAxis::Z } else { UpAxis::Y };
+        Space { up, scale: self.scale.unwrap_or(1.0) }
+    }
+}
+
+/// The files of a run's shapes.
+pub(super) struct MotionOutput {
+    motion: Motion,
+    files: MotionFiles,
+}
+
+impl MotionOutput {
+    /// In a folder, of a run that goes on to frame `last`.
+    ///
+    /// # Errors
+    /// A folder that cannot be written, or a motion that a format cannot hold.
+    pub(super) fn create(
+        options: &MotionOptions,
+        folder: &Path,
+        (scene, assets): (&Scene, &Assets),
+        runner: &Runner,
+        last: u64,
+    ) -> Result<Self, CliError> {
+        let formats = options.formats();
+        let each = formats.iter().map(|format| format.wanted());
+        let wanted = each.fold(Wanted::default(), |all, one| Wanted {
+            velocities: all.velocities || one.velocities,
+            particles: all.particles || one.particles,
+            tensions: all.tensions || one.tensions,
+        });
+        let motion = Motion::new(scene, assets, runner.world(), options.space(), wanted);
+        let files = MotionFiles::create(&formats, folder, motion.subject(), options.range(last))?;
+        Ok(Self { motion, files })
+    }
+
+    /// Writes the frame at hand, if it is asked for.
+    ///
+    /// # Errors
+    /// A file that cannot be written, a place that is no numbers.
+    pub(super) fn push(&mut self, runner: &Runner) -> Result<(), CliError> {
+        if self.files.takes(runner.world().frame()) {
+            check_finite(&runner.particles())?;
+            self.files.push(&self.motion.frame(runner.world()))?;
+        }
+        Ok(())
+    }
+
+    /// Writes what is left; gives a line about each file.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub(super) fn finish(mut self, console: &mut Console) -> Result<String, CliError> {
+        self.files.finish()?;
+        let mut text = String::new();
+        for (what, path, left_over) in self.files.written() {
+            text += &output::wrote(&what, &path);
+            warn_of_left_over(&path, left_over, console);
+        }
+        Ok(text)
+    }
+}
+
+/// Says that a folder holds more frames than were written now.
+pub(super) fn warn_of_left_over(folder: &Path, left_over: usize, console: &mut Console) {
+    if left_over > 0 {
+        console.warn(&format!(
+            "{}: {left_over} more frames of an earlier, longer run lie behind the last of this one; remove them",
+            printable(folder)
+        ));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_are_a_first_and_a_last_one() {
+        assert_eq!("10..60".parse(), Ok(FrameRange { first: 10, last: 60 }));
+        assert_eq!("0..=0".parse(), Ok(FrameRange { first: 0, last: 0 }));
+        for bad in ["", "5", "5..", "..5", "6..5", "-1..5", "0..1.5", "a..b"] {
+            assert!(bad.parse::<FrameRange>().is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! Point caches: PC2 and MDD, one a body, with its rest shape beside them. Numbers are single precision, as the formats
+//! have them.
+//!
+//! PC2 (3ds Max, Blender): "POINTCACHE2", a zero; version 1, points, number of the first frame, frames a sample, samples;
+//! then x, y, z of every point of every sample, the least byte first. MDD (LightWave, Blender): samples, points, the time of
+//! every sample [s], then the points, the greatest byte first.
+
+use super::names::{different, file_name};
+use super::obj::write_rest;
+use super::republished::Republished;
+use super::writer::{MotionWriter, Planned};
+use crate::export::{BodySubject, Frame, Subject};
+use crate::io::atomic::Draft;
+use crate::io::{IoError, write_atomically};
+use glam::DVec3;
+use std::fs::File;
+use std::io::{self, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// Bytes of the head of a PC2 file, and where in it the number of samples stands.
+const PC2_HEAD: u64 = 32;
+const PC2_SAMPLES: u64 = 28;
+
+/// Writes the rest shape of every body; gives the names of their files without an ending.
+fn write_rests(folder: &Path, subject: &Subject) -> Result<Vec<String>, IoError> {
+    let names = different(subject.bodies.iter().map(|body| body.name.as_str()), file_name);
+    for (name, body) in names.iter().zip(&subject.bodies) {
+        write_atomically(&folder.join(format!("{name}.obj")), |out| write_rest(out, body))?;
+    }
+    Ok(names)
+}
+
+fn bytes(points: &[DVec3], each: fn(f32) -> [u8; 4]) -> Vec<u8> {
+    points.iter().flat_map(|point| point.as_vec3().to_array()).flat_map(each).collect()
+}
+
+/// A cache that is written on.
+struct Growing {
+    path: PathBuf,
+    points: u32,
+    /// None until the first frame is there.
+    file: Option<File>,
+    samples: u32,
+}
+
+/// PC2 point caches.
+pub(super) struct Pc2 {
+    first: u64,
+    files: Vec<Growing>,
+}
+
+impl Pc2 {
+    /// # Errors
+    /// A file that cannot be written.
+    pub(super) fn create(folder: &Path, subject: &Subject, frames: &Planned) -> Result<Self, IoError> {
+        let names = write_rests(folder, subject)?;
+        let file = |(name, body): (&String, &BodySubject)| Growing {
+            path: folder.join(format!("{name}.pc2")),
+            points: body.mesh.points.len() as u32,
+            file: None,
+            samples: 0,
+        };
+        Ok(Self { first: *frames.start(), files: names.iter().zip(&subject.bodies).map(file).collect() })
+    }
+}
+
+impl Growing {
+    fn push(&mut self, points: &[DVec3], first: u64) -> io::Result<()> {
+        let data = bytes(points, f32::to_le_bytes);
+        if let Some(file) = &mut self.file {
+            file.seek(SeekFrom::Start(PC2_HEAD + data.len() as u64 * u64::from(self.samples)))?;
+            file.write_all(&data)?;
+            // Only now there is one sample more: a file that is looked at in between is whole.
+            file.seek(SeekFrom::Start(PC2_SAMPLES))?;
+            file.write_all(&(self.samples + 1).to_le_bytes())?;
+        } else {
+            let mut draft = Draft::begin(&self.path)?;
+            draft.write_all(b"POINTCACHE2\0")?;
+            draft.write_all(&1_u32.to_le_bytes())?;
+            draft.write_all(&self.points.to_le_bytes())?;
+            draft.write_all(&(first as f32).to_le_bytes())?;
+            draft.write_all(&1_f32.to_le_bytes())?;
+            draft.write_all(&1_u32.to_le_bytes())?;
+            draft.write_all(&data)?;
+            self.file = Some(draft.replace()?);
+        }
+        self.samples += 1;
+        Ok(())
+    }
+}
+
+impl MotionWriter for Pc2 {
+    fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
+        for (file, body) in self.files.iter_mut().zip(&frame.bodies) {
+            file.push(&body.vertices, self.first).map_err(|error| IoError::Write(error).within(&file.path))?;
+        }
+        Ok(())
+    }
+
+    fn written(&self) -> Vec<(String, PathBuf)> {
+        let told = |file: &Growing| {
+            (format!("PC2 cache of {} frames, its rest shape beside it,", file.samples), file.path.clone())
+        };
+        self.files.iter().map(told).collect()
+    }
+}
+
+/// MDD point caches.
+pub(super) struct Mdd {
+    times: Vec<f32>,
+    files: Vec<(Republished, u32)>,
+}
+
+impl Mdd {
+    /// # Errors
+    /// A file that cannot be written.
+    pub(super) fn create(folder: &Path, subject: &Subject) -> Result<Self, IoError> {
+        let names = write_rests(folder, subject)?;
+        let mut files = Vec::new();
+        for (name, body) in names.iter().zip(&subject.bodies) {
+            files.push((Republished::create(folder.join(format!("{name}.mdd")))?, body.mesh.points.len() as u32));
+        }
+        Ok(Self { times: Vec::new(), files })
+    }
+}
+
+fn mdd_head(times: &[f32], points: u32) -> Vec<u8> {
+    let numbers = [times.len() as u32, points].into_iter().flat_map(u32::to_be_bytes);
+    numbers.chain(times.iter().flat_map(|time| time.to_be_bytes())).collect()
+}
+
+impl MotionWriter for Mdd {
+    fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
+        self.times.push(frame.time as f32);
+        for ((file, points), body) in self.files.iter_mut().zip(&frame.bodies) {
+            if file.add(&bytes(&body.vertices, f32::to_be_bytes))? {
+                file.publish(&mdd_head(&self.times, *points), &[])?;
+            }
+        }
+        Ok(())
+    }
+
+    fn finish(&mut self) -> Result<(), IoError> {
+        for (file, points) in self.files.iter_mut().filter(|(file, _)| file.is_behind()) {
+            file.publish(&mdd_head(&self.times, *points), &[])?;
+        }
+        Ok(())
+    }
+
+    fn written(&self) -> Vec<(String, PathBuf)> {
+        let what = format!("MDD cache of {} frames, its rest shape beside it,", self.times.len());
+        self.files.iter().map(|(file, _)| (what.clone(), file.path().to_owned())).collect()
+    }
+}

@@ -1,0 +1,239 @@
+//! glTF 2.0 as GLB: bodies with a morph target a frame, and an animation that goes from one to the next.
+//!
+//! All targets of a mesh are in a viewer's memory at once, so that this is for short clips. Numbers are single precision.
+
+use super::gltf_clip::ClipMesh;
+use super::republished::Republished;
+use super::writer::{MotionWriter, Planned};
+use crate::export::{Frame, Subject};
+use crate::io::IoError;
+use crate::io::glb::{FLOAT, Parts, container_head, indices_into};
+use glam::{DVec3, Vec3};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Most frames, and bytes of all their targets together.
+const MOST_FRAMES: u64 = 600;
+const MOST_BYTES: u64 = 512 << 20;
+
+/// Bytes of a vector.
+const VECTOR: usize = 12;
+
+/// The kind of primitive that is drawn as points.
+const POINTS: u32 = 0;
+
+/// A clip that is written.
+pub(super) struct Gltf {
+    subject: Subject,
+    meshes: Vec<ClipMesh>,
+    /// Least and greatest displacement of every body in every frame.
+    bounds: Vec<Vec<[Vec3; 2]>>,
+    times: Vec<f32>,
+    file: Option<Republished>,
+    path: PathBuf,
+}
+
+impl Gltf {
+    /// Whether a motion is short enough.
+    ///
+    /// # Errors
+    /// [`IoError::TooLong`] where it is not.
+    pub(super) fn check(subject: &Subject, frames: &Planned) -> Result<(), IoError> {
+        let count = frames.end() - frames.start() + 1;
+        let vertices: usize = subject.bodies.iter().map(|body| body.mesh.points.len()).sum();
+        let bytes = count * (vertices * VECTOR) as u64;
+        if count <= MOST_FRAMES && bytes <= MOST_BYTES {
+            return Ok(());
+        }
+        let most = MOST_FRAMES.min(MOST_BYTES / (vertices * VECTOR).max(1) as u64);
+        Err(IoError::TooLong { format: "gltf", frames: count, most })
+    }
+
+    pub(super) fn create(folder: &Path, subject: &Subject) -> Self {
+        let meshes: Vec<ClipMesh> = subject.bodies.iter().map(|body| ClipMesh::new(&body.mesh)).collect();
+        let bounds = vec![Vec::new(); meshes.len()];
+        let path = folder.join("motion.glb");
+        Self { subject: subject.clone(), meshes, bounds, times: Vec::new(), file: None, path }
+    }
+
+    /// All that stands before the frames: the container's head, the document, the data that stays.
+    fn head(&self) -> Vec<u8> {
+        let mut parts = Parts::default();
+        let frames = self.times.len();
+        // Frames lie behind one another in the last view, each with its bodies behind one another.
+        let frame_bytes: usize = self.meshes.iter().map(|mesh| VECTOR * mesh.source.len()).sum();
+        let (mut meshes, mut materials, mut first_of_body) = (Vec::new(), Vec::new(), 0);
+        let mut targets: Vec<Vec<Value>> = Vec::new();
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            let vectors = |bounds: [Vec3; 2]| {
+                json!({"componentType": FLOAT, "count": mesh.source.len(), "type": "VEC3",
+                    "min": bounds[0].to_array(), "max": bounds[1].to_array()})
+            };
+            let body = &self.subject.bodies[index];
+            if mesh.source.is_empty() {
+                continue;
+            }
+            let base: Vec<Vec3> = mesh.places(&body.mesh.points).map(DVec3::as_vec3).collect();
+            let bytes = base.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes);
+            let mut attributes = json!({"POSITION": parts.add_vertices(bytes, &vectors(bounds_of(&base)))});
+            for (number, set) in mesh.uv_sets.iter().enumerate() {
+                let bytes = set.iter().flatten().flat_map(|c| c.to_le_bytes());
+                let uvs = json!({"componentType": FLOAT, "count": set.len(), "type": "VEC2"});
+                attributes[format!("TEXCOORD_{number}")] = json!(parts.add_vertices(bytes, &uvs));
+            }
+            targets.push(
+                self.bounds[index]
+                    .iter()
+                    .enumerate()
+                    .map(|(frame, &bounds)| {
+                        let mut accessor = vectors(bounds);
+                        accessor["byteOffset"] = json!(frame * frame_bytes + first_of_body);
+                        accessor
+                    })
+                    .collect(),
+            );
+            first_of_body += VECTOR * mesh.source.len();
+            let mut primitives = Vec::new();
+            for (part, range) in body.mesh.parts.iter().zip(&mesh.parts).filter(|(_, range)| !range.is_empty()) {
+                let mut primitive = json!({"attributes": attributes,
+                    "indices": indices_into(&mut parts, &mesh.triangles[range.clone()], mesh.source.len())});
+                if !part.material.is_empty() || part.colour.is_some() {
+                    primitive["material"] = json!(material(&mut materials, &part.material, part.colour));
+                }
+                primitives.push(primitive);
+            }
+            if primitives.is_empty() {
+                primitives.push(json!({"attributes": attributes, "mode": POINTS}));
+            }
+            meshes.push(json!({"name": body.name, "primitives": primitives, "weights": vec![0.0; frames],
+                "extras": {"targetNames": self.target_names()}}));
+        }
+        self.document(parts, meshes, &targets, &materials, frame_bytes)
+    }
+
+    fn target_names(&self) -> Vec<String> {
+        self.times.iter().map(|time| format!("{time} s")).collect()
+    }
+
+    /// Puts the animation and the frames behind what stays, and the container's head before it.
+    fn document(
+        &self,
+        mut parts: Parts,
+        mut meshes: Vec<Value>,
+        targets: &[Vec<Value>],
+        materials: &[Value],
+        frame_bytes: usize,
+    ) -> Vec<u8> {
+        let frames = self.times.len();
+        let start = self.times.first().copied().unwrap_or_default();
+        let times: Vec<f32> = self.times.iter().map(|time| time - start).collect();
+        let input = parts.add_plain(
+            times.iter().flat_map(|time| time.to_le_bytes()),
+            &json!({"componentType": FLOAT, "count": frames, "type": "SCALAR",
+                "min": [0.0], "max": [times.last().copied().unwrap_or_default()]}),
+        );
+        let weights = (0..frames * frames).map(|k| if k % (frames + 1) == 0 { 1_f32 } else { 0.0 });
+        let output = parts.add_plain(
+            weights.flat_map(f32::to_le_bytes),
+            &json!({"componentType": FLOAT, "count": frames * frames, "type": "SCALAR"}),
+        );
+        let view = parts.views.len();
+        let stays = parts.bin.len();
+        if frame_bytes > 0 {
+            parts.views.push(json!({"buffer": 0, "byteOffset": stays, "byteLength": frames * frame_bytes,
+                "byteStride": VECTOR, "target": crate::io::glb::VERTICES}));
+        }
+        for (mesh, targets) in meshes.iter_mut().zip(targets) {
+            let mut list = Vec::new();
+            for target in targets {
+                let mut accessor = target.clone();
+                accessor["bufferView"] = json!(view);
+                list.push(json!({"POSITION": parts.accessors.len()}));
+                parts.accessors.push(accessor);
+            }
+            for primitive in mesh["primitives"].as_array_mut().into_iter().flatten() {
+                primitive["targets"] = json!(list);
+            }
+        }
+        let count = meshes.len();
+        let channel = |node: usize| json!({"sampler": 0, "target": {"node": node, "path": "weights"}});
+        let nodes: Vec<Value> =
+            meshes.iter().enumerate().map(|(mesh, of)| json!({"mesh": mesh, "name": of["name"]})).collect();
+        let mut document = json!({
+            "asset": {"version": "2.0", "generator": "sinew"},
+            "scene": 0,
+            "scenes": [{"name": self.subject.name}],
+            "buffers": [{"byteLength": stays + frames * frame_bytes}],
+            "bufferViews": parts.views,
+            "accessors": parts.accessors,
+        });
+        // Lists may not be empty in the format.
+        if count > 0 {
+            document["scenes"][0]["nodes"] = (0..count).collect();
+            document["nodes"] = json!(nodes);
+            document["meshes"] = json!(meshes);
+            document["animations"] = json!([{"name": "motion",
+                "samplers": [{"input": input, "output": output, "interpolation": "LINEAR"}],
+                "channels": (0..count).map(channel).collect::<Vec<_>>()}]);
+        }
+        if !materials.is_empty() {
+            document["materials"] = json!(materials);
+        }
+        let mut head = container_head(&document, stays + frames * frame_bytes);
+        head.extend(parts.bin);
+        head
+    }
+}
+
+fn bounds_of(vectors: &[Vec3]) -> [Vec3; 2] {
+    vectors.iter().map(|&v| [v; 2]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or_default()
+}
+
+/// The number of a material in the list, put there unless it is.
+fn material(materials: &mut Vec<Value>, name: &str, colour: Option<[f32; 4]>) -> usize {
+    let colour = colour.unwrap_or([1.0; 4]).map(|share| share.clamp(0.0, 1.0));
+    let mut wanted = json!({"pbrMetallicRoughness":
+        {"baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.55}});
+    if !name.is_empty() {
+        wanted["name"] = json!(name);
+    }
+    materials.iter().position(|known| *known == wanted).unwrap_or_else(|| {
+        materials.push(wanted);
+        materials.len() - 1
+    })
+}
+
+impl MotionWriter for Gltf {
+    fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
+        let mut bytes = Vec::new();
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            let rest = &self.subject.bodies[index].mesh.points;
+            // From where single precision puts the rest shape.
+            let pairs = mesh.places(rest).zip(mesh.places(&frame.bodies[index].vertices));
+            let moved: Vec<Vec3> = pairs.map(|(rest, now)| (now - rest.as_vec3().as_dvec3()).as_vec3()).collect();
+            bytes.extend(moved.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes));
+            self.bounds[index].push(bounds_of(&moved));
+        }
+        self.times.push(frame.time as f32);
+        let file = match &mut self.file {
+            Some(file) => file,
+            none => none.insert(Republished::create(self.path.clone())?),
+        };
+        if file.add(&bytes)? { self.publish() } else { Ok(()) }
+    }
+
+    fn finish(&mut self) -> Result<(), IoError> {
+        if self.file.as_ref().is_some_and(Republished::is_behind) { self.publish() } else { Ok(()) }
+    }
+
+    fn written(&self) -> Vec<(String, PathBuf)> {
+        vec![(format!("glTF clip of {} frames", self.times.len()), self.path.clone())]
+    }
+}
+
+impl Gltf {
+    fn publish(&mut self) -> Result<(), IoError> {
+        let head = self.head();
+        self.file.as_mut().map_or(Ok(()), |file| file.publish(&head, &[]))
+    }
+}

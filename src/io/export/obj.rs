@@ -1,0 +1,98 @@
+//! OBJ: bodies on the vertices of their files, polygons uncut, with texture coordinates, groups and materials; fibres as lines.
+
+use super::names::word;
+use crate::export::{BodyFrame, BodySubject, Subject};
+use crate::geometry::file_mesh::FileMesh;
+use glam::DVec3;
+use std::io::{self, Write};
+use std::ops::Range;
+
+/// Numbers of the next vertex and the next texture coordinates: a file counts them from 1, through all of its objects.
+struct Next {
+    vertex: usize,
+    texture: usize,
+}
+
+/// Writes a body where it was put, undeformed, to the last digit.
+pub(super) fn write_rest(out: &mut dyn Write, body: &BodySubject) -> io::Result<()> {
+    let mut next = Next { vertex: 1, texture: 1 };
+    writeln!(out, "o {}", word(&body.name))?;
+    for point in &body.mesh.points {
+        writeln!(out, "v {} {} {}", point.x, point.y, point.z)?;
+    }
+    write_faces(out, &body.mesh, &mut next)
+}
+
+/// Writes the bodies of a frame, to nine places.
+pub(super) fn write_frame(out: &mut dyn Write, subject: &Subject, bodies: &[BodyFrame], time: f64) -> io::Result<()> {
+    let space = subject.space;
+    let unit = if space.scale == 1.0 { "metres".to_owned() } else { format!("{} units a metre", space.scale) };
+    writeln!(out, "# sinew, {time} s; {unit}, {:?} up", space.up)?;
+    let mut next = Next { vertex: 1, texture: 1 };
+    for (body, frame) in subject.bodies.iter().zip(bodies) {
+        writeln!(out, "o {}", word(&body.name))?;
+        write_vertices(out, &frame.vertices)?;
+        write_faces(out, &body.mesh, &mut next)?;
+        for (fibre, frame) in body.fibres.iter().zip(&frame.fibres) {
+            writeln!(out, "o {}.{}", word(&body.name), word(&fibre.id))?;
+            write_vertices(out, &frame.vertices)?;
+            let end = next.vertex + frame.vertices.len();
+            write_element(out, "l", next.vertex..end)?;
+            next.vertex = end;
+        }
+    }
+    Ok(())
+}
+
+fn write_vertices(out: &mut dyn Write, vertices: &[DVec3]) -> io::Result<()> {
+    vertices.iter().try_for_each(|vertex| writeln!(out, "v {:.9} {:.9} {:.9}", vertex.x, vertex.y, vertex.z))
+}
+
+/// Writes faces over the vertices that were written last; vertices without any face as points.
+fn write_faces(out: &mut dyn Write, mesh: &FileMesh, next: &mut Next) -> io::Result<()> {
+    let first = next.vertex;
+    next.vertex += mesh.points.len();
+    if mesh.counts.is_empty() {
+        return write_element(out, "p", first..next.vertex);
+    }
+    let textures = mesh.uv_sets.first();
+    let first_texture = next.texture;
+    for [u, v] in textures.iter().flat_map(|set| &set.values) {
+        writeln!(out, "vt {u} {v}")?;
+        next.texture += 1;
+    }
+    let mut parts = mesh.parts.iter().peekable();
+    // One part without a material is the object itself.
+    let are_told = mesh.parts.len() > 1 || mesh.parts.iter().any(|part| !part.material.is_empty());
+    for (face, corners) in mesh.faces().enumerate() {
+        while let Some(part) = parts.next_if(|part| part.faces.start == face) {
+            if are_told && !part.name.is_empty() {
+                writeln!(out, "g {}", word(&part.name))?;
+            }
+            if !part.material.is_empty() {
+                writeln!(out, "usemtl {}", word(&part.material))?;
+            }
+        }
+        write!(out, "f")?;
+        let textured = textures.filter(|set| corners.clone().all(|corner| set.of(corner).is_some()));
+        for corner in corners {
+            write!(out, " {}", first + mesh.corners[corner] as usize)?;
+            if let Some(texture) = textured.and_then(|set| set.of(corner)) {
+                write!(out, "/{}", first_texture + texture as usize)?;
+            }
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+fn write_element(out: &mut dyn Write, kind: &str, vertices: Range<usize>) -> io::Result<()> {
+    if vertices.is_empty() {
+        return Ok(());
+    }
+    write!(out, "{kind}")?;
+    for vertex in vertices {
+        write!(out, " {vertex}")?;
+    }
+    writeln!(out)
+}

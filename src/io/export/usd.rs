@@ -1,0 +1,148 @@
+//! USD as text: `motion.usda` over a folder of layers, one for what stays, one a frame for what moves.
+//!
+//! The frames are value clips: the stage finds the layer of a time by its number, so that none of them has to be read for
+//! another, nothing but the present frame is ever in memory here, and a run that ends early leaves a stage that ends early.
+//! Numbers of the frames are the stage's time codes. Places are single precision, as the schemas have them.
+
+use super::usd_shape::{PrimNames, prim_names, write_shape};
+use super::usd_text::{extent, quoted, write_list, write_vectors};
+use super::writer::{MotionWriter, Planned};
+use crate::export::{BodyFrame, Frame, Space, Subject};
+use crate::geometry::model::UpAxis;
+use crate::io::{IoError, make_folder, write_atomically};
+use glam::DVec3;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// The stage, and the folder of its layers.
+const STAGE: &str = "motion.usda";
+const LAYERS: &str = "motion_layers";
+
+/// A stage that is written.
+pub(super) struct Usd {
+    folder: PathBuf,
+    names: Vec<PrimNames>,
+    head: Head,
+    first: u64,
+    frames: u64,
+}
+
+impl Usd {
+    /// Writes what stays.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub(super) fn create(folder: &Path, subject: &Subject, frames: &Planned) -> Result<Self, IoError> {
+        let names = prim_names(subject);
+        let layers = folder.join(LAYERS);
+        make_folder(&layers)?;
+        write_atomically(&layers.join("shape.usda"), |out| write_shape(out, subject, &names))?;
+        write_atomically(&layers.join("manifest.usda"), |out| write_manifest(out, &names))?;
+        let head = Head { name: subject.name.clone(), frame_seconds: subject.frame_seconds, space: subject.space };
+        Ok(Self { folder: folder.to_owned(), names, head, first: *frames.start(), frames: 0 })
+    }
+}
+
+impl MotionWriter for Usd {
+    fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
+        let clip = self.folder.join(LAYERS).join(format!("frame.{:06}.usda", frame.number));
+        write_atomically(&clip, |out| write_clip(out, &self.names, frame))?;
+        self.frames += 1;
+        // The stage tells of a frame once it is there.
+        let last = self.first + self.frames - 1;
+        write_atomically(&self.folder.join(STAGE), |out| self.head.write(out, self.first, last))
+    }
+
+    fn written(&self) -> Vec<(String, PathBuf)> {
+        vec![(format!("USD stage of {} frames", self.frames), self.folder.join(STAGE))]
+    }
+}
+
+/// What the stage says of the whole.
+struct Head {
+    name: String,
+    frame_seconds: f64,
+    space: Space,
+}
+
+impl Head {
+    fn write(&self, out: &mut dyn Write, first: u64, last: u64) -> io::Result<()> {
+        let rate = 1.0 / self.frame_seconds;
+        // Sixty frames a second are meant to be sixty, whatever becomes of a sixtieth.
+        let rate = if (rate - rate.round()).abs() < 1e-9 * rate { rate.round() } else { rate };
+        let up = if self.space.up == UpAxis::Z { "Z" } else { "Y" };
+        let unit = 1.0 / self.space.scale;
+        writeln!(out, "#usda 1.0\n(\n    defaultPrim = \"Scene\"\n    doc = {}", quoted(&self.name))?;
+        writeln!(out, "    endTimeCode = {last}\n    framesPerSecond = {rate}\n    metersPerUnit = {unit}")?;
+        writeln!(out, "    startTimeCode = {first}\n    subLayers = [\n        @./{LAYERS}/shape.usda@\n    ]")?;
+        writeln!(out, "    timeCodesPerSecond = {rate}\n    upAxis = \"{up}\"\n)\n")?;
+        writeln!(out, "over \"Scene\" (\n    clips = {{\n        dictionary default = {{")?;
+        writeln!(out, "            asset manifestAssetPath = @./{LAYERS}/manifest.usda@")?;
+        writeln!(out, "            string primPath = \"/Scene\"")?;
+        writeln!(out, "            string templateAssetPath = \"./{LAYERS}/frame.######.usda\"")?;
+        writeln!(out, "            double templateStartTime = {first}\n            double templateEndTime = {last}")?;
+        writeln!(out, "            double templateStride = 1\n        }}\n    }}\n)\n{{\n}}")
+    }
+}
+
+/// What a clip has of every prim.
+fn write_manifest(out: &mut dyn Write, names: &[PrimNames]) -> io::Result<()> {
+    writeln!(out, "#usda 1.0\n\nover \"Scene\"\n{{")?;
+    let mut declare = |name: &str, attributes: &[&str]| {
+        writeln!(out, "    over \"{name}\"\n    {{\n        float3[] extent\n        point3f[] points")?;
+        attributes.iter().try_for_each(|attribute| writeln!(out, "        {attribute}"))?;
+        writeln!(out, "    }}")
+    };
+    for names in names {
+        declare(&names.surface, &["vector3f[] velocities"])?;
+        names.fibres.iter().try_for_each(|name| declare(name, &["float[] primvars:tension"]))?;
+        names.springs.iter().try_for_each(|name| declare(name, &[]))?;
+    }
+    writeln!(out, "}}")
+}
+
+/// What moves, in one frame.
+fn write_clip(out: &mut dyn Write, names: &[PrimNames], frame: &Frame) -> io::Result<()> {
+    writeln!(out, "#usda 1.0\n\nover \"Scene\"\n{{")?;
+    for (names, body) in names.iter().zip(&frame.bodies) {
+        write_body(out, names, body, frame.number)?;
+    }
+    writeln!(out, "}}")
+}
+
+fn write_body(out: &mut dyn Write, names: &PrimNames, body: &BodyFrame, at: u64) -> io::Result<()> {
+    write_moving(out, &names.surface, &body.vertices, at, &mut |out| {
+        write!(out, "        vector3f[] velocities.timeSamples = {{\n            {at}: ")?;
+        write_vectors(out, &body.velocities)?;
+        writeln!(out, "\n        }}")
+    })?;
+    if let Some(name) = &names.fibres {
+        let points: Vec<DVec3> = body.fibres.iter().flat_map(|fibre| fibre.vertices.iter().copied()).collect();
+        write_moving(out, name, &points, at, &mut |out| {
+            write!(out, "        float[] primvars:tension.timeSamples = {{\n            {at}: ")?;
+            write_list(out, body.fibres.iter().flat_map(|fibre| fibre.tensions.iter().map(|force| *force as f32)))?;
+            writeln!(out, "\n        }}")
+        })?;
+    }
+    if let Some(name) = &names.springs {
+        write_moving(out, name, &body.springs, at, &mut |_| Ok(()))?;
+    }
+    Ok(())
+}
+
+/// A prim that moves, with what else it has.
+fn write_moving(
+    out: &mut dyn Write,
+    name: &str,
+    points: &[DVec3],
+    at: u64,
+    more: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    write!(out, "    over \"{name}\"\n    {{\n        float3[] extent.timeSamples = {{\n            {at}: ")?;
+    write_vectors(out, &extent(points))?;
+    write!(out, "\n        }}\n        point3f[] points.timeSamples = {{\n            {at}: ")?;
+    write_vectors(out, points)?;
+    writeln!(out, "\n        }}")?;
+    more(out)?;
+    writeln!(out, "    }}")
+}

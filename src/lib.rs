@@ -74,8 +74,9 @@
 //!   from bit for bit; time series; the comparison of integrators, by numbers and side by side.
 //! - `export`: a motion as other programs take it, as plain data: surfaces on the vertices of the files that they are from,
 //!   fibres with what they carry, particles with their fields. Formats are [`io`]'s.
-//! - [`io`]: the only module that reads and writes files. Scene JSON and its schema, models, motions for other programs, atomic
-//!   writes, recovery, folders of what the program keeps for a person, traces of what took how long. (The window's toolkit keeps the window's settings.)
+//! - [`io`]: the only module that reads and writes files. Scene JSON and its schema, models, motions for other programs,
+//!   fibres as lines, scenes collected with their models, atomic writes, recovery, folders of what the program keeps for a
+//!   person, traces of what took how long. (The window's toolkit keeps the window's settings.)
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.
 //! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,

@@ -76,6 +76,22 @@ pub enum CliError {
         /// Last that there is.
         most: u64,
     },
+    /// A fibre that cannot be written or read.
+    #[error("{which}: {problem}")]
+    Fibre {
+        /// The fibre and where it stands.
+        which: String,
+        /// What is wrong with it, and what to do.
+        problem: String,
+    },
+    /// A body that the scene does not have.
+    #[error("no fibre solid is called {name:?}; name one by --body: the scene has {bodies}")]
+    NoBody {
+        /// What was asked for.
+        name: String,
+        /// Names of those that there are.
+        bodies: String,
+    },
     /// Two files that would be one.
     #[error("{}: {first} and {second} are the same file; give {second} another name", printable(path))]
     SameFile {

@@ -8,11 +8,13 @@
 mod body_table;
 mod check;
 mod check_model;
+mod collect;
 mod compare;
 mod console;
 mod converge;
 mod drive;
 mod error;
+mod fibres;
 mod finite;
 mod interruption;
 mod make_models;
@@ -86,6 +88,10 @@ pub enum Command {
     Converge(converge::Converge),
     /// Look a scene or a model over without running it
     Check(check::Check),
+    /// Write the fibres of a scene as lines for other programs, or read lines as fibres
+    Fibres(fibres::Fibres),
+    /// Put a scene and its models into one folder
+    Collect(collect::Collect),
     /// Measure the fibre paper's Table 1 again, beside its print
     Table1(table1::Table1),
     /// Print the JSON Schema of scene files
@@ -113,6 +119,8 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Command::Compare(args) => compare::run(args, &Interruption::listening(), console),
         Command::Converge(args) => converge::run(args, &Interruption::listening(), console),
         Command::Check(args) => check::run(args, console),
+        Command::Fibres(args) => fibres::run(args, console),
+        Command::Collect(args) => collect::run(args, console),
         Command::Table1(args) => table1::run(args, console),
         Command::Schema => schema::run(console),
         Command::MakeModels(args) => make_models::run(args, console),

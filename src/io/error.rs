@@ -45,6 +45,19 @@ pub enum IoError {
         /// What it is instead of a number.
         value: String,
     },
+    /// A file of lines, by its name.
+    #[error("the name does not end like that of a file of lines; give .obj, .csv or .json")]
+    UnknownLines,
+    /// A file that a model names and that lies outside of the model's folder.
+    #[error(
+        "it names {}, which lies outside of its folder and cannot go along under that name; pack it with the model, or put \
+         it beside it",
+        one_line(&file.display().to_string())
+    )]
+    CompanionOutside {
+        /// The file.
+        file: PathBuf,
+    },
     /// A motion that a format cannot hold.
     #[error(
         "--format {format}: {frames} frames of these bodies are more than the {most} that a file takes; choose fewer by \

@@ -3,8 +3,8 @@
 
 mod assets;
 pub(crate) mod atomic;
-#[cfg(feature = "gui")]
 mod beside;
+mod collect;
 mod error;
 pub(crate) mod export;
 mod finite;
@@ -14,6 +14,7 @@ mod json;
 #[cfg(feature = "gui")]
 mod json_folder;
 mod json_out;
+mod lines;
 mod model;
 mod obj;
 mod open;
@@ -36,12 +37,14 @@ pub(crate) use assets::load_assets_by;
 pub(crate) use atomic::{check_writable, make_folder, write_atomically};
 #[cfg(feature = "gui")]
 pub(crate) use beside::put_beside;
+pub(crate) use collect::{collect_scene, with_models_from};
 pub use error::IoError;
 pub use frames::FrameFolder;
 pub use glb::write_glb;
 #[cfg(feature = "gui")]
 pub(crate) use json_folder::{JsonFile, JsonFolder};
 pub(crate) use json_out::write_json;
+pub(crate) use lines::{NamedLine, check_lines_name, read_lines, write_lines};
 pub(crate) use model::is_model;
 pub use model::load_model;
 #[cfg(feature = "gui")]

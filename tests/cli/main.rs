@@ -6,6 +6,7 @@ mod converge;
 mod errors;
 mod export;
 mod interrupting;
+mod lines;
 mod models;
 mod opened_models;
 mod pictures;

@@ -4,8 +4,10 @@ mod failure;
 mod gltf;
 mod limits;
 mod mtl;
+mod named_files;
 mod notes;
 mod obj;
+mod obj_lines;
 mod obj_piece;
 mod ply;
 mod polygon;
@@ -24,7 +26,7 @@ use crate::geometry::file_mesh::{FileMesh, FilePart};
 use crate::geometry::model::Model;
 use crate::scene::one_line;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Formats, by how names end.
@@ -112,6 +114,30 @@ fn error_of(failure: Failure, format: Format) -> IoError {
         }
         Failure::Other(error) => error,
     }
+}
+
+/// Reads the polylines of an OBJ file, in the file's own unit and axes.
+///
+/// # Errors
+/// As [`load_model`].
+pub(super) fn load_obj_lines(path: &Path) -> Result<Vec<obj_lines::ObjLine>, IoError> {
+    let load =
+        || obj_lines::read(&read_bytes(path, MAX_MODEL_BYTES)?).map_err(|failure| error_of(failure, Format::Obj));
+    load().map_err(|error| error.within(path))
+}
+
+/// Files that a model with these bytes names, by their paths from its folder.
+///
+/// # Errors
+/// A file in which they cannot be found.
+pub(super) fn companions(path: &Path, bytes: &[u8]) -> Result<Vec<PathBuf>, IoError> {
+    let Some(format) = Format::of(path) else { return Ok(Vec::new()) };
+    let found = match format {
+        Format::Obj => named_files::of_obj(bytes, path.parent().unwrap_or(Path::new(""))),
+        Format::Gltf => named_files::of_gltf(bytes),
+        Format::Stl | Format::Ply => Ok(Vec::new()),
+    };
+    found.map_err(|failure| error_of(failure, format))
 }
 
 /// Where a reader cuts and splits nothing, the model is the mesh of its file.

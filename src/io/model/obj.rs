@@ -25,7 +25,11 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
     Ok(reader.finish())
 }
 
-fn each_statement(text: &[u8], mut read: impl FnMut(&Statement<'_>) -> Result<(), Failure>) -> Result<(), Failure> {
+/// Hands over every line, with those that a backslash joins to it.
+pub(super) fn each_statement(
+    text: &[u8],
+    mut read: impl FnMut(&Statement<'_>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
     let mut lines = Lines::new(text);
     while let Some((number, line)) = lines.next() {
         let statement = continued(line, &mut lines);
@@ -48,34 +52,34 @@ fn continued<'a>(line: &'a [u8], lines: &mut Lines<'a>) -> Cow<'a, [u8]> {
 }
 
 /// A line and its number.
-struct Statement<'a> {
-    number: usize,
+pub(super) struct Statement<'a> {
+    pub(super) number: usize,
     text: &'a [u8],
 }
 
 impl<'a> Statement<'a> {
-    fn keyword(&self) -> &'a [u8] {
+    pub(super) fn keyword(&self) -> &'a [u8] {
         words(self.text).next().unwrap_or_default()
     }
 
-    fn fail(&self, problem: impl std::fmt::Display) -> Failure {
+    pub(super) fn fail(&self, problem: impl std::fmt::Display) -> Failure {
         Failure::in_line(self.number, &shown(self.text), problem)
     }
 
     /// The words behind the first, up to a comment.
-    fn values(&self) -> impl Iterator<Item = &'a [u8]> {
+    pub(super) fn values(&self) -> impl Iterator<Item = &'a [u8]> {
         words(self.text).skip(1).take_while(|word| !word.starts_with(b"#"))
     }
 
     /// What stands behind the first word.
-    fn name(&self) -> &'a [u8] {
+    pub(super) fn name(&self) -> &'a [u8] {
         let text = self.text.trim_ascii_start();
         let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
         text[end..].trim_ascii()
     }
 
     /// Numbers, of which a comment may touch the last.
-    fn numbers<const N: usize>(&self, out: &mut [f64; N]) -> Result<usize, Failure> {
+    pub(super) fn numbers<const N: usize>(&self, out: &mut [f64; N]) -> Result<usize, Failure> {
         let mut count = 0;
         for word in self.values() {
             let end = word.iter().position(|&byte| byte == b'#').filter(|_| number(word).is_none());

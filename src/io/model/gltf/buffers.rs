@@ -128,7 +128,7 @@ fn decode_base64(text: &str) -> Option<Vec<u8>> {
 }
 
 /// Names of files in a glTF are written as in web addresses.
-fn decode_percent(text: &str) -> String {
+pub(super) fn decode_percent(text: &str) -> String {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();
     while let [first, behind @ ..] = rest {

@@ -14,7 +14,7 @@ mod pose;
 mod primitive;
 
 use self::accessor::Accessors;
-use self::buffers::Buffers;
+use self::buffers::{Buffers, decode_percent};
 use self::container::Container;
 use self::document::Document;
 use self::pose::{DEEPEST, instances, joints, local, worlds};
@@ -23,6 +23,7 @@ use super::failure::Failure;
 use super::limits::MOST;
 use crate::geometry::file_mesh::FileMesh;
 use crate::geometry::model::Model;
+use crate::io::json::parse;
 use glam::DMat4;
 use std::path::Path;
 use std::sync::Arc;
@@ -43,6 +44,16 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
             .try_for_each(|mesh| reader.add_mesh(mesh, &[], &Pose::Placed(DMat4::IDENTITY)))?,
     }
     Ok(Model { file: Some(Arc::new(reader.file)), ..reader.model })
+}
+
+/// Files that a document names, by their paths from its folder.
+pub(super) fn named_files(bytes: &[u8]) -> Result<Vec<String>, Failure> {
+    let Container { json, .. } = Container::open(bytes)?;
+    let document = parse(&String::from_utf8_lossy(&json)).map_err(Failure::Other)?;
+    let lists = ["buffers", "images"].into_iter().filter_map(|list| document[list].as_array());
+    let names = lists.flatten().filter_map(|item| item["uri"].as_str());
+    let is_file = |uri: &&str| !uri.starts_with("data:") && !uri.contains("://");
+    Ok(names.filter(is_file).map(|uri| decode_percent(uri).replace('\\', "/")).collect())
 }
 
 struct Reader<'a, 'b> {

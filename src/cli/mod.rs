@@ -16,6 +16,7 @@ mod drive;
 mod error;
 mod fibres;
 mod finite;
+mod frame_pictures;
 mod interruption;
 mod make_models;
 pub(crate) mod make_pictures;

@@ -16,7 +16,8 @@ use std::str::FromStr;
 /// What goes into `--out`, and how.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
 pub(super) struct MotionOptions {
-    /// Formats of the files in --out, as in usd,pc2: usd, pc2, mdd, gltf, obj, ply or csv; OBJ unless given
+    /// Formats of the files in --out, as in usd,pc2: usd, pc2, mdd, gltf, obj, ply, csv or apng (a moving picture); OBJ unless
+    /// given
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     format: Vec<FormatName>,
     /// First and last frame for --out and --png, as in 10..60; all unless given. The run ends with the last unless --seconds
@@ -42,16 +43,26 @@ pub(super) enum Up {
 
 /// A format by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct FormatName(MotionFormat);
+enum FormatName {
+    Motion(MotionFormat),
+    Apng,
+}
+
+/// The name of moving pictures.
+const APNG: &str = "apng";
 
 impl FromStr for FormatName {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let known = MotionFormat::ALL.iter().find(|(name, _)| name.eq_ignore_ascii_case(text.trim()));
-        known.map(|&(_, format)| Self(format)).ok_or_else(|| {
+        let is_meant = |name: &str| name.eq_ignore_ascii_case(text.trim());
+        if is_meant(APNG) {
+            return Ok(Self::Apng);
+        }
+        let known = MotionFormat::ALL.iter().find(|(name, _)| is_meant(name));
+        known.map(|&(_, format)| Self::Motion(format)).ok_or_else(|| {
             let names: Vec<&str> = MotionFormat::ALL.iter().map(|(name, _)| *name).collect();
-            format!("there is no format of that name; give one of {}", names.join(", "))
+            format!("there is no format of that name; give one of {} or {APNG}", names.join(", "))
         })
     }
 }
@@ -114,12 +125,19 @@ impl MotionOptions {
 
     fn formats(&self) -> Vec<MotionFormat> {
         let mut formats: Vec<MotionFormat> = Vec::new();
-        for FormatName(format) in &self.format {
-            if !formats.contains(format) {
+        for name in &self.format {
+            if let FormatName::Motion(format) = name
+                && !formats.contains(format)
+            {
                 formats.push(*format);
             }
         }
-        if formats.is_empty() { vec![MotionFormat::Obj] } else { formats }
+        if self.format.is_empty() { vec![MotionFormat::Obj] } else { formats }
+    }
+
+    /// Whether a moving picture goes into `--out`.
+    pub(super) fn wants_apng(&self) -> bool {
+        self.format.contains(&FormatName::Apng)
     }
 
     fn space(&self) -> Space {
@@ -135,7 +153,7 @@ pub(super) struct MotionOutput {
 }
 
 impl MotionOutput {
-    /// In a folder, of a run that goes on to frame `last`.
+    /// In a folder, of a run that goes on to frame `last`; none where only pictures are asked for.
     ///
     /// # Errors
     /// A folder that cannot be written, or a motion that a format cannot hold.
@@ -145,8 +163,11 @@ impl MotionOutput {
         (scene, assets): (&Scene, &Assets),
         runner: &Runner,
         last: u64,
-    ) -> Result<Self, CliError> {
+    ) -> Result<Option<Self>, CliError> {
         let formats = options.formats();
+        if formats.is_empty() {
+            return Ok(None);
+        }
         let each = formats.iter().map(|format| format.wanted());
         let wanted = each.fold(Wanted::default(), |all, one| Wanted {
             velocities: all.velocities || one.velocities,
@@ -155,7 +176,7 @@ impl MotionOutput {
         });
         let motion = Motion::new(scene, assets, runner.world(), options.space(), wanted);
         let files = MotionFiles::create(&formats, folder, motion.subject(), options.range(last))?;
-        Ok(Self { motion, files })
+        Ok(Some(Self { motion, files }))
     }
 
     /// Writes the frame at hand, if it is asked for.

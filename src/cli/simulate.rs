@@ -2,14 +2,14 @@
 
 use super::drive::{Drive, RunEnd, drive};
 use super::finite::{NotFinite, check_finite};
+use super::frame_pictures::Pictures;
 use super::interruption::Interruption;
-use super::motion::{MotionOptions, MotionOutput, warn_of_left_over};
+use super::motion::{MotionOptions, MotionOutput};
 use super::picture::Look;
 use super::prepare::{Loaded, Sets, Span, Threads, frames_to, load, put_together, source_name, tell, word};
 use super::repeat::{Repeated, Run, RunReport};
 use super::summary::summary;
 use super::{CliError, Console, Outcome, SceneRenderer, output};
-use crate::io::FrameFolder;
 use crate::scene::{Assets, Scene};
 use crate::sim::{Report, Runner, TimeSeries};
 use crate::text::number::four_figures;
@@ -66,7 +66,7 @@ pub(super) fn run(args: &Simulate, interruption: &Interruption, console: &mut Co
 }
 
 fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
-    if args.png.is_none() && args.look != Look::default() {
+    if args.png.is_none() && !args.motion.wants_apng() && args.look != Look::default() {
         return Err(CliError::NoPicturesAsked);
     }
     let repeated = args.from.as_deref().map(Repeated::read).transpose()?;
@@ -163,22 +163,25 @@ fn watch(
 struct FrameOutputs {
     series: Option<TimeSeries>,
     shapes: Option<MotionOutput>,
-    pictures: Option<(SceneRenderer, FrameFolder)>,
+    pictures: Option<Pictures>,
     frames: RangeInclusive<u64>,
 }
 
 impl FrameOutputs {
     fn new(args: &Simulate, (scene, assets): (&Scene, &Assets), runner: &Runner, last: u64) -> Result<Self, CliError> {
-        // A driver may be missing: that is found out before a folder is made.
-        let renderer =
-            args.png.as_ref().map(|_| SceneRenderer::open(&args.look, scene, &runner.snapshot())).transpose()?;
-        let series = args.series.as_ref().map(|_| TimeSeries::new(runner.world(), usize::MAX));
         let frames = args.motion.range(last);
-        let shapes =
-            args.out.as_ref().map(|out| MotionOutput::create(&args.motion, out, (scene, assets), runner, last));
-        let shapes = shapes.transpose()?;
-        let folder = args.png.as_ref().map(|path| FrameFolder::numbered(path, "frame", "png", *frames.start()));
-        Ok(Self { series, shapes, pictures: renderer.zip(folder.transpose()?), frames })
+        // A driver may be missing: that is found out before a folder is made.
+        let renderer = (args.png.is_some() || args.motion.wants_apng())
+            .then(|| SceneRenderer::open(&args.look, scene, &runner.snapshot()))
+            .transpose()?;
+        let series = args.series.as_ref().map(|_| TimeSeries::new(runner.world(), usize::MAX));
+        let create = |out| MotionOutput::create(&args.motion, out, (scene, assets), runner, last);
+        let shapes = args.out.as_deref().map_or(Ok(None), create)?;
+        let animated = args.out.as_deref().filter(|_| args.motion.wants_apng());
+        let seconds = runner.world().plan().frame_seconds;
+        let pictures = |renderer| Pictures::create(renderer, args.png.as_deref(), animated, *frames.start(), seconds);
+        let pictures = renderer.map(pictures).transpose()?;
+        Ok(Self { series, shapes, pictures, frames })
     }
 
     fn push(&mut self, scene: &Scene, runner: &Runner) -> Result<(), CliError> {
@@ -189,11 +192,10 @@ impl FrameOutputs {
         if let Some(shapes) = &mut self.shapes {
             shapes.push(runner)?;
         }
-        if let Some((renderer, pictures)) = self.pictures.as_mut().filter(|_| self.frames.contains(&frame)) {
+        if let Some(pictures) = self.pictures.as_mut().filter(|_| self.frames.contains(&frame)) {
             let snapshot = runner.snapshot();
             check_finite(&snapshot)?;
-            let picture = renderer.picture(scene, &snapshot)?;
-            pictures.push(|out| out.write_all(&picture))?;
+            pictures.push(scene, &snapshot)?;
         }
         Ok(())
     }
@@ -228,9 +230,8 @@ impl FrameOutputs {
         if let Some(shapes) = self.shapes {
             text += &shapes.finish(console)?;
         }
-        if let Some((_, pictures)) = &self.pictures {
-            text += &output::wrote(&format!("{} pictures", pictures.frames()), pictures.folder());
-            warn_of_left_over(pictures.folder(), pictures.left_over(), console);
+        if let Some(pictures) = &self.pictures {
+            text += &pictures.written(console);
         }
         Ok(text)
     }

@@ -1,6 +1,7 @@
 //! The only file access: scene files in and out, their published schema, models in and out, sequences of files out,
 //! writes that happen wholly or not at all, documents that are found again after a crash, files that others changed.
 
+mod apng;
 mod assets;
 pub(crate) mod atomic;
 mod beside;
@@ -30,6 +31,7 @@ mod schema;
 mod stamp;
 mod trace;
 
+pub(crate) use apng::AnimatedPng;
 pub(crate) use assets::complete_assets;
 pub use assets::load_assets;
 #[cfg(feature = "gui")]

@@ -126,3 +126,24 @@ fn the_pictures_of_the_galleries_can_be_made_again() {
     assert_eq!((png_size(&strip), png_size(&example)), ([128, 1280], [240, 150]));
     assert_eq!(super::names(&desk.path("made/patterns")), ["vertical.png"]);
 }
+
+#[cfg(feature = "render")]
+#[test]
+fn a_run_leaves_a_moving_picture_of_the_frames_that_are_asked_for() {
+    let desk = Desk::new(&pressed());
+    let run = "simulate scene.json --format apng --frames 2..5 --size 80x60 --out out";
+    let Some(said) = drawn(&desk, run) else { return };
+    assert!(said.out.contains("a moving picture of 4 frames written to out/motion.apng"), "{}", said.out);
+    assert_eq!(super::names(&desk.path("out")), ["motion.apng"]);
+    let file = std::io::BufReader::new(fs::File::open(desk.path("out/motion.apng")).expect("it is there"));
+    let mut reader = png::Decoder::new(file).read_info().expect("a head");
+    assert_eq!(
+        (reader.info().size(), reader.info().animation_control().map(|said| said.num_frames)),
+        ((80, 60), Some(4))
+    );
+    let mut pictures = vec![vec![0; reader.output_buffer_size().expect("a size")]; 4];
+    for picture in &mut pictures {
+        reader.next_frame(picture).expect("a picture");
+    }
+    assert!(pictures.windows(2).any(|pair| pair[0] != pair[1]));
+}

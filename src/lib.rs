@@ -102,6 +102,7 @@
 //! | --- | --- |
 //! | a stroke becomes a curve | [`sketch::lift()`]: `clean` the strokes, `correspond` them, merge them |
 //! | the matrix's force | `solver::forces::matrix`: the formulae at its head, a plain evaluation and a fast one |
+//! | what changes in time, and what it does to fibres | `solver::drive`, `solver::forces::fibre::activation`; from the scene: `bake::drives` |
 //! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
 //! | fibres far stiffer than their matrix | `solver::integrators::fibres_implicit`; chosen in `bake::integrator` |
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
@@ -158,6 +159,8 @@
 //! - *file's mesh*: a model as its file has it, every vertex in its order, polygons uncut; motions are written on it.
 //! - *model frame*: the frame in which a body is described. *Placement*: where it stands in the world.
 //! - *view*: front, side or top. *Stroke*: what was drawn in one. *Lift*: to make a curve of two strokes.
+//! - *drive*: a number that changes in time. *Activation*: what a drive does to a fibre, which *acts* then. *Wind*: air or
+//!   water that moves as one.
 //! - *pattern*: a layout of fibres to start from. *Dab*: one touch of the brush that paints the volume fraction.
 //!
 //! The motion:

@@ -9,7 +9,7 @@ use super::particle_sampling::ParticleSampling;
 use super::pins::{Following, note_pins};
 use super::stage::{BakeStage, Tell};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{fibres, room, supports};
+use super::{drives, fibres, room, supports};
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, BodyKind, Mass, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
@@ -86,6 +86,8 @@ pub(super) fn draft(
         forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
     }
     forces.extend(weight_and_damping(scene, body, &neighbourhood));
+    let flow = scene.wind.as_ref().and(skin.as_deref()).and_then(|skin| drives::wind(scene, skin.flow_surface()));
+    forces.extend(flow.map(|flow| Box::new(flow) as Box<dyn Force>));
 
     progress(name, BakeStage::StableStep)?;
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
@@ -107,7 +109,7 @@ pub(super) fn draft(
         forces.push(Box::new(contact));
     }
 
-    let constraints = supports::constraints(&body.pins, &regions, &rest, &state, path)?;
+    let constraints = supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?;
     let parts = BodyParts {
         id: body.id.clone(),
         name: name.to_owned(),
@@ -148,7 +150,7 @@ fn weight_and_damping(scene: &Scene, body: &Body, neighbourhood: &Neighbourhood)
     let mut forces: Vec<Box<dyn Force>> = Vec::new();
     let gravity = DVec3::from_array(scene.gravity);
     if gravity != DVec3::ZERO {
-        forces.push(Box::new(Gravity { acceleration: gravity }));
+        forces.push(Box::new(Gravity::new(gravity, drives::gravity(scene))));
     }
     if damping.pair > 0.0 {
         forces.push(Box::new(PairDamping::new(damping.pair, neighbourhood)));

@@ -1,13 +1,14 @@
 //! Fibres of a body: from vertices or strokes to structure particles that ride on the material.
 
+use super::drives::drive;
 use super::note::Note;
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape, painted};
 use crate::sketch::{Placed, SketchError, SketchNote, structure_particles, trim};
 use crate::solver::body::FibreLine;
 use crate::solver::embedding::{Embedder, EmbeddingWeights};
-use crate::solver::forces::fibre::FibreRest;
 use crate::solver::forces::fibre::breaking::BreakLimits;
+use crate::solver::forces::fibre::{FibreActivation, FibreRest, FibreTwist, Muscle};
 use crate::solver::volume_fraction::volume_fractions;
 use crate::text::number::four_figures;
 use glam::DVec3;
@@ -245,19 +246,55 @@ pub(super) fn rods(
             let fibre = &body.fibres[run.fibre];
             let (ea, ei) = fibre.stiffness.rigidity(particle_volume);
             let vertices = &run.vertices[run.active.clone()];
+            let curls = fibre.activation.as_ref().is_some_and(|activation| activation.curl.is_some());
             let inner = vertices.get(1..vertices.len().saturating_sub(1)).unwrap_or_default();
             let turns = inner
                 .iter()
                 .map(|&at| match fibre.rest_shape {
-                    RestShape::Straight => None,
-                    RestShape::AsDrawn => embedder.turn_weights(at),
+                    RestShape::Straight if !curls => None,
+                    _ => embedder.turn_weights(at),
                 })
                 .collect();
-            FibreRest::new(run.embedding[run.active.clone()].to_vec(), vertices, ea, ei, fibre.volume_fraction, turns)
+            let share = fibre.volume_fraction;
+            let mut rest = FibreRest::new(run.embedding[run.active.clone()].to_vec(), vertices, ea, ei, share, turns);
+            if fibre.rest_shape == RestShape::Straight {
+                rest = rest.straightened();
+            }
+            rest.twisting(twist(fibre, embedder, vertices))
                 .on_line(line as u32, run.active.start as u32)
                 .breaking(limits(fibre))
+                .acting(activation(body, fibre, vertices))
         })
         .collect()
+}
+
+/// What drives do to the part of a fibre that runs through these vertices.
+fn activation(body: &Body, fibre: &Fibre, vertices: &[DVec3]) -> Option<FibreActivation> {
+    let of = fibre.activation.as_ref()?;
+    let lengths: Vec<f64> = vertices.windows(2).map(|edge| edge[0].distance(edge[1])).collect();
+    let mut activation = FibreActivation::new(&drive(&of.drive, &body.drives), vertices).contracting(of.contract);
+    if let Some(curl) = &of.curl {
+        let axis = DVec3::from_array(curl.axis).normalize_or(DVec3::Z);
+        activation = activation.curling(curl.degrees_per_metre.to_radians(), axis, &lengths);
+    }
+    if let Some(muscle) = &of.muscle {
+        activation = activation.pulling(Muscle::new(fibre.volume_fraction * muscle.force, muscle.width));
+    }
+    if let Some(twist) = &of.twist {
+        activation = activation.twisting(twist.degrees_per_metre.to_radians(), &lengths);
+    }
+    Some(activation)
+}
+
+/// How the part of a fibre that runs through these vertices resists twist; not at all where the turn of the material cannot
+/// be read.
+fn twist(fibre: &Fibre, embedder: &Embedder<'_>, vertices: &[DVec3]) -> Option<FibreTwist> {
+    let gj = fibre.volume_fraction * fibre.stiffness.twisting();
+    if gj == 0.0 {
+        return None;
+    }
+    let turns: Option<Vec<_>> = vertices.iter().map(|&at| embedder.turn_weights(at)).collect();
+    Some(FibreTwist::new(turns?, vertices, gj))
 }
 
 fn limits(fibre: &Fibre) -> BreakLimits {

@@ -6,7 +6,7 @@
 //! fibres.
 
 use crate::scene::TwoLayer;
-use crate::solver::forces::{Force, StepLimit};
+use crate::solver::forces::{FibreForce, Force, StepLimit};
 use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
 use crate::solver::stable_step::highest_frequency_squared;
@@ -111,6 +111,8 @@ pub(super) struct Resistance {
     contact: StepLimit,
     pair: f64,
     air: f64,
+    /// Whether the fibres can be stepped implicitly.
+    implicit: bool,
 }
 
 impl Resistance {
@@ -125,15 +127,24 @@ impl Resistance {
         air: f64,
     ) -> Self {
         // On copies: the forces' warm starts must be those of the start when the run begins.
-        let all = highest_frequency_squared(&mut forces.to_vec(), state, spacing);
+        let at_extreme = |greatest: bool| {
+            let mut copies: Vec<_> = forces.iter().map(|force| force.clone_at_extreme(greatest)).collect();
+            highest_frequency_squared(&mut copies, state, spacing)
+        };
+        let fibres = forces.iter().find_map(|force| force.downcast_ref::<FibreForce>());
+        let mut all = at_extreme(true);
+        if fibres.is_some_and(FibreForce::is_driven) {
+            all = all.max(at_extreme(false));
+        }
         let matrix = matrix.map_or(all, |mut matrix| highest_frequency_squared(&mut matrix, state, spacing).min(all));
         let damping: f64 = forces.iter().map(|force| force.step_limit(state).damping_rate).sum();
-        Self { all, matrix, contact, pair: damping - air, air }
+        let implicit = fibres.is_none_or(FibreForce::takes_implicit_steps);
+        Self { all, matrix, contact, pair: damping - air, air, implicit }
     }
 
     /// Greatest stable step [s].
     pub(super) fn stable_step(&self, integrator: &dyn Integrator) -> f64 {
-        let own = if integrator.takes_fibres() { self.matrix } else { self.all };
+        let own = if integrator.takes_fibres() && self.implicit { self.matrix } else { self.all };
         let frequency = (self.contact.frequency_squared + own).sqrt();
         let assured = self.pair + self.air;
         // Damping shortens the step of some integrators and is all that holds others: explicit Euler may count only on

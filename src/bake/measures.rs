@@ -31,6 +31,7 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
             let unit = |v: [f64; 3]| DVec3::from_array(v).normalize_or(DVec3::Y);
             let quantity = match &measure.kind {
                 MeasureKind::MeanDisplacement(of) => Quantity::MeanDisplacement(group(&of.region)?),
+                MeasureKind::Advance(of) => Quantity::Advance(group(&of.region)?, unit(of.along)),
                 MeasureKind::TipDisplacement(of) => Quantity::TipDisplacement(group(&of.region)?),
                 MeasureKind::HeightLoss(of) => {
                     let quantity = Quantity::HeightLoss(group(&of.region)?, group(&of.against)?, of.axis.index());

@@ -3,6 +3,7 @@
 
 mod body;
 mod draft;
+mod drives;
 mod error;
 mod fibres;
 mod integrator;
@@ -29,6 +30,7 @@ pub use stage::BakeStage;
 
 use crate::scene::{AnyBody, Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
+use crate::solver::forces::Gravity;
 use crate::solver::swing::{Swing, swing_under};
 use crate::solver::world::World;
 use glam::DVec3;
@@ -145,7 +147,8 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Resu
     let fractions = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.fractions)).collect();
     let thin = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.thin)).collect();
     let (bodies, regions) = drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
-    let world = World::new(bodies, room::panels(scene), probes, plan, DVec3::from_array(scene.gravity));
+    let gravity = Gravity::new(DVec3::from_array(scene.gravity), drives::gravity(scene));
+    let world = World::new(bodies, room::panels(scene), probes, plan, gravity);
     overlaps::note_overlaps(scene, &world, &mut notes);
     Ok(Baked { world, notes, regions, fractions, thin, stable_steps })
 }

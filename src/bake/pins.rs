@@ -105,6 +105,7 @@ fn times(motion: &PrescribedMotion) -> Vec<f64> {
         PrescribedMotion::Ramp { course, .. } | PrescribedMotion::Turn { course, .. } => {
             between(course.start, course.start + course.duration).collect()
         }
+        PrescribedMotion::Driven { drive, .. } => drive.moments(),
         PrescribedMotion::Keyframes(keys) => {
             let middles = keys.windows(2).map(|pair| 0.5 * (pair[0].0 + pair[1].0));
             let mut times: Vec<f64> = keys.iter().map(|key| key.0).chain(middles).collect();
@@ -157,6 +158,8 @@ fn leap(constraint: &Constraint, following: Following) -> Option<(f64, f64)> {
         for time in times(&constraint.motion) {
             let speed = locked(at(time).1).length();
             let moved = locked(at(time + 0.5 * window).0 - at((time - 0.5 * window).max(0.0)).0).length();
+            // A jump has no rate.
+            let speed = speed.max(moved / window);
             let is_leap = speed > following.speed && moved > 0.5 * following.spacing;
             if is_leap && fastest.is_none_or(|(known, _)| speed > known) {
                 fastest = Some((speed, time));

@@ -1,8 +1,10 @@
 //! What bodies touch: the planes of the room, and its panels.
 
+use super::drives::drive;
 use crate::scene::{PanelMotion, Scene};
+use crate::solver::drive::{After, Between, Drive};
 use crate::solver::forces::Plane;
-use crate::solver::panel::Panel;
+use crate::solver::panel::{DrivenHeight, Panel};
 use glam::{DVec2, DVec3};
 
 /// Floor, ceiling and walls, as far as there are any.
@@ -36,7 +38,14 @@ fn panel(panel: &crate::scene::Panel, floor: Option<f64>) -> Panel {
         floor,
         driven: match &panel.motion {
             PanelMotion::Falls => None,
-            PanelMotion::Driven(keys) => Some(keys.iter().map(|key| (key.time, key.height)).collect()),
+            PanelMotion::Driven(keys) => {
+                let keys = keys.iter().map(|key| (key.time, key.height)).collect();
+                let drive = Drive::Keys { keys, between: Between::Smooth, after: After::Hold };
+                Some(DrivenHeight { drive, height: 0.0, travel: 1.0 })
+            }
+            PanelMotion::Follows(of) => {
+                Some(DrivenHeight { drive: drive(&of.drive, &[]), height: panel.height, travel: of.travel })
+            }
         },
     }
 }

@@ -1,8 +1,9 @@
 //! Regions and pins.
 
+use super::drives::drive;
 use super::error::{BakeError, known};
 use crate::geometry::lattice::LatticeSample;
-use crate::scene::{Axis, Body, Distance, Easing, Motion, Pin, Region, Selector, Side};
+use crate::scene::{Axis, Body, Distance, Easing, Motion, Pin, Region, Selector, SharedDrive, Side};
 use crate::solver::constraint::{Constraint, Course, PrescribedMotion};
 use crate::solver::state::ParticleState;
 use glam::{BVec3, DMat3, DVec3, IVec3};
@@ -84,7 +85,7 @@ pub(super) fn find<'a>(
 
 /// Prescribed motions of a body's pins, relative to where the particles start.
 pub(super) fn constraints(
-    pins: &[Pin],
+    (pins, drives): (&[Pin], &[SharedDrive]),
     regions: &Regions,
     rest: &[DVec3],
     state: &ParticleState,
@@ -95,15 +96,16 @@ pub(super) fn constraints(
         let particles = find(regions, &pin.region, &format!("{path}/pins/{k}/region"))?.clone();
         let start: Vec<DVec3> = particles.iter().map(|&i| state.positions[i as usize]).collect();
         let locked = BVec3::new(pin.axes.contains(&Axis::X), pin.axes.contains(&Axis::Y), pin.axes.contains(&Axis::Z));
-        let motion = motion(&pin.motion, rest, &start);
+        let motion = motion(&pin.motion, drives, rest, &start);
         found.push(Constraint { particles, start, found: None, locked, motion });
     }
     Ok(found)
 }
 
-fn motion(motion: &Motion, rest: &[DVec3], start: &[DVec3]) -> PrescribedMotion {
+fn motion(motion: &Motion, drives: &[SharedDrive], rest: &[DVec3], start: &[DVec3]) -> PrescribedMotion {
     let course =
         |start: f64, duration: f64, easing: Easing| Course { start, duration, smooth: easing == Easing::Smooth };
+    let center = || start.iter().sum::<DVec3>() / start.len() as f64;
     match motion {
         Motion::Fixed => PrescribedMotion::Fixed,
         Motion::Ramp(ramp) => {
@@ -119,9 +121,17 @@ fn motion(motion: &Motion, rest: &[DVec3], start: &[DVec3]) -> PrescribedMotion 
         }
         Motion::Turn(turn) => PrescribedMotion::Turn {
             axis: DVec3::from_array(turn.axis).normalize_or(DVec3::Y),
-            origin: turn.origin.map_or_else(|| start.iter().sum::<DVec3>() / start.len() as f64, DVec3::from_array),
+            origin: turn.origin.map_or_else(center, DVec3::from_array),
             angle: turn.degrees.to_radians(),
             course: course(turn.start, turn.duration, turn.easing),
+        },
+        Motion::Driven(driven) => PrescribedMotion::Driven {
+            drive: drive(&driven.drive, drives),
+            offset: DVec3::from_array(driven.offset),
+            turn: driven.turn.as_ref().map(|turn| {
+                let axis = DVec3::from_array(turn.axis).normalize_or(DVec3::Y);
+                (axis, turn.origin.map_or_else(center, DVec3::from_array), turn.degrees.to_radians())
+            }),
         },
         Motion::Keyframes(keys) => {
             PrescribedMotion::Keyframes(keys.iter().map(|key| (key.time, DVec3::from_array(key.offset))).collect())

@@ -8,12 +8,13 @@ use super::note::Note;
 use super::pins::{Following, note_pins};
 use super::stage::{BakeStage, Tell};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{limits, room, supports};
+use super::{drives, limits, room, supports};
 use crate::scene::{Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, TwoLayer};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::constraint::{Constraint, PrescribedMotion};
 use crate::solver::embedding::EmbeddingWeights;
-use crate::solver::forces::{AirDrag, Contact, ContactLaw, Force, Grab, Gravity, Pressure};
+use crate::solver::forces::pressure::Surface;
+use crate::solver::forces::{AirDrag, Contact, ContactLaw, FlowSurface, Force, Grab, Gravity, Pressure};
 use crate::solver::integrators::LeapFrog;
 use crate::solver::layers::Layers;
 use crate::solver::modes::fastest_modes;
@@ -65,7 +66,8 @@ pub(super) fn draft(
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
     let probed = |body: &TwoLayer| {
-        let mut forces = own_forces(scene, body, &model, &layers, &state);
+        let own = own_forces(scene, body, &model, &layers, &state);
+        let mut forces: Vec<_> = own.iter().map(|force| force.clone_at_extreme(true)).collect();
         if touches {
             forces.push(Box::new(touched(&at_rest, model.outer, &contact_law(scene, body))));
         }
@@ -82,7 +84,7 @@ pub(super) fn draft(
         forces.push(Box::new(contact));
     }
     let mut constraints = in_plane(body, &model, &state);
-    constraints.extend(supports::constraints(&body.pins, &regions, &rest, &state, path)?);
+    constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
     let parts = BodyParts {
         id: body.id.clone(),
         name: name.to_owned(),
@@ -127,10 +129,15 @@ fn own_forces(
     forces.extend(gas(body, layers).into_iter().map(|gas| Box::new(gas) as Box<dyn Force>));
     let gravity = DVec3::from_array(scene.gravity);
     if gravity != DVec3::ZERO {
-        forces.push(Box::new(Gravity { acceleration: gravity }));
+        forces.push(Box::new(Gravity::new(gravity, drives::gravity(scene))));
     }
     if body.air_drag > 0.0 {
         forces.push(Box::new(AirDrag { rate: body.air_drag }));
+    }
+    if let Some(Surface::Faces(faces)) = scene.wind.as_ref().and(layers.outer_surface.as_ref()) {
+        let vertices = (0..model.outer as u32).map(EmbeddingWeights::of_particle).collect();
+        let surface = FlowSurface { vertices, triangles: Arc::clone(faces) };
+        forces.extend(drives::wind(scene, surface).map(|flow| Box::new(flow) as Box<dyn Force>));
     }
     for drag in &body.drags {
         let target = DVec3::from_array(drag.target);
@@ -187,7 +194,8 @@ fn gas(body: &TwoLayer, layers: &Layers) -> Vec<Pressure> {
         (PressureIn::Annulus, Some(inner)) => vec![vec![(outer, 1.0), (inner, -1.0)]],
         _ => vec![vec![(outer, 1.0)]],
     };
-    spaces.into_iter().map(|surfaces| Pressure::new(body.pressure, surfaces)).collect()
+    let drive = body.pressure_drive.as_ref().map(|drive| drives::drive(drive, &body.drives));
+    spaces.into_iter().map(|surfaces| Pressure::new(body.pressure, surfaces).driven(drive.clone())).collect()
 }
 
 /// What a contact asks of the time step: the lightest outer particle touches something that does not give.

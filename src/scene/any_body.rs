@@ -4,8 +4,8 @@
 //! draws bodies numbers them in one row: the solids first, then the two-layer bodies. This is that row.
 
 use super::{
-    Body, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region, Scene, Shape, TwoLayer,
-    TwoLayerShape,
+    Body, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region, Scene, Shape, SharedDrive,
+    TwoLayer, TwoLayerShape,
 };
 
 /// A body of either kind.
@@ -85,6 +85,11 @@ impl<'a> AnyBody<'a> {
     /// Regions whose motion is prescribed.
     pub fn pins(self) -> &'a [Pin] {
         either!(self, body => &body.pins)
+    }
+
+    /// Numbers that change in time, for several of its parts to follow.
+    pub fn drives(self) -> &'a [SharedDrive] {
+        either!(self, body => &body.drives)
     }
 
     /// Embedded fibres; a two-layer body has none.

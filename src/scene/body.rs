@@ -3,7 +3,7 @@
 use super::extra::is_false;
 use super::{
     BoxShape, Dab, Extra, Fibre, Impulse, Initial, IntegratorChoice, Material, MeshShape, Pin, Placement, Region,
-    Shape, add_dab,
+    Shape, SharedDrive, add_dab,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -41,6 +41,9 @@ pub struct Body {
     /// Impulses given to regions at the start.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub impulses: Vec<Impulse>,
+    /// Numbers that change in time, for several of its parts to follow.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drives: Vec<SharedDrive>,
     /// Embedded fibres.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fibres: Vec<Fibre>,
@@ -73,6 +76,7 @@ impl Body {
             integrator: IntegratorChoice::default(),
             initial: Initial::default(),
             impulses: Vec::new(),
+            drives: Vec::new(),
             fibres: Vec::new(),
             paint: Vec::new(),
             regions: Vec::new(),
@@ -96,6 +100,13 @@ impl Body {
     #[must_use]
     pub fn with_material(self, material: Material) -> Self {
         Self { material, ..self }
+    }
+
+    /// With one drive more for its parts to share.
+    #[must_use]
+    pub fn with_drive(mut self, drive: SharedDrive) -> Self {
+        self.drives.push(drive);
+        self
     }
 
     /// With one fibre more.

@@ -1,6 +1,6 @@
 //! The scene as a whole.
 
-use super::{Body, Extra, Measure, Panel, Room, Time, TimeStep, TwoLayer};
+use super::{Body, Drive, Extra, Measure, Panel, Room, Time, TimeStep, TwoLayer, Wind};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +36,12 @@ pub struct Scene {
     /// Gravitational acceleration [m/s²], world axes.
     #[serde(default = "earth_gravity")]
     pub gravity: [f64; 3],
+    /// What gravity is multiplied by; by 1 unless given. None that is shared, which only bodies have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gravity_drive: Option<Drive>,
+    /// Air or water that the bodies move in; none unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wind: Option<Wind>,
     /// Floor, walls and ceiling.
     #[serde(default)]
     pub room: Room,
@@ -67,6 +73,8 @@ impl Default for Scene {
             name: String::new(),
             description: String::new(),
             gravity: earth_gravity(),
+            gravity_drive: None,
+            wind: None,
             room: Room::default(),
             panels: Vec::new(),
             time: Time::default(),
@@ -116,6 +124,12 @@ impl Scene {
     #[must_use]
     pub fn with_gravity(self, gravity: impl Into<[f64; 3]>) -> Self {
         Self { gravity: gravity.into(), ..self }
+    }
+
+    /// With air or water that the bodies move in.
+    #[must_use]
+    pub fn with_wind(self, wind: Wind) -> Self {
+        Self { wind: Some(wind), ..self }
     }
 
     /// With a floor at this height [m, world Y]. Its friction coefficient is 0.4 and it gives back what falls on it

@@ -11,3 +11,9 @@ pub type Extra = BTreeMap<String, Value>;
 pub(super) fn is_false(value: &bool) -> bool {
     !value
 }
+
+/// For members that are left out of a file where they are zero.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+pub(super) fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}

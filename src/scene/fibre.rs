@@ -1,7 +1,7 @@
 //! Fibres: strokes or vertices, stiffness, rest shape.
 
-use super::Extra;
-use super::extra::is_false;
+use super::extra::{is_false, is_zero};
+use super::{Activation, Extra};
 use crate::sketch::{LiftOptions, Lifted, SketchError, Stroke, View, lift};
 use glam::DVec2;
 use schemars::JsonSchema;
@@ -34,6 +34,9 @@ pub struct Fibre {
     /// What it breaks past; it never breaks unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub break_past: Option<BreakPast>,
+    /// How it acts by itself; it only resists unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub activation: Option<Activation>,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
@@ -64,6 +67,7 @@ impl Fibre {
             volume_fraction: default_volume_fraction(),
             rest_shape: RestShape::default(),
             break_past: None,
+            activation: None,
             extra: Extra::new(),
         }
     }
@@ -90,6 +94,12 @@ impl Fibre {
     #[must_use]
     pub fn with_rest_shape(self, rest_shape: RestShape) -> Self {
         Self { rest_shape, ..self }
+    }
+
+    /// Acting by itself.
+    #[must_use]
+    pub fn with_activation(self, activation: Activation) -> Self {
+        Self { activation: Some(activation), ..self }
     }
 }
 
@@ -224,6 +234,10 @@ pub struct Rigidity {
     pub ea: f64,
     /// Bending stiffness EI [N m²].
     pub ei: f64,
+    /// Twisting stiffness GJ [N m²]; 0, which is none, unless given. A solid resists twist by itself far more than most of
+    /// its fibres: it is there for fibres that twist by themselves, and for thin ones.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub gj: f64,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
@@ -232,7 +246,13 @@ pub struct Rigidity {
 impl Rigidity {
     /// Axial rigidity EA [N] and bending stiffness EI [N m²].
     pub fn new(ea: f64, ei: f64) -> Self {
-        Self { ea, ei, extra: Extra::new() }
+        Self { ea, ei, gj: 0.0, extra: Extra::new() }
+    }
+
+    /// With a twisting stiffness GJ [N m²].
+    #[must_use]
+    pub fn with_twisting(self, gj: f64) -> Self {
+        Self { gj, ..self }
     }
 }
 
@@ -262,6 +282,14 @@ impl Stiffness {
         match self {
             Self::Rigidity(rigidity) => (rigidity.ea, rigidity.ei),
             Self::Paper(paper) => (2.0 * paper.ks, 0.5 * paper.kb * particle_volume),
+        }
+    }
+
+    /// Twisting stiffness GJ [N m²].
+    pub fn twisting(&self) -> f64 {
+        match self {
+            Self::Rigidity(rigidity) => rigidity.gj,
+            Self::Paper(_) => 0.0,
         }
     }
 }

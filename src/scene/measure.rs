@@ -40,6 +40,8 @@ impl Measure {
 pub enum MeasureKind {
     /// Mean displacement of a region from where it started [mm], a vector.
     MeanDisplacement(OfRegion),
+    /// Mean displacement of a region from where it started, along a direction [mm].
+    Advance(Advance),
     /// Largest distance of any particle of a region from where it started [mm].
     TipDisplacement(OfRegion),
     /// Relative shortening between the centres of two regions along an axis [fraction]; negative when it grows.
@@ -67,6 +69,11 @@ impl MeasureKind {
     /// Mean displacement of a region from where it started [mm], a vector.
     pub fn mean_displacement(region: impl Into<String>) -> Self {
         Self::MeanDisplacement(OfRegion { region: region.into(), extra: Extra::new() })
+    }
+
+    /// Mean displacement of a region from where it started, along a direction [mm].
+    pub fn advance(region: impl Into<String>, along: impl Into<[f64; 3]>) -> Self {
+        Self::Advance(Advance { region: region.into(), along: along.into(), extra: Extra::new() })
     }
 
     /// Largest distance of any particle of a region from where it started [mm].
@@ -104,6 +111,18 @@ impl MeasureKind {
     pub fn size(axis: Axis) -> Self {
         Self::Size(Along { axis, extra: Extra::new() })
     }
+}
+
+/// A region and a direction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Advance {
+    /// The region.
+    pub region: String,
+    /// Direction of any length but zero, world axes.
+    pub along: [f64; 3],
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
 }
 
 /// An axis.

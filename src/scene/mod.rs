@@ -7,12 +7,14 @@
 //! Each struct keeps the JSON fields it does not know in `extra`, so that a scene written by a newer program
 //! survives loading and saving here.
 
+mod activation;
 mod any_body;
 mod assets;
 mod axis;
 mod body;
 mod building;
 mod document;
+mod drive;
 mod extra;
 mod fibre;
 mod integrator;
@@ -30,12 +32,15 @@ mod start;
 mod time;
 mod two_layer;
 mod validate;
+mod wind;
 
+pub use activation::{Activation, Curl, MusclePull, TwistRate};
 pub use any_body::{AnyBody, AnyBodyMut};
 pub use assets::{Assets, ModelFile};
 pub use axis::{Axis, Side};
 pub use body::{Body, BodyKind};
 pub use document::{MAX_PARTICLES, SCENE_VERSION, Scene, Units};
+pub use drive::{AfterLast, Drive, DriveKey, DriveKeys, Interpolation, SharedDrive, Wave};
 pub use extra::Extra;
 pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
@@ -43,12 +48,12 @@ pub use fibre::{
 pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
 pub use material::{Damping, Falloff, Mass, Material, Precision, USUAL_SUPPORT_RADIUS};
-pub use measure::{Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
+pub use measure::{Advance, Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 #[cfg(feature = "gui")]
 pub(crate) use naming::UNTITLED;
 pub use paint::{Dab, MAX_DABS, add_dab, painted};
-pub use panel::{HeightKey, Panel, PanelMotion};
-pub use pin::{Distance, Easing, Keyframe, Motion, Pin, Ramp, Turn};
+pub use panel::{HeightKey, Panel, PanelDrive, PanelMotion};
+pub use pin::{Distance, DrivenMotion, DrivenTurn, Easing, Keyframe, Motion, Pin, Ramp, Turn};
 pub use region::{Region, Selector};
 pub use room::Room;
 pub use shape::{BoxShape, MeshShape, Placement, Rotation, Shape};
@@ -57,3 +62,4 @@ pub use time::{Automatic, Manual, Time, TimeStep};
 pub use two_layer::{ContactKind, Drag, PressureIn, RegionMass, TwoLayer, TwoLayerContact};
 pub use validate::SceneError;
 pub(crate) use validate::{brief, one_line};
+pub use wind::Wind;

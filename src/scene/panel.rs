@@ -1,6 +1,6 @@
 //! Panels that fall on the bodies or are driven.
 
-use super::Extra;
+use super::{Drive, Extra};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -69,6 +69,27 @@ pub enum PanelMotion {
     Falls,
     /// Follows these heights, eased smoothly from one to the next; before the first and after the last it rests.
     Driven(Vec<HeightKey>),
+    /// Stands above or below its height by a distance times a drive.
+    Follows(PanelDrive),
+}
+
+/// What a panel follows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PanelDrive {
+    /// What the distance is multiplied by; none that is shared, which only bodies have, and no wavelength.
+    pub drive: Drive,
+    /// How far above its height it stands where the drive is 1 [m].
+    pub travel: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl PanelDrive {
+    /// By so many metres upwards times a drive.
+    pub fn new(drive: impl Into<Drive>, travel: f64) -> Self {
+        Self { drive: drive.into(), travel, extra: Extra::new() }
+    }
 }
 
 /// Height of a driven panel at one time.

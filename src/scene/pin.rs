@@ -1,6 +1,6 @@
 //! Pins: regions whose motion is prescribed.
 
-use super::{Axis, Extra};
+use super::{Axis, Drive, Extra};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -54,6 +54,8 @@ pub enum Motion {
     Turn(Turn),
     /// Follows offsets, linearly from one to the next; before the first and after the last it rests.
     Keyframes(Vec<Keyframe>),
+    /// Moves and turns as a drive has it.
+    Driven(DrivenMotion),
 }
 
 impl From<Ramp> for Motion {
@@ -65,6 +67,63 @@ impl From<Ramp> for Motion {
 impl From<Turn> for Motion {
     fn from(turn: Turn) -> Self {
         Self::Turn(turn)
+    }
+}
+
+impl From<DrivenMotion> for Motion {
+    fn from(driven: DrivenMotion) -> Self {
+        Self::Driven(driven)
+    }
+}
+
+/// A move and a turn, each as far as a drive has it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DrivenMotion {
+    /// What both are multiplied by. A wave's wavelength has no meaning here.
+    pub drive: Drive,
+    /// How far it is moved where the drive is 1 [m], world axes.
+    #[serde(default)]
+    pub offset: [f64; 3],
+    /// How far it is turned where the drive is 1; not at all unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn: Option<DrivenTurn>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl DrivenMotion {
+    /// Moved by an offset [m, world axes] times a drive.
+    pub fn new(drive: impl Into<Drive>, offset: impl Into<[f64; 3]>) -> Self {
+        Self { drive: drive.into(), offset: offset.into(), turn: None, extra: Extra::new() }
+    }
+
+    /// Turned as well.
+    #[must_use]
+    pub fn with_turn(self, turn: DrivenTurn) -> Self {
+        Self { turn: Some(turn), ..self }
+    }
+}
+
+/// A turn about an axis through a point, which a drive multiplies.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DrivenTurn {
+    /// Axis, of any length but zero, world axes.
+    pub axis: [f64; 3],
+    /// A point on the axis [m], world; the centre of the region unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub origin: Option<[f64; 3]>,
+    /// Angle [degrees], right-handed about the axis.
+    pub degrees: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl DrivenTurn {
+    /// Turned by an angle [degrees] about an axis (of any length but zero, world axes) through the region's centre.
+    pub fn new(axis: impl Into<[f64; 3]>, degrees: f64) -> Self {
+        Self { axis: axis.into(), origin: None, degrees, extra: Extra::new() }
     }
 }
 

@@ -3,7 +3,8 @@
 
 use super::extra::is_false;
 use super::{
-    Ball, ClosedMesh, Extra, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Ring, Segment, TwoLayerShape,
+    Ball, ClosedMesh, Drive, Extra, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Ring, Segment,
+    SharedDrive, TwoLayerShape,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -51,6 +52,9 @@ pub struct TwoLayer {
     /// PRESSURE: nRT of the enclosed gas [J], in 2D for each metre of depth; P = nRT / V.
     #[serde(default = "default_pressure")]
     pub pressure: f64,
+    /// What the gas's nRT is multiplied by, from 0 on; by 1 unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressure_drive: Option<Drive>,
     /// Which space the gas fills.
     #[serde(default)]
     pub pressure_in: PressureIn,
@@ -78,6 +82,9 @@ pub struct TwoLayer {
     /// Impulses given to regions at the start.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub impulses: Vec<Impulse>,
+    /// Numbers that change in time, for several of its parts to follow.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drives: Vec<SharedDrive>,
     /// Named sets of particles.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub regions: Vec<Region>,
@@ -110,6 +117,7 @@ impl TwoLayer {
             mks: default_mks(),
             mkd: default_mkd(),
             pressure: default_pressure(),
+            pressure_drive: None,
             pressure_in: PressureIn::default(),
             mass: default_mass(),
             inner_mass: None,
@@ -119,6 +127,7 @@ impl TwoLayer {
             integrator: IntegratorChoice::default(),
             initial: Initial::default(),
             impulses: Vec::new(),
+            drives: Vec::new(),
             regions: Vec::new(),
             pins: Vec::new(),
             drags: Vec::new(),

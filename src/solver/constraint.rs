@@ -1,5 +1,6 @@
 //! Constraints: particles whose motion is prescribed along some axes.
 
+use super::drive::Drive;
 use super::state::ParticleState;
 use glam::{BVec3, DQuat, DVec3};
 use std::sync::Arc;
@@ -44,6 +45,15 @@ pub(crate) enum PrescribedMotion {
     },
     /// Along offsets [m] at ascending times [s], linear in between.
     Keyframes(Vec<(f64, DVec3)>),
+    /// By an offset and a turn, both times a drive.
+    Driven {
+        /// What they are multiplied by.
+        drive: Drive,
+        /// Full offset [m].
+        offset: DVec3,
+        /// Full turn: unit axis, a point on it [m], and the angle [rad].
+        turn: Option<(DVec3, DVec3, f64)>,
+    },
 }
 
 /// From 0 to 1 over a time.
@@ -90,6 +100,14 @@ impl PrescribedMotion {
                 let arm = DQuat::from_axis_angle(*axis, progress * angle) * (start - *origin);
                 (*origin + arm, (rate * angle * *axis).cross(arm))
             }
+            Self::Driven { drive, offset, turn } => {
+                let (value, rate) = drive.at(time);
+                let (turned, velocity) = turn.map_or((start, DVec3::ZERO), |(axis, origin, angle)| {
+                    let arm = DQuat::from_axis_angle(axis, value * angle) * (start - origin);
+                    (origin + arm, (rate * angle * axis).cross(arm))
+                });
+                (turned + value * *offset, velocity + rate * *offset)
+            }
             Self::Keyframes(keys) => {
                 let (offset, velocity) = interpolate(keys, time);
                 (start + offset, velocity)
@@ -114,6 +132,7 @@ impl PrescribedMotion {
             Self::Fixed => 0.0,
             Self::Ramp { course, .. } | Self::Turn { course, .. } => course.start + course.duration,
             Self::Keyframes(keys) => keys.last().map_or(0.0, |key| key.0),
+            Self::Driven { drive, .. } => drive.until(),
         }
     }
 }
@@ -189,6 +208,7 @@ pub(super) fn held(constraints: &[Constraint], n: usize) -> Vec<BVec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solver::drive::Wave;
 
     #[test]
     fn prescribed_velocities_are_the_rates_of_prescribed_positions() {
@@ -197,6 +217,18 @@ mod tests {
             PrescribedMotion::Ramp { displacement: DVec3::new(1.0, 2.0, 3.0), course },
             PrescribedMotion::Turn { axis: DVec3::Y, origin: DVec3::X, angle: 2.0, course },
             PrescribedMotion::Keyframes(vec![(0.0, DVec3::ZERO), (0.3, DVec3::X), (0.6, DVec3::Y)]),
+            PrescribedMotion::Driven {
+                drive: Drive::Wave(Wave {
+                    mean: 0.5,
+                    amplitude: 0.7,
+                    period: 0.3,
+                    phase: 1.0,
+                    wavelength: None,
+                    start: 0.1,
+                }),
+                offset: DVec3::new(0.3, 0.0, 0.1),
+                turn: Some((DVec3::Z, DVec3::X, 1.0)),
+            },
         ];
         let start = DVec3::new(0.3, 0.2, 0.5);
         for motion in &motions {

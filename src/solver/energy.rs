@@ -44,6 +44,10 @@ energies! {
     gravity,
     /// Elastic energy of the springs by which the body is grabbed.
     grab,
+    /// Energy of the fibres' twist.
+    twisting,
+    /// The work that drives have done on the body, counted down from zero: with it the sum stays what it was.
+    activation,
 }
 
 impl Energies {

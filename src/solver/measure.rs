@@ -31,6 +31,8 @@ pub(crate) type Group = Vec<u32>;
 pub(crate) enum Quantity {
     /// Mean displacement from the rest shape in the world [mm].
     MeanDisplacement(Group),
+    /// Mean displacement from the rest shape in the world along a unit direction [mm].
+    Advance(Group, DVec3),
     /// Largest displacement [mm].
     TipDisplacement(Group),
     /// Shortening of the distance between two groups along an axis, over the rest distance.
@@ -61,6 +63,7 @@ impl Quantity {
     pub(crate) fn kind(&self) -> &'static str {
         match self {
             Self::MeanDisplacement(..) => "mean_displacement",
+            Self::Advance(..) => "advance",
             Self::TipDisplacement(..) => "tip_displacement",
             Self::HeightLoss(..) => "height_loss",
             Self::Twist(..) => "twist",
@@ -77,7 +80,7 @@ impl Quantity {
     /// Unit of the value.
     pub(crate) fn unit(&self) -> &'static str {
         match self {
-            Self::MeanDisplacement(..) | Self::TipDisplacement(..) | Self::Shear(..) => "mm",
+            Self::MeanDisplacement(..) | Self::Advance(..) | Self::TipDisplacement(..) | Self::Shear(..) => "mm",
             Self::HeightLoss(..) | Self::InertiaRatio => "fraction",
             Self::Size(_) | Self::LayerOffset => "m",
             Self::Volume(unit) => unit,
@@ -111,6 +114,9 @@ impl Quantity {
         let rest = &body.parts().rest;
         match self {
             Self::MeanDisplacement(group) => MeasureValue::Vector(MILLI * (mean(group, now) - mean(group, rest))),
+            Self::Advance(group, along) => {
+                MeasureValue::Scalar(MILLI * (mean(group, now) - mean(group, rest)).dot(*along))
+            }
             Self::TipDisplacement(group) => MeasureValue::Scalar(
                 MILLI * group.iter().map(|&i| now[i as usize].distance(rest[i as usize])).fold(0.0, f64::max),
             ),

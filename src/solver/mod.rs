@@ -8,6 +8,7 @@
 pub(crate) mod body;
 pub(crate) mod body_contact;
 pub(crate) mod constraint;
+pub(crate) mod drive;
 pub(crate) mod dynamics;
 pub(crate) mod easing;
 pub(crate) mod embedding;

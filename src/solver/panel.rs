@@ -1,6 +1,7 @@
 //! Rigid horizontal panels that move up and down and press on bodies below them.
 
 use super::body::Body;
+use super::drive::Drive;
 use super::easing::Easing;
 use super::forces::ContactLaw;
 use glam::{DVec2, DVec3};
@@ -24,8 +25,19 @@ pub struct Panel {
     pub friction: f64,
     /// Height of the floor [m], below which it does not go.
     pub floor: Option<f64>,
-    /// Heights [m] at ascending times [s], eased from one to the next; none for a panel that falls.
-    pub driven: Option<Vec<(f64, f64)>>,
+    /// What its height follows; nothing for a panel that falls.
+    pub(crate) driven: Option<DrivenHeight>,
+}
+
+/// A height that follows a drive.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct DrivenHeight {
+    /// What it follows.
+    pub(crate) drive: Drive,
+    /// Where it is when the drive is 0 [m].
+    pub(crate) height: f64,
+    /// How far above that it is when the drive is 1 [m].
+    pub(crate) travel: f64,
 }
 
 impl Panel {
@@ -75,7 +87,10 @@ impl Panel {
     /// Moves over one outer step from `time` to `time + dt` [s]. Nothing moves it into the floor.
     pub(super) fn drift(&mut self, time: f64, dt: f64) {
         match &self.driven {
-            Some(keys) => (self.height, self.velocity) = eased(keys, time + dt),
+            Some(DrivenHeight { drive, height, travel }) => {
+                let (value, rate) = drive.at(time + dt);
+                (self.height, self.velocity) = (height + travel * value, travel * rate);
+            }
             None => self.height += dt * self.velocity,
         }
         if let Some(floor) = self.floor
@@ -93,19 +108,6 @@ impl Panel {
 
     /// When a driven panel has come to rest [s]; zero for one that falls.
     pub fn end(&self) -> f64 {
-        self.driven.as_ref().and_then(|keys| keys.last()).map_or(0.0, |key| key.0)
-    }
-}
-
-/// Smoothly eased value (3 s² - 2 s³) and its rate between keys.
-pub(super) fn eased(keys: &[(f64, f64)], time: f64) -> (f64, f64) {
-    let next = keys.partition_point(|key| key.0 <= time);
-    match (next.checked_sub(1).map(|k| keys[k]), keys.get(next)) {
-        (Some((t0, a)), Some(&(t1, b))) => {
-            let s = (time - t0) / (t1 - t0);
-            (a + (b - a) * s * s * (3.0 - 2.0 * s), (b - a) * 6.0 * s * (1.0 - s) / (t1 - t0))
-        }
-        (Some((_, last)), None) => (last, 0.0),
-        (None, first) => (first.map_or(0.0, |key| key.1), 0.0),
+        self.driven.as_ref().map_or(0.0, |driven| driven.drive.until())
     }
 }

@@ -7,6 +7,7 @@
 //! milliseconds.
 
 use super::embedding::EmbeddingWeights;
+use super::forces::FlowSurface;
 use super::skin_arms::{Arms, DIRECTIONS};
 use super::skin_weights::{Carried, FARTHEST, SkinEmbedder};
 use crate::geometry::kernel::Kernel;
@@ -185,6 +186,12 @@ impl Skin {
         let range = self.starts[p] as usize..self.starts[p + 1] as usize;
         let all = self.sources[range.clone()].iter().copied().zip(self.weights[range].iter().copied());
         Some(EmbeddingWeights { weights: all.filter(|&(source, _)| source < self.particles).collect() })
+    }
+
+    /// The surface as a flow sees it; its arms count as the places where they begin.
+    pub(crate) fn flow_surface(&self) -> FlowSurface {
+        let vertices = (0..self.len()).map(|vertex| self.weights(vertex).unwrap_or_default()).collect();
+        FlowSurface { vertices, triangles: Arc::clone(&self.triangles) }
     }
 
     /// The arm on which a vertex hangs over particles at `positions` [m]: from where its weights put it to where it is. Zero

@@ -17,6 +17,7 @@ use eased::Eased;
 
 use super::body::{Body, Divergence};
 use super::body_contact::{Allowance, add_body_contact};
+use super::forces::Gravity;
 use super::measure::{MeasureValue, Quantity};
 use super::overlap::Overlap;
 use super::panel::Panel;
@@ -64,7 +65,7 @@ pub struct World {
     /// Greatest value of every probe so far, by magnitude, with its sign.
     peaks: Vec<MeasureValue>,
     plan: StepPlan,
-    gravity: DVec3,
+    gravity: Gravity,
     /// What overlapped when the motion began.
     overlaps: Vec<Overlap>,
     /// What of that the world eases apart; bodies are eased out of the room on their own.
@@ -85,7 +86,7 @@ impl World {
         panels: Vec<Panel>,
         probes: Vec<Probe>,
         plan: StepPlan,
-        gravity: DVec3,
+        gravity: Gravity,
     ) -> Self {
         let mut world = Self {
             lifts: vec![0.0; panels.len()],
@@ -217,12 +218,12 @@ impl World {
     }
 
     /// Half a kick by the forces between bodies and panels over an outer step of `dt` [s].
-    fn half_kick(&mut self, dt: f64, asleep: &[bool]) {
+    fn half_kick(&mut self, time: f64, dt: f64, asleep: &[bool]) {
         for (body, _) in self.bodies.iter_mut().zip(asleep).filter(|(_, asleep)| !**asleep) {
             body.kick(0.5 * dt);
         }
         for (panel, &lift) in self.panels.iter_mut().zip(&self.lifts) {
-            panel.kick(0.5 * dt, lift, self.gravity.y);
+            panel.kick(0.5 * dt, lift, self.gravity.at(time).y);
         }
     }
 
@@ -245,7 +246,7 @@ impl World {
             }
             // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the contact
             // takes no energy.
-            self.half_kick(outer_dt, &asleep);
+            self.half_kick(time, outer_dt, &asleep);
             for panel in &mut self.panels {
                 panel.drift(time, outer_dt);
             }
@@ -265,8 +266,9 @@ impl World {
                     }
                 });
             }
-            self.evaluate_contact(self.time_at(outer + 1));
-            self.half_kick(outer_dt, &asleep);
+            let end = self.time_at(outer + 1);
+            self.evaluate_contact(end);
+            self.half_kick(end, outer_dt, &asleep);
         }
         self.frame += 1;
         let time = self.time();

@@ -135,7 +135,7 @@ fn stiffness(ui: &mut Ui, fibre: &mut Fibre, material: &Material) {
 /// This rigidity, entered as before.
 fn with_rigidity(before: &Stiffness, ea: f64, ei: f64, volume: f64) -> Stiffness {
     match before {
-        Stiffness::Rigidity(old) => Stiffness::Rigidity(Rigidity { ea, ei, extra: old.extra.clone() }),
+        Stiffness::Rigidity(old) => Stiffness::Rigidity(Rigidity { ea, ei, ..old.clone() }),
         Stiffness::Paper(old) => {
             Stiffness::Paper(PaperStiffness { kb: 2.0 * ei / volume, ks: 0.5 * ea, extra: old.extra.clone() })
         }

@@ -89,6 +89,8 @@ fn a_report_has_every_field() {
         "contact",
         "gravity",
         "grab",
+        "twisting",
+        "activation",
     ];
     assert_eq!(members(&body["energy"]), BTreeSet::from(energies));
     assert_eq!((&report["scene"], &body["kind"]), (&json!("Pressed block"), &json!("fibre_solid")));

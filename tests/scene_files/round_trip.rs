@@ -30,6 +30,9 @@ fn unknown_fields_are_kept_and_listed_everywhere() {
                             | "stiffness"
                             | "select"
                             | "motion"
+                            | "drive"
+                            | "gravity_drive"
+                            | "pressure_drive"
                             | "distance"
                             | "inner_offset"
                             | "kind"
@@ -107,6 +110,35 @@ fn extra() -> impl Strategy<Value = Extra> {
     proptest::collection::btree_map("x[\\PC]{0,5}", value, 0..2)
 }
 
+fn drive() -> impl Strategy<Value = Drive> {
+    let between = prop_oneof![Just(Interpolation::Stepped), Just(Interpolation::Linear), Just(Interpolation::Smooth)];
+    let after = prop_oneof![Just(AfterLast::Hold), Just(AfterLast::Repeat), Just(AfterLast::Mirror)];
+    let keys = (vec((0.0..=1.0, extra()), 2..4), between, after, extra()).prop_map(|(keys, between, after, extra)| {
+        let keys = keys.into_iter().enumerate();
+        let keys = keys.map(|(time, (value, extra))| DriveKey { time: time as f64 / 3.0, value, extra }).collect();
+        Drive::Keyframes(DriveKeys { keys, between, after, extra })
+    });
+    let wave = (above_zero(), number(), proptest::option::of(1e-6..1e6), above_zero(), extra()).prop_map(
+        |(period, phase_degrees, wavelength, start, extra)| {
+            Drive::Wave(Wave { period, phase_degrees, wavelength, start, extra, ..Wave::new(1.0) })
+        },
+    );
+    prop_oneof![(0.0..=1.0).prop_map(Drive::Constant), keys, wave, Just(Drive::Shared("shared".to_owned()))]
+}
+
+fn activation() -> impl Strategy<Value = Activation> {
+    let curl = (number(), direction(), extra()).prop_map(|(degrees_per_metre, axis, extra)| Curl {
+        degrees_per_metre,
+        axis,
+        extra,
+    });
+    let muscle =
+        (above_zero(), 0.1..=1.0, extra()).prop_map(|(force, width, extra)| MusclePull { force, width, extra });
+    (drive(), -0.5..=0.8, proptest::option::of(curl), proptest::option::of(muscle), extra()).prop_map(
+        |(drive, contract, curl, muscle, extra)| Activation { drive, contract, curl, muscle, twist: None, extra },
+    )
+}
+
 fn motion() -> impl Strategy<Value = Motion> {
     let easing = || prop_oneof![Just(Easing::Linear), Just(Easing::Smooth)];
     let distance = prop_oneof![number().prop_map(Distance::Metres), number().prop_map(Distance::Fraction)];
@@ -167,6 +199,7 @@ fn fibre() -> impl Strategy<Value = Fibre> {
         (above_zero(), above_zero(), extra()).prop_map(|(ea, ei, extra)| Stiffness::Rigidity(Rigidity {
             ea,
             ei,
+            gj: 0.0,
             extra
         })),
         (above_zero(), above_zero(), extra()).prop_map(|(kb, ks, extra)| Stiffness::Paper(PaperStiffness {
@@ -179,8 +212,9 @@ fn fibre() -> impl Strategy<Value = Fibre> {
         (proptest::option::of(1.0..=180.0), proptest::option::of(above_zero()), extra())
             .prop_map(|(angle, tension, extra)| BreakPast { angle, tension, extra }),
     );
-    (any::<String>(), look(), source, stiffness, 0.0..=1.0, past, extra()).prop_map(
-        |(name, (hidden, color), source, stiffness, share, past, extra)| Fibre {
+    let acts = (past, proptest::option::of(activation()));
+    (any::<String>(), look(), source, stiffness, 0.0..=1.0, acts, extra()).prop_map(
+        |(name, (hidden, color), source, stiffness, share, (past, activation), extra)| Fibre {
             id: "fibre".to_owned(),
             name,
             hidden,
@@ -190,6 +224,7 @@ fn fibre() -> impl Strategy<Value = Fibre> {
             volume_fraction: share,
             rest_shape: RestShape::Straight,
             break_past: past,
+            activation,
             extra,
         },
     )
@@ -246,6 +281,7 @@ fn body() -> impl Strategy<Value = Body> {
             integrator: IntegratorKind::Midpoint.into(),
             initial,
             impulses: Vec::new(),
+            drives: vec![SharedDrive::new("shared", Wave::new(0.7).with_wavelength(0.1))],
             fibres: vec![fibre],
             paint,
             regions: vec![Region { id: "region".to_owned(), select, extra: Extra::new() }],

@@ -37,6 +37,8 @@ fn schema_refuses_wrong_types() {
         ("/bodies/0/material/mass", json!({"density": 1.0, "per_particle": 1.0})),
         ("/bodies/0/hidden", json!(1)),
         ("/bodies/0/paint/0/radius", json!("wide")),
+        ("/bodies/0/drives/0/drive", json!({"constant": 1, "wave": {"period": 1}})),
+        ("/bodies/0/fibres/0/activation/contract", json!("much")),
         ("/bodies/0/fibres/0/color", json!([0, 128, 256])),
         ("/two_layer/0/color", json!("red")),
         ("/bodies/0/integrator", json!("symplectic")),

@@ -57,6 +57,7 @@ fn layers(at: &At<'_>, measure: &Measure, body: &TwoLayer) -> Checked {
 fn kind(at: &At<'_>, measure: &Measure, regions: &Ids<'_>) -> Checked {
     let (name, region, against, axis) = match &measure.kind {
         MeasureKind::MeanDisplacement(of) => ("mean_displacement", &of.region, None, None),
+        MeasureKind::Advance(of) => ("advance", &of.region, None, Some(("along", &of.along))),
         MeasureKind::TipDisplacement(of) => ("tip_displacement", &of.region, None, None),
         MeasureKind::HeightLoss(of) => ("height_loss", &of.region, Some(&of.against), None),
         MeasureKind::Twist(of) => ("twist", &of.region, Some(&of.against), Some(("axis", &of.axis))),

@@ -5,6 +5,7 @@
 
 mod bodies;
 mod check;
+mod drives;
 mod error;
 mod measure;
 mod parts;
@@ -14,7 +15,7 @@ mod two_layer;
 pub use error::SceneError;
 pub(crate) use error::{brief, one_line};
 
-use super::{Automatic, Manual, Panel, PanelMotion, Room, SCENE_VERSION, Scene, Time, TimeStep};
+use super::{Automatic, Manual, Panel, PanelDrive, PanelMotion, Room, SCENE_VERSION, Scene, Time, TimeStep, Wind};
 use check::{
     At, Checked, Ids, finite, fraction, increasing, not_negative, number, ordered, positive, require, vector, within,
 };
@@ -40,12 +41,27 @@ impl Scene {
             || format!("give {SCENE_VERSION}"),
         )?;
         vector(&root.field("gravity"), &self.gravity, "m/s²")?;
+        if let Some(drive) = &self.gravity_drive {
+            drives::of_scene(&root.field("gravity_drive"), drive)?;
+        }
+        if let Some(of) = &self.wind {
+            wind(&root.field("wind"), of)?;
+        }
         room(&root.field("room"), &self.room)?;
         panels(&root.field("panels"), &self.panels)?;
         time(&root.field("time"), &self.time)?;
         let bodies = bodies::bodies(&root, self)?;
         measure::measures(&root.field("measures"), self, &bodies)
     }
+}
+
+fn wind(at: &At<'_>, wind: &Wind) -> Checked {
+    vector(&at.field("velocity"), &wind.velocity, "m/s")?;
+    if let Some(drive) = &wind.drive {
+        drives::of_scene(&at.field("drive"), drive)?;
+    }
+    not_negative(&at.field("density"), wind.density, "kg/m³")?;
+    not_negative(&at.field("drag"), wind.drag, "")
 }
 
 fn room(at: &At<'_>, room: &Room) -> Checked {
@@ -78,12 +94,20 @@ fn panels(at: &At<'_>, panels: &[Panel]) -> Checked {
         }
         positive(&at.field("mass"), panel.mass, "kg")?;
         not_negative(&at.field("friction"), panel.friction, "")?;
-        if let PanelMotion::Driven(keys) = &panel.motion {
-            let at = at.field("motion");
-            let at = at.field("driven");
-            increasing(&at, keys.iter().map(|key| key.time))?;
-            for (index, key) in keys.iter().enumerate() {
-                finite(&at.item(index).field("height"), key.height, "m")?;
+        let at = at.field("motion");
+        match &panel.motion {
+            PanelMotion::Falls => {}
+            PanelMotion::Driven(keys) => {
+                let at = at.field("driven");
+                increasing(&at, keys.iter().map(|key| key.time))?;
+                for (index, key) in keys.iter().enumerate() {
+                    finite(&at.item(index).field("height"), key.height, "m")?;
+                }
+            }
+            PanelMotion::Follows(PanelDrive { drive, travel, .. }) => {
+                let at = at.field("follows");
+                drives::of_scene(&at.field("drive"), drive)?;
+                finite(&at.field("travel"), *travel, "m")?;
             }
         }
     }

@@ -1,8 +1,10 @@
 //! Checks of what bodies of both kinds have.
 
 use super::check::{At, Checked, Ids, direction, finite, increasing, not_negative, number, positive, require, vector};
+use super::drives::still;
 use crate::scene::{
     Distance, Impulse, Initial, MAX_PARTICLES, ModelFile, Motion, Pin, Placement, Region, Rotation, Selector,
+    SharedDrive,
 };
 use glam::DVec3;
 
@@ -67,14 +69,14 @@ pub(super) fn impulses(at: &At<'_>, impulses: &[Impulse], regions: &Ids<'_>) -> 
 }
 
 /// The pins of the body here.
-pub(super) fn pins(at: &At<'_>, all: &[Pin], regions: &Ids<'_>) -> Checked {
+pub(super) fn pins(at: &At<'_>, all: &[Pin], regions: &Ids<'_>, drives: &[SharedDrive]) -> Checked {
     let mut ids = Ids::of("pin");
     for (index, one) in all.iter().enumerate() {
         let at = at.field("pins");
         let at = at.item(index);
         ids.add(&at.field("id"), &one.id)?;
         regions.resolve(&at.field("region"), &one.region)?;
-        pin(&at, one)?;
+        pin(&at, one, drives)?;
     }
     Ok(())
 }
@@ -109,7 +111,7 @@ fn selector(at: &At<'_>, selector: &Selector) -> Checked {
     }
 }
 
-fn pin(at: &At<'_>, pin: &Pin) -> Checked {
+fn pin(at: &At<'_>, pin: &Pin, drives: &[SharedDrive]) -> Checked {
     require(
         &at.field("axes"),
         &pin.axes,
@@ -138,6 +140,16 @@ fn pin(at: &At<'_>, pin: &Pin) -> Checked {
             finite(&at.field("degrees"), turn.degrees, "degrees")?;
             not_negative(&at.field("start"), turn.start, "s")?;
             positive(&at.field("duration"), turn.duration, "s")
+        }
+        Motion::Driven(driven) => {
+            let at = at.field("driven");
+            still(&at.field("drive"), &driven.drive, drives)?;
+            vector(&at.field("offset"), &driven.offset, "m")?;
+            let Some(turn) = &driven.turn else { return Ok(()) };
+            let at = at.field("turn");
+            direction(&at.field("axis"), &turn.axis)?;
+            turn.origin.map_or(Ok(()), |origin| vector(&at.field("origin"), &origin, "m"))?;
+            finite(&at.field("degrees"), turn.degrees, "degrees")
         }
         Motion::Keyframes(keys) => {
             let at = at.field("keyframes");

@@ -1,6 +1,7 @@
 //! Checks of the fibre solids: shape, material, fibres, paint.
 
 use super::check::{At, Checked, Ids, fraction, not_negative, positive, require, vector, within};
+use super::drives;
 use super::parts::{impulses, initial, model_file, pins, placement, regions, rotation};
 use super::{SceneError, brief};
 use crate::geometry::lattice::points_looked_at;
@@ -29,6 +30,7 @@ pub(super) fn solid(at: &At<'_>, body: &Body, before: f64) -> Result<f64, SceneE
     placement(&at.field("placement"), &body.placement)?;
     material(&at.field("material"), &body.material)?;
     let particles = count(at, body, before)?;
+    drives::integrator(&at.field("integrator"), body)?;
     initial(&at.field("initial"), &body.initial)?;
     parts(at, body)?;
     Ok(particles)
@@ -112,15 +114,19 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
     let mut known = Ids::of("region");
     regions(at, &body.regions, &mut known)?;
     impulses(at, &body.impulses, &known)?;
+    drives::shared(at, &body.drives)?;
     let mut fibres = Ids::of("fibre");
     for (index, one) in body.fibres.iter().enumerate() {
         let at = at.field("fibres");
         let at = at.item(index);
         fibres.add(&at.field("id"), &one.id)?;
         fibre(&at, one)?;
+        if let Some(activation) = &one.activation {
+            drives::activation(&at.field("activation"), (activation, &one.stiffness), &body.drives)?;
+        }
     }
     paint(&at.field("paint"), &body.paint)?;
-    pins(at, &body.pins, &known)
+    pins(at, &body.pins, &known, &body.drives)
 }
 
 fn paint(at: &At<'_>, paint: &[Dab]) -> Checked {
@@ -141,8 +147,8 @@ fn fibre(at: &At<'_>, fibre: &Fibre) -> Checked {
     source(&at.field("source"), &fibre.source)?;
     let stiffness = at.field("stiffness");
     let (kind, values) = match &fibre.stiffness {
-        Stiffness::Rigidity(of) => ("rigidity", [("ea", of.ea, "N"), ("ei", of.ei, "N m²")]),
-        Stiffness::Paper(of) => ("paper", [("kb", of.kb, ""), ("ks", of.ks, "")]),
+        Stiffness::Rigidity(of) => ("rigidity", vec![("ea", of.ea, "N"), ("ei", of.ei, "N m²"), ("gj", of.gj, "N m²")]),
+        Stiffness::Paper(of) => ("paper", vec![("kb", of.kb, ""), ("ks", of.ks, "")]),
     };
     for (name, value, unit) in values {
         not_negative(&stiffness.field(kind).field(name), value, unit)?;

@@ -1,6 +1,7 @@
 //! Checks of the two-layer bodies.
 
 use super::check::{At, Checked, Ids, finite, not_negative, number, ordered, positive, require, vector};
+use super::drives;
 use super::parts::{impulses, initial, model_file, pins, placement, regions};
 use crate::scene::{InnerOffset, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
 
@@ -24,7 +25,8 @@ pub(super) fn two_layer(at: &At<'_>, body: &TwoLayer) -> Checked {
         positive(&at.field("mass"), of.mass, "kg")?;
     }
     impulses(at, &body.impulses, &known)?;
-    pins(at, &body.pins, &known)?;
+    drives::shared(at, &body.drives)?;
+    pins(at, &body.pins, &known, &body.drives)?;
     for (index, drag) in body.drags.iter().enumerate() {
         let at = at.field("drags");
         let at = at.item(index);
@@ -91,6 +93,9 @@ fn parameters(at: &At<'_>, body: &TwoLayer) -> Checked {
         ("air_drag", body.air_drag, "1/s"),
     ] {
         not_negative(&at.field(name), value, unit)?;
+    }
+    if let Some(drive) = &body.pressure_drive {
+        drives::not_below_zero(&at.field("pressure_drive"), drive, &body.drives)?;
     }
     positive(&at.field("mass"), body.mass, "kg")?;
     body.inner_mass.map_or(Ok(()), |mass| positive(&at.field("inner_mass"), mass, "kg"))?;

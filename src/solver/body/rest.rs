@@ -39,7 +39,8 @@ impl Body {
             return true;
         }
         let is_eased = room_contact(&self.parts.forces).is_some_and(|contact| contact.end() > time);
-        if is_eased || self.parts.constraints.iter().any(|constraint| constraint.motion.end() > time) {
+        let is_driven = self.parts.forces.iter().any(|force| force.driven_until() > time);
+        if is_eased || is_driven || self.parts.constraints.iter().any(|constraint| constraint.motion.end() > time) {
             return false;
         }
         let mut free: Vec<DVec3> = (0..self.net.len()).map(|i| self.net_force(i)).collect();

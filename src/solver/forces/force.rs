@@ -43,6 +43,11 @@ pub trait Force: Any + Send + Sync {
         f64::INFINITY
     }
 
+    /// Until when [s] a prescribed change in time goes on; the body is not at rest before.
+    fn driven_until(&self) -> f64 {
+        0.0
+    }
+
     /// What is wrong with a state, where the force has no meaning in it; the body is stopped then.
     fn fault(&self, _state: &ParticleState) -> Option<&'static str> {
         None
@@ -71,6 +76,12 @@ pub trait Force: Any + Send + Sync {
     /// that of the value itself; one with lists of its own adds them.
     fn bytes(&self) -> usize {
         size_of_val(self)
+    }
+
+    /// A copy that resists every move from the start as much as the force ever does, with what drives it at its greatest or
+    /// at its least: what the stable step is measured with.
+    fn clone_at_extreme(&self, _greatest: bool) -> Box<dyn Force> {
+        self.clone_box()
     }
 
     /// A copy in a box; bodies are cloned to be replayed or probed. It gives the same forces from here on, bit for bit:

@@ -1,6 +1,7 @@
 //! Pressure of enclosed gas: the two-layer paper's, with the signed volume in place of a bounding box.
 
 use super::force::Force;
+use crate::solver::drive::{Drive, DriveWork};
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
@@ -76,23 +77,38 @@ pub(crate) struct Pressure {
     pub surfaces: Vec<(Surface, f64)>,
     /// A pressure [Pa] that stays whatever the volume.
     frozen: Option<f64>,
+    /// What nRT is multiplied by, if anything.
+    drive: Option<Drive>,
+    work: DriveWork,
 }
 
 impl Pressure {
     /// Gas of `energy_scale` nRT [J] between these surfaces.
     pub(crate) fn new(energy_scale: f64, surfaces: Vec<(Surface, f64)>) -> Self {
-        Self { energy_scale, surfaces, frozen: None }
+        Self { energy_scale, surfaces, frozen: None, drive: None, work: DriveWork::default() }
     }
 
-    /// Keeps the pressure from here on as it is at `positions` [m]: particles feel only those beside them then.
-    pub(crate) fn freeze(&mut self, positions: &[DVec3]) {
-        self.frozen = Some(self.pressure(positions));
+    /// The same gas, nRT times a drive.
+    pub(crate) fn driven(self, drive: Option<Drive>) -> Self {
+        Self { drive, ..self }
     }
 
-    /// The pressure [Pa]. Inside out there is none that means anything, and a body that ends a step so is stopped.
-    fn pressure(&self, positions: &[DVec3]) -> f64 {
+    /// Keeps the pressure from here on as it is at a time [s] at `positions` [m]: particles feel only those beside them then.
+    pub(crate) fn freeze(&mut self, time: f64, positions: &[DVec3]) {
+        self.frozen = Some(self.pressure(time, positions));
+    }
+
+    /// The pressure [Pa] at a time [s]. Inside out there is none that means anything, and a body that ends a step so is
+    /// stopped.
+    fn pressure(&self, time: f64, positions: &[DVec3]) -> f64 {
         let volume = self.volume(positions);
-        self.frozen.unwrap_or(if volume > 0.0 { self.energy_scale / volume } else { 0.0 })
+        let scale = self.drive.as_ref().map_or(self.energy_scale, |drive| drive.at(time).0 * self.energy_scale);
+        self.frozen.unwrap_or(if volume > 0.0 { scale / volume } else { 0.0 })
+    }
+
+    /// Energy [J] of the gas that is not driven.
+    fn energy(&self, state: &ParticleState) -> f64 {
+        -(self.energy_scale * self.volume(&state.positions).ln())
     }
 
     /// Volume of the gas [m³], or area [m²].
@@ -102,15 +118,21 @@ impl Pressure {
 }
 
 impl Force for Pressure {
-    fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        let pressure = self.pressure(&state.positions);
+    fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
+        if let Some(drive) = &self.drive {
+            let mut work = self.work;
+            work.begin(drive.at(time).0, || self.energy(state));
+            self.work = work;
+        }
+        let pressure = self.pressure(time, &state.positions);
         for (surface, sign) in &self.surfaces {
             surface.add_gradient(&state.positions, sign * pressure, forces);
         }
     }
 
-    fn add_energy(&self, _time: f64, state: &ParticleState, energies: &mut Energies) {
-        energies.pressure -= self.energy_scale * self.volume(&state.positions).ln();
+    fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
+        energies.pressure += self.drive.as_ref().map_or(1.0, |drive| drive.at(time).0) * self.energy(state);
+        energies.activation -= self.work.done;
     }
 
     fn couplings(&self) -> Vec<Vec<u32>> {
@@ -128,8 +150,34 @@ impl Force for Pressure {
         inside_out.then_some("its volume fell to zero: it is turned inside out")
     }
 
+    fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
+        if let Some(drive) = &self.drive {
+            let (value, energy) = (drive.at(time).0, self.energy(state));
+            self.work.book(value, energy);
+        }
+        false
+    }
+
+    fn adopt(&mut self, before: &[Box<dyn Force>]) {
+        let gases = before.iter().filter_map(|force| force.downcast_ref::<Self>());
+        // Gas in both layers counts as two.
+        if let Some(before) = gases.into_iter().find(|gas| gas.surfaces == self.surfaces) {
+            self.work.adopt(&before.work);
+        }
+    }
+
     fn changes_until(&self) -> f64 {
-        0.0
+        self.drive.as_ref().map_or(0.0, Drive::until)
+    }
+
+    fn driven_until(&self) -> f64 {
+        self.changes_until()
+    }
+
+    fn clone_at_extreme(&self, greatest: bool) -> Box<dyn Force> {
+        let of = |drive: &Drive| Drive::Constant(if greatest { drive.greatest() } else { drive.least() });
+        let drive = self.drive.as_ref().map(of);
+        Box::new(Self { drive, ..self.clone() })
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

@@ -100,7 +100,7 @@ impl Chord {
         for force in &mut forces {
             // Gas ties every particle of its surface to every other: what its pressure gains is left to the iteration.
             if let Some(gas) = force.downcast_mut::<Pressure>() {
-                gas.freeze(&at.positions);
+                gas.freeze(time, &at.positions);
             }
         }
         let stiffness = Stiffness::around(&forces, &at, time, SMALL * dynamics.reach);

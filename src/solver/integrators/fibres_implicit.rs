@@ -62,7 +62,8 @@ impl Carried {
         let mut inverse_masses: Vec<DVec3> = state.masses.iter().map(|mass| DVec3::splat(1.0 / mass)).collect();
         dynamics.mask(&mut inverse_masses);
         dynamics.constrain(time, state);
-        let fibres = dynamics.fibres()?;
+        // Drives and twist are leap-frog's.
+        let fibres = dynamics.fibres().filter(|fibres| fibres.takes_implicit_steps())?;
         let mut forces = vec![DVec3::ZERO; state.len()];
         fibres.evaluate_at(&state.positions, &mut forces);
         let implicit = ImplicitFibres::new(fibres, &inverse_masses);

@@ -9,7 +9,7 @@ impl World {
     /// go on themselves (by the index of each in the world before) a touch is the motion's own.
     pub(super) fn ease_apart(&mut self, before: Option<(&Self, &[Option<usize>])>) {
         let time = self.time();
-        let gravity = self.gravity;
+        let gravity = self.gravity.at(self.time());
         let old = |body: usize| before.and_then(|(world, goes_on)| Some((world, goes_on[body]?)));
         let mut overlaps = Vec::new();
         let mut eased = Eased::default();

@@ -26,6 +26,8 @@ pub struct Example {
 pub enum Group {
     /// What to see first.
     Start,
+    /// Fibres that act.
+    Alive,
     /// The fibre paper.
     Fibres,
     /// The two-layer paper.
@@ -34,12 +36,13 @@ pub enum Group {
 
 impl Group {
     /// All groups in their order.
-    pub const ALL: [Self; 3] = [Self::Start, Self::Fibres, Self::TwoLayer];
+    pub const ALL: [Self; 4] = [Self::Start, Self::Alive, Self::Fibres, Self::TwoLayer];
 
     /// What it is called.
     pub fn title(self) -> &'static str {
         match self {
             Self::Start => "Start",
+            Self::Alive => "Fibres that act",
             Self::Fibres => "Fibres",
             Self::TwoLayer => "Two-layer bodies",
         }

@@ -1,5 +1,6 @@
 //! The force of all fibres of a body, evaluated together.
 
+use super::activity::{Activity, Now};
 use super::breaking::{Breakage, FibreBreak};
 use super::corner::{Corner, straight_energy};
 use super::fibre_embedding::FibreEmbedding;
@@ -25,7 +26,11 @@ pub struct FibreForce {
     level: Level,
     /// Last turn at every bend of every fibre, the warm start of the next.
     pub(super) turns: Vec<DQuat>,
+    /// The same at every vertex of every fibre that resists twist.
+    ends: Vec<DQuat>,
     pub(super) broken: Breakage,
+    /// Of what drives do; untouched where none does.
+    pub(super) activity: Activity,
     /// Follows from all that is above.
     workspace: Scratch<Option<Workspace>>,
 }
@@ -36,6 +41,8 @@ struct Workspace {
     rods: PackedRods,
     /// Positions of the strip's particles [m].
     positions: Vec<BlockVectors>,
+    /// Curvature binormal at rest of every curved bend, model frame.
+    binormals: Vec<DVec3>,
     /// What turns every curved bend's particles, by the components of `om_k Z_k` [N m].
     spins: [SoaVectors; 3],
 }
@@ -53,7 +60,8 @@ impl Workspace {
             first_edge += edges;
         }
         let spins = [0, 1, 2].map(|_| zeros(embedding.curved.len()));
-        Self { rods, positions: vec![BlockVectors::default(); embedding.strip.len()], spins }
+        let binormals = embedding.curved.iter().map(|bend| bend.binormal).collect();
+        Self { rods, positions: vec![BlockVectors::default(); embedding.strip.len()], binormals, spins }
     }
 }
 
@@ -65,21 +73,111 @@ impl FibreForce {
             embedding: Arc::new(FibreEmbedding::new(&fibres)),
             level: Level::new(),
             turns: vec![orientation; bends],
+            ends: vec![orientation; fibres.iter().map(FibreRest::twisted_ends).sum()],
             broken: Breakage::none(&fibres),
+            activity: Activity::default(),
             workspace: Scratch::default(),
             fibres,
         }
     }
 
+    /// Whether any of them is driven.
+    pub(crate) fn is_driven(&self) -> bool {
+        self.fibres.iter().any(|fibre| fibre.activation.is_some())
+    }
+
+    /// Whether all that they do can be stepped implicitly: nothing is driven or resists twist.
+    pub(crate) fn takes_implicit_steps(&self) -> bool {
+        self.fibres.iter().all(|fibre| fibre.activation.is_none() && fibre.twist.is_none())
+    }
+
+    fn now<'a>(&'a self, time: f64, positions: &'a [DVec3]) -> Now<'a> {
+        Now { fibres: &self.fibres, turns: &self.turns, ends: &self.ends, time, positions }
+    }
+
+    /// Makes the fibres rest as their drives have it at `time` [s].
+    fn follow(&mut self, time: f64, positions: &[DVec3]) {
+        let mut activity = std::mem::take(&mut self.activity);
+        activity.begin(self.now(time, positions));
+        self.activity = activity;
+        let Self { fibres, embedding, broken, workspace, .. } = self;
+        let Workspace { rods, binormals, .. } =
+            workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, broken));
+        let (mut first, mut curved) = (0, 0);
+        for fibre in fibres.iter() {
+            let bends = (0..fibre.bends.len()).filter(|&k| fibre.bends[k].curved.is_some());
+            if let Some(activation) = &fibre.activation {
+                let length = fibre.lengths_at(time);
+                (0..fibre.edges.len()).for_each(|k| rods.rest_at(first + k, length(k)));
+                if activation.curls() {
+                    let binormal = fibre.binormals_at(time);
+                    bends.clone().zip(&mut binormals[curved..]).for_each(|(k, rest)| *rest = binormal(k));
+                }
+            }
+            first += fibre.vertices.len();
+            curved += bends.count();
+        }
+    }
+
+    /// Adds the pull of muscles [N] to the gradients by the edges.
+    fn pull(fibres: &[FibreRest], broken: &Breakage, time: f64, rods: &mut PackedRods) {
+        let (mut first, mut first_edge) = (0, 0);
+        for fibre in fibres {
+            if let Some((muscle, excited)) = fibre.activation.as_ref().and_then(|of| of.excitations(time)) {
+                for (k, &(_, drawn)) in fibre.edges.iter().enumerate().filter(|(k, _)| !broken.edges[first_edge + k]) {
+                    let edge = rods.edge(first + k);
+                    let pull = muscle.pull(excited(k), edge.length / drawn);
+                    rods.add(first + k, (pull * edge.tangent, DVec3::ZERO));
+                }
+            }
+            first += fibre.vertices.len();
+            first_edge += fibre.edges.len();
+        }
+    }
+
+    /// Energy of twist [J] of particles at `positions` [m].
+    fn twisting_energy(&self, time: f64, positions: &[DVec3]) -> f64 {
+        let (mut energy, mut first_edge, mut first_end) = (0.0, 0, 0);
+        for fibre in self.fibres.iter() {
+            if let Some(twist) = &fibre.twist {
+                let wanted = fibre.twists_at(time);
+                let angles = twist.angles(positions, &self.ends[first_end..]);
+                for (k, (edge, angle)) in twist.edges.iter().zip(angles).enumerate() {
+                    if !self.broken.edges[first_edge + k] {
+                        energy += 0.5 * edge.stiffness * (angle - wanted(k)).powi(2);
+                    }
+                }
+            }
+            first_edge += fibre.edges.len();
+            first_end += fibre.twisted_ends();
+        }
+        energy
+    }
+
+    /// Adds what twisted fibres do to particles at `positions` [m].
+    fn add_twists(&mut self, time: f64, positions: &[DVec3], forces: &mut [DVec3]) {
+        let (mut first_edge, mut first_end) = (0, 0);
+        for fibre in self.fibres.iter() {
+            if let Some(twist) = &fibre.twist {
+                let wanted = fibre.twists_at(time);
+                let at_rest = |k: usize| (!self.broken.edges[first_edge + k]).then(|| wanted(k));
+                let warm = &mut self.ends[first_end..first_end + twist.len()];
+                twist.add_forces(at_rest, positions, warm, forces);
+            }
+            first_edge += fibre.edges.len();
+            first_end += fibre.twisted_ends();
+        }
+    }
+
     /// Adds the forces [N] on particles at `positions` [m] to `forces`.
     pub(in crate::solver) fn evaluate_at(&mut self, positions: &[DVec3], forces: &mut [DVec3]) {
-        dispatch!(self.level, simd => self.evaluate(simd, positions, forces));
+        dispatch!(self.level, simd => self.evaluate(simd, None, positions, forces));
     }
 
     #[inline(always)]
-    fn evaluate<S: Simd>(&mut self, simd: S, positions: &[DVec3], forces: &mut [DVec3]) {
+    fn evaluate<S: Simd>(&mut self, simd: S, driven: Option<f64>, positions: &[DVec3], forces: &mut [DVec3]) {
         let Self { fibres, embedding, broken, turns, workspace, .. } = self;
-        let Workspace { rods, positions: blocks, spins } =
+        let Workspace { rods, positions: blocks, binormals, spins } =
             workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, broken));
         let FibreEmbedding { strip, vertices, turns: turning, curved } = &**embedding;
         strip.fill(simd, positions, blocks);
@@ -88,14 +186,17 @@ impl FibreForce {
             rods.put(vertex, at);
         }
         rods.compute_gradients(simd);
-        for (k, rest) in curved.iter().enumerate() {
+        if let Some(time) = driven {
+            Self::pull(fibres, broken, time, rods);
+        }
+        for (k, (rest, &binormal)) in curved.iter().zip(&*binormals).enumerate() {
             let corner = if broken.bends[rest.bend] { None } else { rods.corner(rest.corner) };
             let by_axis = if let Some(corner) = corner {
                 let [x, y, z] = turning.gather(simd, k, blocks);
                 let (r, stretch) = polar(DMat3::from_cols(x, y, z), &mut turns[rest.bend]);
-                let gradient = 2.0 * rest.stiffness * (corner.binormal() - r * rest.binormal);
+                let gradient = 2.0 * rest.stiffness * (corner.binormal() - r * binormal);
                 rods.add(rest.corner, corner.curved_gradients(gradient));
-                material_spin(r, stretch, rest.binormal, gradient)
+                material_spin(r, stretch, binormal, gradient)
             } else {
                 [DVec3::ZERO; 3]
             };
@@ -116,21 +217,37 @@ impl FibreForce {
 }
 
 impl Force for FibreForce {
-    fn add_forces(&mut self, _time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        self.evaluate_at(&state.positions, forces);
+    fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
+        let positions = &state.positions;
+        let driven = self.is_driven();
+        if driven {
+            self.follow(time, positions);
+        }
+        dispatch!(self.level, simd => self.evaluate(simd, driven.then_some(time), positions, forces));
+        if !self.ends.is_empty() {
+            self.add_twists(time, positions, forces);
+        }
     }
 
-    fn add_energy(&self, _time: f64, state: &ParticleState, energies: &mut Energies) {
+    fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
         let mut turns = self.turns.iter().zip(&self.broken.bends);
         let mut edges_broken = self.broken.edges.iter();
+        energies.activation -= self.activity.work;
         for fibre in self.fibres.iter() {
             let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)).collect();
-            for (k, (&(stiffness, rest_length), &broken)) in fibre.edges.iter().zip(edges_broken.by_ref()).enumerate() {
+            let rest_length = fibre.lengths_at(time);
+            let muscle = fibre.activation.as_ref().and_then(|activation| activation.excitations(time));
+            let binormal = fibre.binormals_at(time);
+            for (k, (&(stiffness, drawn), &broken)) in fibre.edges.iter().zip(edges_broken.by_ref()).enumerate() {
                 if broken {
                     continue;
                 }
-                let stretch = x[k + 1].distance(x[k]) - rest_length;
+                let length = x[k + 1].distance(x[k]);
+                let stretch = length - rest_length(k);
                 energies.stretching += 0.5 * stiffness * stretch * stretch;
+                if let Some((muscle, excited)) = &muscle {
+                    energies.stretching += muscle.energy(excited(k), length / drawn, drawn);
+                }
             }
             for (k, (bend, (turn, &broken))) in fibre.bends.iter().zip(turns.by_ref()).enumerate() {
                 if broken {
@@ -141,11 +258,12 @@ impl Force for FibreForce {
                     None => 4.0 * bend.stiffness * straight_energy(corner.cosine),
                     Some(curved) => {
                         let (r, _) = turn_of_material(&curved.turn, &state.positions, &mut turn.clone());
-                        bend.stiffness * (corner.binormal() - r * curved.binormal).length_squared()
+                        bend.stiffness * (corner.binormal() - r * binormal(k)).length_squared()
                     }
                 };
             }
         }
+        energies.twisting += self.twisting_energy(time, &state.positions);
     }
 
     fn couplings(&self) -> Vec<Vec<u32>> {
@@ -153,17 +271,23 @@ impl Force for FibreForce {
     }
 
     fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
+        if self.is_driven() {
+            let mut activity = std::mem::take(&mut self.activity);
+            activity.book(self.now(time, &state.positions), &self.broken);
+            self.activity = activity;
+        }
         let before = self.broken.breaks.len();
         let (mut first, mut first_bend, mut first_edge) = (0, 0, 0);
         for fibre in self.fibres.iter() {
             if fibre.limits.is_finite() {
                 let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)).collect();
+                let tension = fibre.tensions(&x, time);
                 let pulls = (0..fibre.edges.len())
                     .filter(|k| !self.broken.edges[first_edge + k])
-                    .map(|k| (fibre.tension(&x, k) / fibre.limits.tension, k));
-                let turns = (0..fibre.bends.len())
-                    .filter(|k| !self.broken.bends[first_bend + k])
-                    .map(|k| (fibre.turn(&x, k, &state.positions, self.turns[first_bend + k]) / fibre.limits.angle, k));
+                    .map(|k| (tension(k) / fibre.limits.tension, k));
+                let turns = (0..fibre.bends.len()).filter(|k| !self.broken.bends[first_bend + k]).map(|k| {
+                    (fibre.turn(&x, k, &state.positions, (time, self.turns[first_bend + k])) / fibre.limits.angle, k)
+                });
                 let (pull, turn) = (furthest(pulls), furthest(turns));
                 match (pull, turn) {
                     ((by, k), (less, _)) if by > 1.0 && by >= less => {
@@ -191,6 +315,7 @@ impl Force for FibreForce {
     fn adopt(&mut self, before: &[Box<dyn Force>]) {
         if let Some(before) = before.iter().find_map(|force| force.downcast_ref::<Self>()) {
             self.broken = before.broken.carried([&before.fibres, &self.fibres]);
+            self.activity.adopt(&before.activity);
             self.workspace = Scratch::default();
         }
     }
@@ -204,11 +329,24 @@ impl Force for FibreForce {
     }
 
     fn bytes(&self) -> usize {
-        size_of_val(self) + size_of_val(&*self.turns) + self.broken.bytes()
+        size_of_val(self)
+            + size_of_val(&*self.turns)
+            + size_of_val(&*self.ends)
+            + self.broken.bytes()
+            + self.activity.bytes()
     }
 
     fn changes_until(&self) -> f64 {
-        0.0
+        self.fibres.iter().map(FibreRest::changes_until).fold(0.0, f64::max)
+    }
+
+    fn driven_until(&self) -> f64 {
+        self.changes_until()
+    }
+
+    fn clone_at_extreme(&self, greatest: bool) -> Box<dyn Force> {
+        let fibres = self.fibres.iter().map(|fibre| fibre.at_extreme(greatest)).collect();
+        Box::new(Self { fibres, ..self.clone() })
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

@@ -81,6 +81,12 @@ impl PackedRods {
         }
     }
 
+    /// Gives the edge that begins with a vertex another length at rest [m].
+    pub(super) fn rest_at(&mut self, vertex: usize, length: f64) {
+        let (pack, lane) = self.pack(vertex);
+        pack.rest_lengths.0[lane] = length;
+    }
+
     /// Puts a vertex somewhere [m].
     #[inline(always)]
     pub(super) fn put(&mut self, vertex: usize, at: DVec3) {
@@ -128,13 +134,15 @@ impl PackedRods {
         }
     }
 
+    /// The edge that begins with a vertex, as it stands.
+    pub(super) fn edge(&self, vertex: usize) -> Edge {
+        let (pack, lane) = (&self.packs[vertex / LANES], vertex % LANES);
+        Edge { tangent: vector_of(&pack.tangents, lane), length: pack.lengths.0[lane] }
+    }
+
     /// Corner k as it stands; none if one of its edges has no length.
     pub(super) fn corner(&self, k: usize) -> Option<Corner> {
-        let edge = |k: usize| {
-            let (pack, lane) = (&self.packs[k / LANES], k % LANES);
-            Edge { tangent: vector_of(&pack.tangents, lane), length: pack.lengths.0[lane] }
-        };
-        Corner::between(edge(k), edge(k + 1))
+        Corner::between(self.edge(k), self.edge(k + 1))
     }
 
     /// Adds gradients [N] by both edges of corner k.

@@ -1,8 +1,10 @@
 //! Fibres at rest.
 
+use super::activation::FibreActivation;
 use super::break_limits::BreakLimits;
 use super::corner::{Corner, curvature_binormal};
 use super::material_turn::turn_of_material;
+use super::twist::FibreTwist;
 use crate::solver::embedding::{EmbeddingWeights, TurnWeights};
 use glam::{DQuat, DVec3};
 
@@ -17,6 +19,10 @@ pub struct FibreRest {
     pub bends: Vec<Bend>,
     /// What it stands before it breaks.
     pub limits: BreakLimits,
+    /// How it resists twist; not at all unless given.
+    pub(crate) twist: Option<FibreTwist>,
+    /// What a drive does to it; nothing unless given.
+    pub(crate) activation: Option<FibreActivation>,
     /// Index of the centre line that it is part of, among the body's.
     pub line: u32,
     /// Index on that line of its first vertex.
@@ -92,6 +98,31 @@ impl FibreRest {
         Self { limits, ..self }
     }
 
+    /// The same fibre, which rests straight though its vertices may lie on a bow, and yet knows how the material turns.
+    #[must_use]
+    pub(crate) fn straightened(mut self) -> Self {
+        for bend in &mut self.bends {
+            if let Some(curved) = &mut bend.curved {
+                // What its curvature takes off the stiffness.
+                bend.stiffness *= (1.0 + 0.25 * curved.binormal.length_squared()).powi(2);
+                curved.binormal = DVec3::ZERO;
+            }
+        }
+        self
+    }
+
+    /// The same fibre, which resists twist.
+    #[must_use]
+    pub(crate) fn twisting(self, twist: Option<FibreTwist>) -> Self {
+        Self { twist, ..self }
+    }
+
+    /// The same fibre, driven.
+    #[must_use]
+    pub(crate) fn acting(self, activation: Option<FibreActivation>) -> Self {
+        Self { activation, ..self }
+    }
+
     /// The same fibre as the part of centre line `line` that begins with its vertex `first_vertex`.
     #[must_use]
     pub fn on_line(self, line: u32, first_vertex: u32) -> Self {
@@ -103,6 +134,9 @@ impl FibreRest {
     pub fn scaled(mut self, by: f64) -> Self {
         self.edges.iter_mut().for_each(|(stiffness, _)| *stiffness *= by);
         self.bends.iter_mut().for_each(|bend| bend.stiffness *= by);
+        if let Some(twist) = &mut self.twist {
+            twist.edges.iter_mut().for_each(|edge| edge.stiffness *= by);
+        }
         self
     }
 
@@ -123,7 +157,7 @@ impl FibreRest {
         vertices.chain(curved.flat_map(|(k, rest)| rest.turn.weights.iter().map(move |&(particle, _)| (k, particle))))
     }
 
-    /// The particles around every two vertices of an edge and every three of a bend, with those that turn it.
+    /// The particles around every two vertices of an edge and every three of a bend, with those that turn them.
     pub(super) fn couplings(&self) -> impl Iterator<Item = Vec<u32>> {
         let around = |vertices: &[EmbeddingWeights], turn: &[(u32, DVec3)]| {
             let carried = vertices.iter().flat_map(|vertex| vertex.weights.iter().map(|&(particle, _)| particle));
@@ -132,24 +166,71 @@ impl FibreRest {
         let edges = self.vertices.windows(2).map(move |ends| around(ends, &[]));
         let bends = self.vertices.windows(3).zip(&self.bends);
         let turn_of = |bend: &'_ Bend| bend.curved.as_ref().map_or_else(Vec::new, |curved| curved.turn.weights.clone());
-        edges.chain(bends.map(move |(vertices, bend)| around(vertices, &turn_of(bend))))
+        let twists = self.twist.iter().flat_map(FibreTwist::couplings);
+        edges.chain(bends.map(move |(vertices, bend)| around(vertices, &turn_of(bend)))).chain(twists)
     }
 
-    /// Force [N] that edge `k` carries between vertices at `x`; negative where it is pressed.
-    pub(super) fn tension(&self, x: &[DVec3], k: usize) -> f64 {
-        let (stiffness, rest_length) = self.edges[k];
-        stiffness * (x[k + 1].distance(x[k]) - rest_length)
+    /// The rest lengths of its edges [m] at a time [s].
+    pub(super) fn lengths_at(&self, time: f64) -> impl Fn(usize) -> f64 + '_ {
+        let contracted = self.activation.as_ref().map(|activation| activation.contractions(time));
+        move |edge| {
+            let (_, drawn) = self.edges[edge];
+            contracted.as_ref().map_or(drawn, |contracted| drawn * (1.0 - contracted(edge)))
+        }
+    }
+
+    /// The curvature binormals of its bends at rest at a time [s], model frame.
+    pub(super) fn binormals_at(&self, time: f64) -> impl Fn(usize) -> DVec3 + '_ {
+        let added = self.activation.as_ref().and_then(|activation| activation.binormals(time));
+        move |bend| {
+            let drawn = self.bends[bend].curved.as_ref().map_or(DVec3::ZERO, |curved| curved.binormal);
+            added.as_ref().map_or(drawn, |added| drawn + added(bend))
+        }
+    }
+
+    /// Angles [rad] by which its edges want to be twisted at a time [s].
+    pub(super) fn twists_at(&self, time: f64) -> impl Fn(usize) -> f64 + '_ {
+        let wanted = self.activation.as_ref().map(|activation| activation.twists(time));
+        move |edge| wanted.as_ref().map_or(0.0, |wanted| wanted(edge))
+    }
+
+    /// The same fibre, as stiff as it ever gets while it acts, its drive at its greatest or its least.
+    pub(super) fn at_extreme(&self, greatest: bool) -> Self {
+        let activation = self.activation.as_ref().map(|activation| activation.at_extreme(greatest));
+        Self { activation, ..self.clone() }
+    }
+
+    /// Until when [s] it changes by itself.
+    pub(super) fn changes_until(&self) -> f64 {
+        self.activation.as_ref().map_or(0.0, FibreActivation::until)
+    }
+
+    /// Number of vertices at which the turn of the material is read for its twist.
+    pub(super) fn twisted_ends(&self) -> usize {
+        self.twist.as_ref().map_or(0, FibreTwist::len)
+    }
+
+    /// Force [N] that each edge carries at a time [s] between vertices at `x`; negative where it is pressed.
+    pub(super) fn tensions<'a>(&'a self, x: &'a [DVec3], time: f64) -> impl Fn(usize) -> f64 + 'a {
+        let rest_length = self.lengths_at(time);
+        let muscle = self.activation.as_ref().and_then(|activation| activation.excitations(time));
+        move |k| {
+            let (stiffness, drawn) = self.edges[k];
+            let length = x[k + 1].distance(x[k]);
+            let pull = muscle.as_ref().map_or(0.0, |(muscle, excited)| muscle.pull(excited(k), length / drawn));
+            stiffness * (length - rest_length(k)) + pull
+        }
     }
 
     /// Turn [rad] of bend `k` away from its rest shape, `2 atan(|kb - R_s kb0| / 2)`: the turning angle of eq. 6 itself
     /// where the rest shape is straight.
-    pub(super) fn turn(&self, x: &[DVec3], k: usize, positions: &[DVec3], warm_start: DQuat) -> f64 {
+    pub(super) fn turn(&self, x: &[DVec3], k: usize, positions: &[DVec3], (time, warm_start): (f64, DQuat)) -> f64 {
         let Some(corner) = Corner::at(x, k) else { return 0.0 };
         let across = corner.before.tangent.cross(corner.after.tangent);
         let Some(curved) = &self.bends[k].curved else { return across.length().atan2(corner.cosine) };
         // Not the binormal that is continued beyond a fold: that one falls again as the fibre closes.
         let binormal = 2.0 * across / (1.0 + corner.cosine).max(f64::EPSILON);
         let (r, _) = turn_of_material(&curved.turn, positions, &mut warm_start.clone());
-        2.0 * (0.5 * (binormal - r * curved.binormal).length()).atan()
+        2.0 * (0.5 * (binormal - r * self.binormals_at(time)(k)).length()).atan()
     }
 }

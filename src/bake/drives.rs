@@ -1,0 +1,52 @@
+//! Drives of a scene for the solver.
+
+use crate::scene::{self, AfterLast, DriveKeys, Interpolation, SharedDrive};
+use crate::solver::drive::{After, Between, Drive, Wave};
+use crate::solver::forces::{Flow, FlowSurface};
+use glam::DVec3;
+
+/// A drive beside those that a body shares; one that names none of them does nothing.
+pub(super) fn drive(drive: &scene::Drive, shared: &[SharedDrive]) -> Drive {
+    match drive.resolved(shared) {
+        None | Some(scene::Drive::Shared(_)) => Drive::Constant(0.0),
+        Some(scene::Drive::Constant(value)) => Drive::Constant(*value),
+        Some(scene::Drive::Keyframes(keys)) => keyframes(keys),
+        Some(scene::Drive::Wave(wave)) => Drive::Wave(Wave {
+            mean: wave.mean,
+            amplitude: wave.amplitude,
+            period: wave.period,
+            phase: wave.phase_degrees.to_radians(),
+            wavelength: wave.wavelength,
+            start: wave.start,
+        }),
+    }
+}
+
+/// What a scene's gravity is multiplied by, if anything.
+pub(super) fn gravity(scene: &scene::Scene) -> Option<Drive> {
+    scene.gravity_drive.as_ref().map(|of| drive(of, &[]))
+}
+
+/// The push of a scene's wind on a surface, if there is any.
+pub(super) fn wind(scene: &scene::Scene, surface: FlowSurface) -> Option<Flow> {
+    let wind = scene.wind.as_ref()?;
+    let density = wind.density * wind.drag;
+    let velocity = DVec3::from_array(wind.velocity);
+    (density > 0.0).then(|| Flow::new(velocity, wind.drive.as_ref().map(|of| drive(of, &[])), density, surface))
+}
+
+fn keyframes(keys: &DriveKeys) -> Drive {
+    Drive::Keys {
+        keys: keys.keys.iter().map(|key| (key.time, key.value)).collect(),
+        between: match keys.between {
+            Interpolation::Stepped => Between::Stepped,
+            Interpolation::Linear => Between::Linear,
+            Interpolation::Smooth => Between::Smooth,
+        },
+        after: match keys.after {
+            AfterLast::Hold => After::Hold,
+            AfterLast::Repeat => After::Repeat,
+            AfterLast::Mirror => After::Mirror,
+        },
+    }
+}

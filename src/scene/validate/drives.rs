@@ -1,0 +1,160 @@
+//! Checks of drives, and of what they move.
+
+use super::brief;
+use super::check::{
+    At, Checked, Ids, direction, finite, fraction, increasing, not_negative, number, positive, require,
+};
+use crate::scene::{
+    Activation, AfterLast, Body, Drive, DriveKeys, IntegratorChoice, IntegratorKind, SharedDrive, Stiffness, Wave,
+};
+
+/// Shares by which a fibre may want to be shorter: beyond them its edges turn over or it buckles at once.
+const CONTRACTION: [f64; 2] = [-0.5, 0.8];
+
+/// Checks the drives that a body shares.
+pub(super) fn shared(at: &At<'_>, drives: &[SharedDrive]) -> Checked {
+    let mut ids = Ids::of("drive");
+    for (index, one) in drives.iter().enumerate() {
+        let at = at.field("drives");
+        let at = at.item(index);
+        ids.add(&at.field("id"), &one.id)?;
+        let at = at.field("drive");
+        let own = !matches!(one.drive, Drive::Shared(_));
+        require(&at, &one.drive, own, "only names another drive", || "give it a constant, keyframes or a wave")?;
+        drive(&at, &one.drive, drives)?;
+    }
+    Ok(())
+}
+
+/// Checks a drive beside those that a body shares.
+pub(super) fn drive(at: &At<'_>, drive: &Drive, shared: &[SharedDrive]) -> Checked {
+    match drive {
+        Drive::Constant(value) => finite(&at.field("constant"), *value, ""),
+        Drive::Keyframes(keys) => keyframes(&at.field("keyframes"), keys),
+        Drive::Wave(one) => wave(&at.field("wave"), one),
+        Drive::Shared(id) => {
+            let at = at.field("shared");
+            let known = shared.iter().any(|one| one.id == *id);
+            require(&at, id, known, "is no drive of this body", || {
+                if shared.is_empty() {
+                    return "add it to the body's `drives` first".to_owned();
+                }
+                let names: Vec<String> = shared.iter().map(|one| brief(&one.id)).collect();
+                format!("use one of {}", names.join(", "))
+            })
+        }
+    }
+}
+
+fn keyframes(at: &At<'_>, DriveKeys { keys, after, .. }: &DriveKeys) -> Checked {
+    let list = at.field("keys");
+    increasing(&list, keys.iter().map(|key| key.time))?;
+    for (index, key) in keys.iter().enumerate() {
+        finite(&list.item(index).field("value"), key.value, "")?;
+    }
+    let comes_again = *after == AfterLast::Hold || keys.len() > 1;
+    require(&at.field("after"), after, comes_again, "has one key only to come again to", || "give two keys or more")
+}
+
+fn wave(at: &At<'_>, Wave { mean, amplitude, period, phase_degrees, wavelength, start, .. }: &Wave) -> Checked {
+    finite(&at.field("mean"), *mean, "")?;
+    finite(&at.field("amplitude"), *amplitude, "")?;
+    positive(&at.field("period"), *period, "s")?;
+    finite(&at.field("phase_degrees"), *phase_degrees, "degrees")?;
+    if let Some(wavelength) = wavelength {
+        let at = at.field("wavelength");
+        finite(&at, *wavelength, "m")?;
+        require(
+            &at,
+            wavelength,
+            wavelength.abs() >= 1e-9,
+            "is no length of a wave",
+            || "give a number of metres other than 0, below 0 for a wave that runs the other way",
+        )?;
+    }
+    not_negative(&at.field("start"), *start, "s")
+}
+
+/// Checks a drive of what is no fibre, along which nothing runs.
+pub(super) fn still(at: &At<'_>, of: &Drive, shared: &[SharedDrive]) -> Checked {
+    drive(at, of, shared)?;
+    let wavelength = match of.resolved(shared) {
+        Some(Drive::Wave(wave)) => wave.wavelength,
+        _ => None,
+    };
+    let problem = "runs along fibres, and this is none";
+    require(at, of, wavelength.is_none(), problem, || "leave its wavelength out, or give a drive of its own")
+}
+
+/// Checks a drive of what is no body's.
+pub(super) fn of_scene(at: &At<'_>, of: &Drive) -> Checked {
+    let own = !matches!(of, Drive::Shared(_));
+    let problem = "names a drive that bodies share, and this is no part of a body";
+    require(at, of, own, problem, || "give it a constant, keyframes or a wave")?;
+    still(at, of, &[])
+}
+
+/// Checks a drive that must not fall below zero.
+pub(super) fn not_below_zero(at: &At<'_>, of: &Drive, shared: &[SharedDrive]) -> Checked {
+    still(at, of, shared)?;
+    let [least, _] = of.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+    let problem = format!("falls to {}", number(least));
+    require(at, of, least >= 0.0, &problem, || "keep it from 0 on")
+}
+
+/// Checks how a fibre of this stiffness acts.
+pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness), shared: &[SharedDrive]) -> Checked {
+    drive(&at.field("drive"), &of.drive, shared)?;
+    contraction(&at.field("contract"), of, shared)?;
+    if let Some(curl) = &of.curl {
+        let at = at.field("curl");
+        finite(&at.field("degrees_per_metre"), curl.degrees_per_metre, "degrees/m")?;
+        direction(&at.field("axis"), &curl.axis)?;
+    }
+    if let Some(muscle) = &of.muscle {
+        let place = at.field("muscle");
+        not_negative(&place.field("force"), muscle.force, "N")?;
+        positive(&place.field("width"), muscle.width, "")?;
+        fraction(&place.field("width"), muscle.width)?;
+        let [least, greatest] = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+        let problem = format!("excites a muscle from {} to {}", number(least), number(greatest));
+        let holds = least >= 0.0 && greatest <= 1.0;
+        require(&at.field("drive"), &of.drive, holds, &problem, || "keep it from 0 to 1")?;
+    }
+    let Some(twist) = &of.twist else { return Ok(()) };
+    let at = at.field("twist");
+    let rate = at.field("degrees_per_metre");
+    finite(&rate, twist.degrees_per_metre, "degrees/m")?;
+    let resists = stiffness.twisting() > 0.0;
+    require(
+        &at,
+        twist,
+        resists,
+        "needs a fibre that resists twist",
+        || "give the fibre a `gj` above 0 in its `stiffness/rigidity`",
+    )
+}
+
+fn contraction(at: &At<'_>, of: &Activation, shared: &[SharedDrive]) -> Checked {
+    finite(at, of.contract, "")?;
+    let [least, greatest] = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+    let [low, high] = CONTRACTION;
+    for value in [least, greatest] {
+        let share = of.contract * value;
+        let holds = (low..=high).contains(&share);
+        let problem =
+            format!("makes the fibre shorter by {} of its length, where its drive is {}", number(share), number(value));
+        require(at, &of.contract, holds, &problem, || {
+            format!("keep contraction times drive from {} to {}", number(low), number(high))
+        })?;
+    }
+    Ok(())
+}
+
+/// Fibres that act or resist twist cannot be stepped implicitly.
+pub(super) fn integrator(at: &At<'_>, body: &Body) -> Checked {
+    let acts = body.fibres.iter().any(|fibre| fibre.activation.is_some() || fibre.stiffness.twisting() > 0.0);
+    let implicit = body.integrator == IntegratorChoice::Given(IntegratorKind::FibresImplicit);
+    let problem = "cannot step a body with fibres that act or resist twist";
+    require(at, &body.integrator, !(acts && implicit), problem, || "give \"automatic\" or \"leap_frog\"")
+}

@@ -1,0 +1,302 @@
+//! Numbers that change in time, and what they do to a force.
+
+use std::f64::consts::TAU;
+
+/// A number that changes in time, exactly the same whenever it is asked for the same time.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Drive {
+    /// The same at all times.
+    Constant(f64),
+    /// Values at ascending times [s].
+    Keys {
+        /// Times [s] and values, one at least.
+        keys: Vec<(f64, f64)>,
+        /// How it goes from one to the next.
+        between: Between,
+        /// What it does from the last one on.
+        after: After,
+    },
+    /// Up and down.
+    Wave(Wave),
+}
+
+/// How a drive goes from one key to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Between {
+    /// It keeps its value up to the next.
+    Stepped,
+    /// At a steady rate.
+    Linear,
+    /// From rest to rest.
+    Smooth,
+}
+
+/// What a drive does from its last key on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum After {
+    /// It keeps the last value.
+    Hold,
+    /// It begins again with the first key.
+    Repeat,
+    /// It goes back and comes again.
+    Mirror,
+}
+
+/// `mean - amplitude cos(2 pi (s / wavelength - (t - start) / period) + phase)` at the place s of a fibre, zero before the
+/// start and rising from there within the first period.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Wave {
+    pub mean: f64,
+    pub amplitude: f64,
+    /// [s]
+    pub period: f64,
+    /// [rad]
+    pub phase: f64,
+    /// [m]; none where all places swing at once.
+    pub wavelength: Option<f64>,
+    /// [s]
+    pub start: f64,
+}
+
+impl Wave {
+    /// Share of the swing that is reached at a time, and its rate [1/s].
+    fn rise(&self, time: f64) -> (f64, f64) {
+        let s = (time - self.start) / self.period;
+        match s {
+            _ if s <= 0.0 => (0.0, 0.0),
+            _ if s >= 1.0 => (1.0, 0.0),
+            _ => (s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s) / self.period),
+        }
+    }
+
+    /// Angle [rad] at the place zero.
+    fn angle(&self, time: f64) -> f64 {
+        self.phase - TAU * ((time - self.start) / self.period).fract()
+    }
+}
+
+impl Drive {
+    /// Value and rate [1/s] at `time` [s], of a wave at the place zero. The rate of a jump is zero.
+    pub(crate) fn at(&self, time: f64) -> (f64, f64) {
+        match self {
+            Self::Constant(value) => (*value, 0.0),
+            Self::Keys { keys, between, after } => keyed(keys, *between, *after, time),
+            Self::Wave(wave) => {
+                let (rise, rate) = wave.rise(time);
+                let (sin, cos) = wave.angle(time).sin_cos();
+                let value = wave.mean - wave.amplitude * cos;
+                (rise * value, rate * value - rise * wave.amplitude * sin * TAU / wave.period)
+            }
+        }
+    }
+
+    /// Times [s] at which all that it does in one round is seen.
+    pub(crate) fn moments(&self) -> Vec<f64> {
+        match self {
+            Self::Constant(_) => vec![0.0],
+            Self::Keys { keys, .. } => {
+                let middles = keys.windows(2).map(|pair| 0.5 * (pair[0].0 + pair[1].0));
+                let mut times: Vec<f64> = keys.iter().map(|key| key.0).chain(middles).collect();
+                times.sort_by(f64::total_cmp);
+                times
+            }
+            Self::Wave(wave) => (0..=32).map(|k| wave.start + wave.period * f64::from(k) / 16.0).collect(),
+        }
+    }
+
+    /// The greatest value that it takes.
+    pub(crate) fn greatest(&self) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Keys { keys, .. } => keys.iter().map(|key| key.1).fold(f64::NEG_INFINITY, f64::max),
+            Self::Wave(wave) => (wave.mean + wave.amplitude.abs()).max(0.0),
+        }
+    }
+
+    /// The least value that it takes.
+    pub(crate) fn least(&self) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Keys { keys, .. } => keys.iter().map(|key| key.1).fold(f64::INFINITY, f64::min),
+            Self::Wave(wave) => (wave.mean - wave.amplitude.abs()).min(0.0),
+        }
+    }
+
+    /// Until when [s] it changes.
+    pub(crate) fn until(&self) -> f64 {
+        match self {
+            Self::Keys { keys, after: After::Hold, .. } => keys.last().map_or(0.0, |key| key.0),
+            Self::Constant(_) => 0.0,
+            Self::Wave(Wave { amplitude: 0.0, start, period, .. }) => start + period,
+            Self::Keys { .. } | Self::Wave(_) => f64::INFINITY,
+        }
+    }
+}
+
+fn keyed(keys: &[(f64, f64)], between: Between, after: After, time: f64) -> (f64, f64) {
+    let (Some(&first), Some(&last)) = (keys.first(), keys.last()) else { return (0.0, 0.0) };
+    let span = last.0 - first.0;
+    let since = time - first.0;
+    let (mut time, mut way) = (time, 1.0);
+    if since >= span && span > 0.0 {
+        match after {
+            After::Hold => {}
+            After::Repeat => time = first.0 + since % span,
+            After::Mirror => {
+                let turned = since % (2.0 * span);
+                way = if turned < span { 1.0 } else { -1.0 };
+                time = first.0 + if turned < span { turned } else { 2.0 * span - turned };
+            }
+        }
+    }
+    let next = keys.partition_point(|key| key.0 <= time);
+    match (next.checked_sub(1).map(|k| keys[k]), keys.get(next)) {
+        (Some((t0, a)), Some(&(t1, b))) => {
+            let s = (time - t0) / (t1 - t0);
+            let rise = way * (b - a);
+            match between {
+                Between::Stepped => (a, 0.0),
+                Between::Linear => (a + (b - a) * s, rise / (t1 - t0)),
+                Between::Smooth => (a + (b - a) * s * s * (3.0 - 2.0 * s), rise * 6.0 * s * (1.0 - s) / (t1 - t0)),
+            }
+        }
+        (Some((_, last)), None) => (last, 0.0),
+        (None, _) => (first.1, 0.0),
+    }
+}
+
+/// The work that a drive does on a body whose energy is its value times a measure of the body, the half of a step's at each of
+/// its ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct DriveWork {
+    /// Work done up to the last booking [J].
+    pub(crate) done: f64,
+    /// The drive's value there, and the measure [J].
+    booked: Option<[f64; 2]>,
+}
+
+impl DriveWork {
+    /// Takes note of where the booking begins, unless it has begun.
+    pub(crate) fn begin(&mut self, value: f64, measure: impl FnOnce() -> f64) {
+        self.booked.get_or_insert_with(|| [value, measure()]);
+    }
+
+    /// Books the step that ended with this value and measure.
+    pub(crate) fn book(&mut self, value: f64, measure: f64) {
+        if let Some([before, was]) = self.booked {
+            self.done += 0.5 * (value - before) * (was + measure);
+        }
+        self.booked = Some([value, measure]);
+    }
+
+    /// Goes on with the work of another, from wherever the body is next.
+    pub(crate) fn adopt(&mut self, before: &Self) {
+        *self = Self { done: before.done, booked: None };
+    }
+}
+
+/// A drive at many places of a fibre.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct DriveAlong {
+    drive: Drive,
+    /// Cosine and sine of the way along each place in turns of the wave; none where all places are driven alike.
+    turns: Vec<[f64; 2]>,
+}
+
+impl DriveAlong {
+    /// A drive at places this far along a fibre [m].
+    pub(crate) fn new(drive: &Drive, places: impl Iterator<Item = f64>) -> Self {
+        let turns = match drive {
+            Drive::Wave(Wave { wavelength: Some(wavelength), .. }) => places
+                .map(|place| {
+                    let (sin, cos) = (TAU * (place / wavelength).fract()).sin_cos();
+                    [cos, sin]
+                })
+                .collect(),
+            _ => Vec::new(),
+        };
+        Self { drive: drive.clone(), turns }
+    }
+
+    /// Its values at a time [s], by the number of the place.
+    pub(crate) fn at(&self, time: f64) -> impl Fn(usize) -> f64 + '_ {
+        let (same, wave) = match &self.drive {
+            Drive::Wave(wave) if !self.turns.is_empty() => {
+                let (sin, cos) = wave.angle(time).sin_cos();
+                (0.0, Some((wave, wave.rise(time).0, [cos, sin])))
+            }
+            drive => (drive.at(time).0, None),
+        };
+        move |place| {
+            let Some((wave, rise, [cos, sin])) = wave else { return same };
+            let [c, s] = self.turns[place];
+            rise * (wave.mean - wave.amplitude * (c * cos - s * sin))
+        }
+    }
+
+    /// Where it stands still at its greatest value, or at its least.
+    pub(crate) fn at_extreme(&self, greatest: bool) -> Self {
+        let drive = Drive::Constant(if greatest { self.drive.greatest() } else { self.drive.least() });
+        Self { drive, turns: Vec::new() }
+    }
+
+    /// Until when [s] it changes.
+    pub(crate) fn until(&self) -> f64 {
+        self.drive.until()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn keys(between: Between, after: After) -> Drive {
+        Drive::Keys { keys: vec![(0.5, 1.0), (1.5, 3.0), (2.5, -1.0)], between, after }
+    }
+
+    fn wave(wavelength: Option<f64>) -> Wave {
+        Wave { mean: 0.5, amplitude: 0.5, period: 0.8, phase: 0.3, wavelength, start: 0.1 }
+    }
+
+    #[test]
+    fn keys_are_met_and_then_held_repeated_or_mirrored() {
+        let value = |between, after, time| keys(between, after).at(time).0;
+        for between in [Between::Stepped, Between::Linear, Between::Smooth] {
+            for (time, expected) in [(0.0, 1.0), (0.5, 1.0), (1.5, 3.0), (2.5, -1.0), (9.0, -1.0)] {
+                assert_eq!(value(between, After::Hold, time), expected, "{between:?} {time}");
+            }
+        }
+        let quarter = |between| value(between, After::Hold, 0.75);
+        assert_eq!([Between::Stepped, Between::Linear, Between::Smooth].map(quarter), [1.0, 1.5, 1.3125]);
+        // Two seconds from key to key: 2.75 is 0.75 again, or 2.25 on the way back.
+        assert_eq!(value(Between::Linear, After::Repeat, 2.75), 1.5);
+        assert_eq!(value(Between::Linear, After::Mirror, 2.75), value(Between::Linear, After::Hold, 2.25));
+        assert_eq!(value(Between::Linear, After::Mirror, 4.75), 1.5);
+    }
+
+    #[test]
+    fn rates_are_those_of_the_values() {
+        for after in [After::Hold, After::Repeat, After::Mirror] {
+            for drive in [keys(Between::Linear, after), keys(Between::Smooth, after), Drive::Wave(wave(None))] {
+                for time in [0.2, 0.7, 1.1, 1.7, 2.3, 2.9, 3.6, 4.4] {
+                    let difference = (drive.at(time + 1e-6).0 - drive.at(time - 1e-6).0) / 2e-6;
+                    assert!((difference - drive.at(time).1).abs() < 1e-5, "{drive:?} {time}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_wave_runs_along_a_fibre_as_it_swings_in_time() {
+        let (along, still) = (wave(Some(0.05)), wave(None));
+        let places = [0.0, 0.01, 0.03];
+        let driven = DriveAlong::new(&Drive::Wave(along), places.into_iter());
+        for time in [0.0, 0.3, 5.0] {
+            let values = driven.at(time);
+            for (k, place) in places.iter().enumerate() {
+                let late = Wave { phase: still.phase + TAU * place / 0.05, ..still };
+                assert!((values(k) - Drive::Wave(late).at(time).0).abs() < 1e-14, "{place} m, {time} s");
+            }
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! Fibres that act and parameters that change in time.
+
+#[path = "../physics/common.rs"]
+#[allow(dead_code, reason = "the physics tests use the rest of it")]
+mod common;
+mod fibres;
+mod moved;
+mod rules;
+mod scenes;

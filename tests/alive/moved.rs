@@ -1,0 +1,130 @@
+//! Pins, panels, gravity, gas and wind that follow drives.
+
+use crate::common::*;
+use glam::DVec3;
+use sinew::scene::{
+    AfterLast, Drive, DriveKeys, DrivenMotion, DrivenTurn, Interpolation, Panel, PanelDrive, PanelMotion, Region,
+    Scene, Selector, SharedDrive, TimeStep, TwoLayer, Wave, Wind,
+};
+use sinew::sim::Runner;
+
+/// From 0 to 1 in 0.2 s and back, over and over.
+fn to_and_fro() -> Drive {
+    let keys = DriveKeys::new([(0.0, 0.0), (0.2, 1.0)]);
+    DriveKeys { between: Interpolation::Linear, after: AfterLast::Mirror, ..keys }.into()
+}
+
+fn advanced(scene: &Scene, seconds: f64) -> Runner {
+    let mut runner = runner(scene);
+    for _ in 0..runner.frames_for(seconds) {
+        runner.advance_frame();
+    }
+    assert!(runner.world().divergence().is_none(), "{:?}", runner.world().divergence());
+    runner
+}
+
+#[test]
+fn a_pin_moves_and_turns_as_its_drive_has_it() {
+    let mut body = block([3, 5, 3], 1e5).with_drive(SharedDrive::new("nod", to_and_fro()));
+    body.regions = vec![Region::new("all", Selector::Everything)];
+    let motion = DrivenMotion::new(Drive::Shared("nod".to_owned()), [0.0, 0.01, 0.0])
+        .with_turn(DrivenTurn::new([0.0, 1.0, 0.0], 90.0));
+    body.pins = vec![pin("all", &ALL, motion.into())];
+    let mut scene = in_space(body);
+    scene.time.frames_per_second = 100.0;
+    for (seconds, value, rate) in [(0.1, 0.5, 5.0), (0.25, 0.75, -5.0), (0.5, 0.5, 5.0)] {
+        let runner = advanced(&scene, seconds);
+        let body = &runner.world().bodies()[0];
+        let turn = glam::DQuat::from_rotation_y(value * std::f64::consts::FRAC_PI_2);
+        let middle = body.parts().rest.iter().sum::<DVec3>() / body.state().len() as f64;
+        for (i, rest) in body.parts().rest.iter().enumerate() {
+            let arm = turn * (*rest - middle);
+            let expected = middle + arm + value * DVec3::new(0.0, 0.01, 0.0);
+            assert!(body.state().positions[i].distance(expected) < 1e-12, "{seconds} s");
+            let spin = rate * std::f64::consts::FRAC_PI_2 * DVec3::Y.cross(arm) + rate * DVec3::new(0.0, 0.01, 0.0);
+            assert!(body.state().velocities[i].distance(spin) < 1e-9, "{seconds} s");
+        }
+        assert!(!runner.at_rest());
+    }
+}
+
+#[test]
+fn a_panel_follows_its_drive() {
+    let panel = Panel::falling("pump", 0.2, [0.1, 0.1]);
+    let panel = Panel { motion: PanelMotion::Follows(PanelDrive::new(to_and_fro(), -0.05)), ..panel };
+    let mut scene = in_space(block([3, 5, 3], 1e5)).with_panel(panel);
+    scene.time.frames_per_second = 100.0;
+    for (seconds, height) in [(0.1, 0.175), (0.3, 0.175), (0.4, 0.2)] {
+        let runner = advanced(&scene, seconds);
+        assert!((runner.world().panels()[0].height - height).abs() < 1e-12, "{seconds} s");
+    }
+}
+
+/// What is left of a balance that should stay as it was, and the work of its drives [J], with so many steps a frame.
+fn balance(scene: &Scene, step: f64, halvings: i32) -> (f64, f64) {
+    let mut scene = scene.clone();
+    scene.time.step = TimeStep::manual(step * 0.5_f64.powi(halvings), 20 << halvings);
+    let mut runner = runner(&scene);
+    let energies = |runner: &Runner| runner.world().bodies()[0].energies(runner.world().time());
+    let start = energies(&runner).total();
+    (0..10).for_each(|_| runner.advance_frame());
+    (energies(&runner).total() - start, energies(&runner).activation)
+}
+
+#[test]
+fn gravity_follows_its_drive_and_its_work_is_booked() {
+    let mut scene = Scene { gravity_drive: Some(0.5.into()), ..Scene::new("fall").with_body(block([3, 3, 3], 1e5)) };
+    scene.time.frames_per_second = 100.0;
+    let fallen = |runner: &Runner| {
+        let body = &runner.world().bodies()[0];
+        body.parts().rest[0].y - body.state().positions[0].y
+    };
+    let half = fallen(&advanced(&scene, 0.1));
+    assert!((half / (0.25 * 9.81 * 0.01) - 1.0).abs() < 1e-9, "{half} m");
+    scene.gravity_drive = Some(Wave::new(0.05).into());
+    let stable = baked(&scene).world.bodies()[0].parts().stable_dt;
+    let found = [0, 1].map(|halvings| balance(&scene, 0.5 * stable, halvings));
+    assert!(found[0].0.abs() < 1e-3 * found[0].1.abs(), "{found:?}");
+    assert!((found[1].0 / found[0].0 - 0.25).abs() < 0.05, "{found:?}");
+}
+
+#[test]
+fn gas_follows_its_drive_and_its_work_is_booked() {
+    let breath = SharedDrive::new("breath", DriveKeys::new([(0.0, 1.0), (0.5, 60.0)]));
+    let mut ball = TwoLayer { drives: vec![breath], ..TwoLayer::ball("ball") };
+    ball.pressure_drive = Some(Drive::Shared("breath".to_owned()));
+    (ball.kd, ball.rkd) = (0.0, 0.0);
+    let scene = Scene::new("breath").with_gravity([0.0; 3]).with_two_layer(ball.clone());
+    let world = baked(&scene).world;
+    let stable = world.bodies()[0].parts().stable_dt;
+    let found = [0, 1].map(|halvings| balance(&scene, 0.3 * stable, halvings));
+    println!("{found:?}");
+    assert!(found[0].0.abs() < 1e-5 * found[0].1.abs(), "{found:?}");
+    assert!((found[1].0 / found[0].0).abs() < 0.35, "{found:?}");
+    (ball.kd, ball.rkd) = (15.0, 50.0);
+    let scene = Scene::new("breath").with_gravity([0.0; 3]).with_two_layer(ball);
+    let extent = |runner: &Runner| {
+        let positions = &runner.world().bodies()[0].state().positions;
+        positions.iter().map(|x| x.length()).fold(0.0, f64::max)
+    };
+    let (before, after) = (extent(&advanced(&scene, 0.0)), extent(&advanced(&scene, 1.5)));
+    assert!(after > 1.05 * before, "{before} m, then {after} m");
+}
+
+#[test]
+fn wind_pushes_a_box_as_a_plate_of_its_face_and_slides_along_the_others() {
+    let push = |wind: Wind, velocity: [f64; 3]| {
+        let body = block([5, 7, 5], 1e5).with_velocity(velocity);
+        let runner = runner(&in_space(body).with_wind(wind));
+        let body = &runner.world().bodies()[0];
+        (0..body.state().len()).map(|i| body.net_force(i)).sum::<DVec3>()
+    };
+    let plate = 0.5 * 1.2 * 1.1 * (5.0 * D) * (7.0 * D) * 9.0;
+    let found = push(Wind::new([3.0, 0.0, 0.0]), [0.0; 3]);
+    assert!(found.distance(DVec3::X * plate) < 0.02 * plate, "{found} N, not {plate} N");
+    // It is the velocity against the air that counts, and a drive may turn the wind round.
+    assert!(push(Wind::new([3.0, 0.0, 0.0]), [3.0, 0.0, 0.0]).length() < 1e-9 * plate);
+    let back = push(Wind::new([3.0, 0.0, 0.0]).with_drive(-1.0), [0.0; 3]);
+    assert!((back + found).length() < 1e-9 * plate, "{back} N");
+    assert!(push(Wind::default(), [-3.0, 0.0, 0.0]).distance(found) < 1e-9 * plate);
+}

@@ -1,0 +1,82 @@
+//! What is refused of drives, and where.
+
+use crate::common::*;
+use crate::fibres::{rod, upright};
+use serde_json::{Value, json};
+use sinew::io::scene_from_json;
+use sinew::scene::{Activation, Drive, IntegratorKind, Motion, Region, Scene, Selector, SharedDrive, Wave};
+
+/// A scene of a body with two shared drives and fibres that follow them.
+fn alive() -> Value {
+    let mut body = rod([3, 7, 3])
+        .with_drive(SharedDrive::new("left", Wave::new(0.8).with_wavelength(0.05)))
+        .with_drive(SharedDrive::new("right", Wave::new(0.8).with_phase(180.0)));
+    body.fibres.push(upright(7, 0.5 * D, 40.0, Activation::contracting(0.3, Drive::Shared("left".to_owned()))));
+    body.regions = vec![Region::new("all", Selector::Everything)];
+    body.pins = vec![pin("all", &ALL, Motion::Fixed)];
+    serde_json::to_value(Scene { gravity_drive: Some(1.0.into()), ..in_space(body) }).expect("a scene as JSON")
+}
+
+#[test]
+fn what_makes_no_sense_is_refused_where_it_stands() {
+    assert!(scene_from_json(&alive().to_string()).is_ok());
+    let drive = "/bodies/0/drives/0/drive";
+    let activation = "/bodies/0/fibres/0/activation";
+    let keys = |after: &str, times: [f64; 2]| json!({"keyframes": {"after": after, "keys": [{"time": times[0], "value": 0}, {"time": times[1], "value": 1}]}});
+    let at = |pointer: &str, rest: &str| format!("{pointer}{rest}");
+    for (pointer, value, place, words) in [
+        (at(drive, "/wave/period"), json!(0), at(drive, "/wave/period"), "above 0 s"),
+        (at(drive, "/wave/wavelength"), json!(0), at(drive, "/wave/wavelength"), "runs the other way"),
+        (at(drive, "/wave/amplitude"), json!(1e16), at(drive, "/wave/amplitude"), "1e16"),
+        (drive.to_owned(), keys("hold", [0.5, 0.5]), at(drive, "/keyframes/keys/1/time"), "order of time"),
+        (drive.to_owned(), json!({"shared": "right"}), drive.to_owned(), "only names another drive"),
+        (
+            drive.to_owned(),
+            json!({"keyframes": {"after": "mirror", "keys": [{"time": 0, "value": 0.5}]}}),
+            at(drive, "/keyframes/after"),
+            "two keys",
+        ),
+        ("/bodies/0/drives/1/id".to_owned(), json!("left"), "/bodies/0/drives/1/id".to_owned(), "taken"),
+        (at(activation, "/drive/shared"), json!("middle"), at(activation, "/drive/shared"), "\"left\", \"right\""),
+        (at(activation, "/contract"), json!(0.9), at(activation, "/contract"), "0.9"),
+        (at(activation, "/contract"), json!(-0.6), at(activation, "/contract"), "-0.5 to 0.8"),
+        (at(activation, "/drive"), json!({"constant": 3}), at(activation, "/contract"), "where its drive is 3"),
+        (
+            activation.to_owned(),
+            json!({"drive": {"shared": "right"}, "twist": {"degrees_per_metre": 10}}),
+            at(activation, "/twist"),
+            "`gj`",
+        ),
+        (
+            activation.to_owned(),
+            json!({"drive": {"constant": 2}, "muscle": {"force": 1}}),
+            at(activation, "/drive"),
+            "from 0 to 1",
+        ),
+        (
+            "/bodies/0/pins".to_owned(),
+            json!([{"id": "p", "region": "all", "motion": {"driven": {"drive": {"shared": "left"}}}}]),
+            "/bodies/0/pins/0/motion/driven/drive".to_owned(),
+            "runs along fibres",
+        ),
+        ("/gravity_drive".to_owned(), json!({"shared": "left"}), "/gravity_drive".to_owned(), "no part of a body"),
+        ("/bodies/0/integrator".to_owned(), json!("fibres_implicit"), "/bodies/0/integrator".to_owned(), "leap_frog"),
+    ] {
+        let mut scene = alive();
+        *scene.pointer_mut(&pointer).expect("a place that is there") = value;
+        let error = scene_from_json(&scene.to_string()).expect_err(&pointer).to_string();
+        assert!(error.starts_with(&format!("{place}: ")) && error.contains(words), "{pointer}: {error}");
+    }
+}
+
+#[test]
+fn fibres_that_act_are_never_stepped_implicitly() {
+    // Where the same fibres, passive, would be.
+    let kind = |acts: bool| {
+        let mut rod = block([3, 15, 3], 2e3);
+        rod.fibres.push(upright(15, 0.5 * D, 2e4, Activation::contracting(0.1, Wave::new(0.1))));
+        rod.fibres[0].activation = rod.fibres[0].activation.take().filter(|_| acts);
+        baked(&in_space(rod)).world.bodies()[0].parts().integrator_word
+    };
+    assert_eq!([kind(false), kind(true)], [IntegratorKind::FibresImplicit.word(), IntegratorKind::LeapFrog.word()]);
+}

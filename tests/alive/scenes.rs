@@ -59,3 +59,12 @@ fn the_arm_twists_both_ways_alike_and_curls() {
     let reach = values(&scene("octopus"), "reach", &[4.0, 5.2]);
     assert!(reach[1] > 40.0 && reach[0].abs() < 5.0, "{reach:?}");
 }
+
+#[test]
+fn the_fish_swims_ahead_in_water_and_nowhere_without() {
+    let swum = values(&scene("fish"), "swim", &[2.0])[0];
+    assert!(swum > 60.0, "{swum} mm");
+    let dry = apply_sets(&scene("fish"), [("/wind/density", "0")]).expect("a place that is there");
+    let stayed = values(&dry, "swim", &[1.0])[0];
+    assert!(stayed.abs() < 1e-6, "{stayed} mm");
+}

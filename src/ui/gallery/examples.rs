@@ -124,6 +124,11 @@ examples! {
         "The fibre breaks where it turns too far, and the leaf hangs.";
     Start "two_layer_ball_on_bar", "A ball on the bar", "":
         "A gas-filled ball comes to rest on a fibre solid: both give.";
+    Alive "alive_worm", "A worm", "": "A wave along its fibres lets it crawl to the right by friction.";
+    Alive "alive_worm_back", "A worm that crawls back", "": "The wave turned round: it crawls to the left, as far.";
+    Alive "alive_heart", "A heart", "": "Rings of fibres contract in a beat that repeats.";
+    Alive "alive_octopus", "An arm", "": "Oblique fibres twist it both ways, and others curl it up.";
+    Alive "alive_fish", "A fish", "": "A wave from head to tail pushes water aside, and it swims.";
     Fibres "figure_06_without_soft", "A bar without fibres", "Figure 6":
         "Squeezed as it lands, and neither sheared nor twisted.";
     Fibres "figure_06a_soft", "A bar that keeps its height", "Figure 6a":

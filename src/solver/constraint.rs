@@ -122,6 +122,13 @@ impl PrescribedMotion {
                 let turn = DQuat::from_axis_angle(*axis, course.at(time).0 * angle);
                 *origin + turn.inverse() * (position - *origin)
             }
+            Self::Driven { drive, offset, turn } => {
+                let value = drive.at(time).0;
+                let unmoved = position - value * *offset;
+                turn.map_or(unmoved, |(axis, origin, angle)| {
+                    origin + DQuat::from_axis_angle(axis, -value * angle) * (unmoved - origin)
+                })
+            }
             Self::Fixed | Self::Ramp { .. } | Self::Keyframes(_) => position - self.at(time, DVec3::ZERO).0,
         }
     }
@@ -236,6 +243,8 @@ mod tests {
                 let d = 1e-6;
                 let rate = (motion.at(time + d, start).0 - motion.at(time - d, start).0) / (2.0 * d);
                 assert!(rate.distance(motion.at(time, start).1) < 1e-7, "{motion:?} at {time}");
+                let back = motion.start_of(time, motion.at(time, start).0);
+                assert!(back.distance(start) < 1e-12, "{motion:?} at {time}");
             }
         }
         assert_eq!(motions[0].at(9.0, start).0, start + DVec3::new(1.0, 2.0, 3.0));

@@ -202,7 +202,7 @@ fn bodies_wait_for_their_drives_and_sleep_without() {
 fn a_world_goes_back_and_on_to_the_same_bits() {
     let bits = |world: &World| {
         let body = &world.bodies()[0];
-        let mut all: Vec<u64> = body.state().positions.iter().flat_map(|x| x.to_array()).map(f64::to_bits).collect();
+        let mut all: Vec<u64> = body.state().positions.iter().flat_map(DVec3::to_array).map(f64::to_bits).collect();
         all.extend(body.energies(world.time()).values().map(f64::to_bits));
         all.extend(body.tensions().concat().into_iter().map(f64::to_bits));
         all

@@ -1,5 +1,7 @@
 //! Fibres that act and parameters that change in time.
 
+#![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
+
 #[path = "../physics/common.rs"]
 #[allow(dead_code, reason = "the physics tests use the rest of it")]
 mod common;

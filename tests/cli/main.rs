@@ -1,5 +1,7 @@
 //! The program as a person or a script meets it: arguments in; words, files and an exit code out.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 mod check;
 mod compare;
 mod converge;

@@ -82,7 +82,9 @@ impl Force for Flow {
         for triangle in self.surface.triangles.iter() {
             let [a, b, c] = triangle.map(|vertex| vertices[vertex as usize][0]);
             let share = 0.5 / 3.0 * self.density * speed * 0.5 * (b - a).cross(c - a).length();
-            triangle.iter().for_each(|vertex| shares[*vertex as usize] += share);
+            for &vertex in triangle {
+                shares[vertex as usize] += share;
+            }
         }
         let mut rates = vec![0.0; state.len()];
         for (vertex, share) in self.surface.vertices.iter().zip(shares) {

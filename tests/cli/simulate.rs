@@ -136,7 +136,7 @@ fn a_series_has_a_row_a_frame_and_the_last_is_the_report() {
     }
     assert_eq!(last[column("linear_momentum y [kg m/s]")], number(&report["bodies"][0]["linear_momentum"][1]));
     assert_eq!(last[column("angular_momentum z [kg m²/s]")], number(&report["bodies"][0]["angular_momentum"][2]));
-    assert_eq!(head.len(), 1 + 10 + 6 + 1 + 3);
+    assert_eq!(head.len(), 1 + 12 + 6 + 1 + 3);
 }
 
 #[test]

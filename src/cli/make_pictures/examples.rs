@@ -20,7 +20,12 @@ const fn beside_start(name: &'static str, at: f64) -> ExamplePicture {
 }
 
 /// Every scene that ships.
-pub(super) const EXAMPLES: [ExamplePicture; 65] = [
+pub(super) const EXAMPLES: [ExamplePicture; 70] = [
+    beside_start("alive_fish", 2.0),
+    at("alive_heart", 0.6),
+    at("alive_octopus", 1.0),
+    beside_start("alive_worm", 4.0),
+    beside_start("alive_worm_back", 4.0),
     at("cantilever", 1.0),
     at("figure_06_without", 0.002),
     at("figure_06_without_soft", 0.033),

@@ -172,6 +172,7 @@ fn contact_law(scene: &Scene, body: &Body, mass: f64) -> ContactLaw {
         damping: 2.0 * scene.room.contact_damping * critical,
         friction: scene.room.friction,
         sticking: STICKING * critical,
+        holding: room::holding(scene, stiffness),
     }
 }
 

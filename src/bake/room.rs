@@ -1,7 +1,7 @@
 //! What bodies touch: the planes of the room, and its panels.
 
 use super::drives::drive;
-use crate::scene::{PanelMotion, Scene};
+use crate::scene::{PanelMotion, Scene, Sticking};
 use crate::solver::drive::{After, Between, Drive};
 use crate::solver::forces::Plane;
 use crate::solver::panel::{DrivenHeight, Panel};
@@ -19,6 +19,14 @@ pub(super) fn planes(scene: &Scene) -> Vec<Plane> {
         (room.z_max, DVec3::NEG_Z),
     ];
     sides.into_iter().filter_map(|(at, normal)| at.map(|at| Plane { point: at * normal.abs(), normal })).collect()
+}
+
+/// Stiffness [N/m] of what holds a particle along a surface, as stiff as its contact is across, if anything does.
+pub(super) fn holding(scene: &Scene, stiffness: f64) -> f64 {
+    match scene.room.sticking {
+        Sticking::Spring => stiffness,
+        Sticking::Damper => 0.0,
+    }
 }
 
 /// The scene's panels at the start.

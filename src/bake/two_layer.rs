@@ -165,6 +165,7 @@ fn contact_law(scene: &Scene, body: &TwoLayer) -> ContactLaw {
         damping: body.contact.cc,
         friction: scene.room.friction,
         sticking: body.contact.ct,
+        holding: room::holding(scene, body.contact.kc),
     }
 }
 

@@ -55,7 +55,7 @@ pub use paint::{Dab, MAX_DABS, add_dab, painted};
 pub use panel::{HeightKey, Panel, PanelDrive, PanelMotion};
 pub use pin::{Distance, DrivenMotion, DrivenTurn, Easing, Keyframe, Motion, Pin, Ramp, Turn};
 pub use region::{Region, Selector};
-pub use room::Room;
+pub use room::{Room, Sticking};
 pub use shape::{BoxShape, MeshShape, Placement, Rotation, Shape};
 pub use start::{Impulse, Initial};
 pub use time::{Automatic, Manual, Time, TimeStep};

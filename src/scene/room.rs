@@ -28,6 +28,8 @@ pub struct Room {
     pub z_max: Option<f64>,
     /// Coulomb friction coefficient of floor, walls and ceiling.
     pub friction: f64,
+    /// What friction does below Coulomb's limit, between bodies and on panels too.
+    pub sticking: Sticking,
     /// Share of critical damping in the normal direction of a contact: 0 bounces fully, 1 hardly at all.
     pub contact_damping: f64,
     /// Unknown fields, kept.
@@ -45,8 +47,21 @@ impl Default for Room {
             z_min: None,
             z_max: None,
             friction: 0.4,
+            sticking: Sticking::default(),
             contact_damping: 0.0,
             extra: Extra::new(),
         }
     }
+}
+
+/// What friction does below Coulomb's limit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Sticking {
+    /// A damped spring along the surface, tied where a particle touches first and dragged along at the limit: what lies on
+    /// a slope below the angle of friction stays.
+    #[default]
+    Spring,
+    /// A damper alone: what is pushed creeps. The formulation of the figures that come with the program.
+    Damper,
 }

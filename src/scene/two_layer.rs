@@ -208,7 +208,7 @@ pub struct TwoLayerContact {
     pub kc: f64,
     /// cc: damping of each particle's contact in the normal direction [N s/m].
     pub cc: f64,
-    /// ct: slope of the friction force below its Coulomb limit [N s/m].
+    /// ct: damping along the surface below Coulomb's limit [N s/m].
     pub ct: f64,
     /// Unknown fields, kept.
     #[serde(flatten)]
@@ -225,7 +225,8 @@ impl Default for TwoLayerContact {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ContactKind {
-    /// N = max(0, kc d - cc vn) and |Ft| = min(friction N, ct |vt|): only pushes, never sticks.
+    /// N = max(0, kc d - cc vn) and |Ft| = min(friction N, |kt st + ct vt|), st the way along the surface since it
+    /// took hold and kt = kc where the room's friction holds by springs: only pushes, never pulls.
     #[default]
     Penalty,
     /// The paper's: as penalty, and after each step what is behind a plane is put on it without touching its velocity.

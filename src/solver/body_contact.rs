@@ -11,8 +11,8 @@
 //! place aside, and the pair's angular momentum changes by it; its linear momentum never does.
 
 use super::body::Body;
-use super::forces::ContactLaw;
 use super::forces::pressure::Surface;
+use super::forces::{ContactLaw, Grip};
 use crate::geometry::closest::{closest_on_segment, closest_on_triangle};
 use crate::geometry::neighbours::PointGrid;
 use glam::DVec3;
@@ -56,18 +56,31 @@ pub(super) struct Touch {
     velocity: DVec3,
 }
 
-/// Adds to the external forces of two bodies what they push on each other with over the next outer step.
-pub(super) fn add_body_contact(a: &mut Body, b: &mut Body, allowance: &Allowance) {
+/// Two particles that touch, or a particle that touches a surface: whether it is one of the second body, its index, and the
+/// other's.
+pub(super) type TouchKey = (bool, u32, Option<u32>);
+
+/// Adds to the external forces of two bodies what they push on each other with over the next outer step, `dt` [s] after
+/// this was last done. What they hold on to is kept as stretches.
+pub(super) fn add_body_contact(a: &mut Body, b: &mut Body, allowance: &Allowance, grip: &mut Grip<TouchKey>, dt: f64) {
     let law = together(&a.parts().contact, &b.parts().contact);
+    let heaps = are_heaps(a, b);
+    let mut held = Vec::new();
     for touch in touches(a, b, &law, allowance) {
         let (one, other) = if touch.of_second { (&mut *b, &mut *a) } else { (&mut *a, &mut *b) };
-        let force = law.force(touch.gap, touch.normal, touch.velocity);
+        let key = (touch.of_second, touch.particle, heaps.then_some(touch.carried_by[0].0));
+        let stretch = grip.of(key).map_or(DVec3::ZERO, |stretch| stretch + dt * touch.velocity);
+        let stretch = stretch.reject_from_normalized(touch.normal);
+        let force = law.force(touch.gap, touch.normal, touch.velocity, stretch);
+        let kept = law.dragged(touch.gap, touch.normal, touch.velocity, stretch);
+        held.extend(kept.map(|stretch| (key, stretch)));
         one.add_external_force(touch.particle as usize, force);
         for &(k, w) in &touch.carried_by[..touch.carriers] {
             other.add_external_force(k as usize, -w * force);
         }
-        share(one, other, law.energy(touch.gap));
+        share(one, other, law.energy(touch.gap, stretch));
     }
+    grip.renew(held);
 }
 
 /// Where two bodies touch, in a fixed order.
@@ -109,6 +122,7 @@ pub(super) fn together(a: &ContactLaw, b: &ContactLaw) -> ContactLaw {
         damping: series(a.damping, b.damping),
         friction: (a.friction * b.friction).sqrt(),
         sticking: series(a.sticking, b.sticking),
+        holding: series(a.holding, b.holding),
     }
 }
 

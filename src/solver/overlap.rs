@@ -107,7 +107,7 @@ fn behind(
     let movable = movable(body, out);
     for (&x, _) in body.state().positions.iter().zip(movable).filter(|(_, movable)| *movable) {
         let Some(behind) = depth_of(x) else { continue };
-        energy += law.energy(-behind);
+        energy += law.energy(-behind, DVec3::ZERO);
         let sunk = behind + law.radius;
         depth = depth.max(sunk);
         if sunk > touching_depth(body) {
@@ -166,7 +166,8 @@ pub(super) fn of_bodies(
     let way = way_out(a, b, slack)?;
     let law = together(&a.parts().contact, &b.parts().contact);
     let energy_aside = |aside: DVec3| -> f64 {
-        touches(a, b, &law, &Allowance { aside, ..Allowance::default() }).iter().map(|t| law.energy(t.gap)).sum()
+        let touches = touches(a, b, &law, &Allowance { aside, ..Allowance::default() });
+        touches.iter().map(|touch| law.energy(touch.gap, DVec3::ZERO)).sum()
     };
     let (along, depth, energy) = if way.is_shallow {
         (None, way.depth, energy_aside(DVec3::ZERO))

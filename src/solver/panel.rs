@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::drive::Drive;
 use super::easing::Easing;
-use super::forces::ContactLaw;
+use super::forces::{ContactLaw, Grip};
 use glam::{DVec2, DVec3};
 
 /// A rigid horizontal panel with one degree of freedom, its height.
@@ -52,15 +52,16 @@ impl Panel {
     }
 
     /// Adds the panel's push at `time` [s] to the external forces of a body; returns the vertical force on the panel [N].
-    /// Where the body is eased out of it, the underside counts as that much higher.
-    pub(super) fn add_contact(&self, body: &mut Body, eased: Option<&Easing>, time: f64) -> f64 {
+    /// Where the body is eased out of it, the underside counts as that much higher. Where its particles hold on to the panel
+    /// is kept as places.
+    pub(super) fn add_contact(&self, body: &mut Body, eased: Option<&Easing>, grip: &mut Grip<u32>, time: f64) -> f64 {
         let law = ContactLaw { friction: self.friction, ..body.parts().contact };
         let reach = body.parts().reach;
         let (left, rate) = eased.map_or((0.0, 0.0), |easing| easing.at(time));
         if let Some(easing) = eased {
             body.add_contact_energy(easing.energy_at(time));
         }
-        let mut lift = 0.0;
+        let (mut lift, mut held) = (0.0, Vec::new());
         for i in 0..body.state().len() {
             let x = body.state().positions[i];
             let gap = self.height - x.y + left;
@@ -69,11 +70,15 @@ impl Panel {
                 continue;
             }
             let velocity = body.state().velocities[i] - DVec3::new(0.0, self.velocity + rate, 0.0);
-            let force = law.force(gap, DVec3::NEG_Y, velocity);
+            let stretch = grip.of(i as u32).map_or(DVec3::ZERO, |place| (x - place).reject_from_normalized(DVec3::Y));
+            let force = law.force(gap, DVec3::NEG_Y, velocity, stretch);
             body.add_external_force(i, force);
-            body.add_contact_energy(law.energy(gap));
+            body.add_contact_energy(law.energy(gap, stretch));
+            let kept = law.dragged(gap, DVec3::NEG_Y, velocity, stretch);
+            held.extend(kept.map(|stretch| (i as u32, x - stretch)));
             lift -= force.y;
         }
+        grip.renew(held);
         lift
     }
 

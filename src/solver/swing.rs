@@ -65,7 +65,7 @@ fn oscillator(integrator: Box<dyn Integrator>, omega: f64, dt: f64) -> Body {
         integrator_word: "other",
         integrator_reason: None,
         constraints: Vec::new(),
-        contact: ContactLaw { radius: 0.0, stiffness: 0.0, damping: 0.0, friction: 0.0, sticking: 0.0 },
+        contact: ContactLaw { radius: 0.0, stiffness: 0.0, damping: 0.0, friction: 0.0, sticking: 0.0, holding: 0.0 },
         fibres: Vec::new(),
         layers: None,
         skin: None,

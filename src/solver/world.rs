@@ -9,11 +9,13 @@
 mod asleep;
 mod checkpoint;
 mod eased;
+mod grips;
 mod starts;
 
 pub use checkpoint::Checkpoint;
 
 use eased::Eased;
+use grips::Grips;
 
 use super::body::{Body, Divergence};
 use super::body_contact::{Allowance, add_body_contact};
@@ -70,6 +72,8 @@ pub struct World {
     overlaps: Vec<Overlap>,
     /// What of that the world eases apart; bodies are eased out of the room on their own.
     eased: Eased,
+    /// What bodies hold on to.
+    grips: Grips,
     /// Whether the forces between bodies and panels are those of the present state.
     contact_current: bool,
     /// Force on every panel from below [N].
@@ -98,6 +102,7 @@ impl World {
             gravity,
             overlaps: Vec::new(),
             eased: Eased::default(),
+            grips: Grips::default(),
             contact_current: false,
             since: 0.0,
             frame: 0,
@@ -183,6 +188,8 @@ impl World {
                 panel.velocity = old.velocity;
             }
         }
+        let panel = |old: usize| self.panels.iter().position(|panel| panel.id == before.panels[old].id);
+        self.grips = before.grips.renumbered(|old| goes_on.iter().position(|&was| was == Some(old)), panel);
         self.ease_apart(Some((before, &goes_on)));
         let time = self.time();
         for body in &mut self.bodies {
@@ -191,8 +198,9 @@ impl World {
         self.peaks = self.measures();
     }
 
-    /// Evaluates the contact between bodies and with panels at `time` [s]: each pair of things together, equal and opposite.
-    fn evaluate_contact(&mut self, time: f64) {
+    /// Evaluates the contact between bodies and with panels at `time` [s], `dt` [s] after it last was: each pair of things
+    /// together, equal and opposite.
+    fn evaluate_contact(&mut self, time: f64, dt: f64) {
         for body in &mut self.bodies {
             body.clear_external_forces();
         }
@@ -207,12 +215,16 @@ impl World {
                     a.add_contact_energy(kept);
                     b.add_contact_energy(kept);
                 }
-                add_body_contact(a, b, &allowance);
+                self.grips.of_pair([first, second], |grip| add_body_contact(a, b, &allowance, grip, dt));
             }
         }
         for (index, (lift, panel)) in self.lifts.iter_mut().zip(&self.panels).enumerate() {
             let bodies = self.bodies.iter_mut().enumerate();
-            *lift = bodies.map(|(body, of)| panel.add_contact(of, self.eased.panel(body, index), time)).sum();
+            let (eased, grips) = (&self.eased, &mut self.grips);
+            let lifts = bodies.map(|(body, of)| {
+                grips.of_panel([body, index], |grip| panel.add_contact(of, eased.panel(body, index), grip, time))
+            });
+            *lift = lifts.sum();
         }
         self.contact_current = true;
     }
@@ -242,7 +254,7 @@ impl World {
         for outer in 0..self.plan.outer_steps {
             let time = self.time_at(outer);
             if !self.contact_current {
-                self.evaluate_contact(time);
+                self.evaluate_contact(time, 0.0);
             }
             // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the contact
             // takes no energy.
@@ -267,7 +279,7 @@ impl World {
                 });
             }
             let end = self.time_at(outer + 1);
-            self.evaluate_contact(end);
+            self.evaluate_contact(end, outer_dt);
             self.half_kick(end, outer_dt, &asleep);
         }
         self.frame += 1;
@@ -308,6 +320,7 @@ impl World {
             contact_current: self.contact_current,
             lifts: self.lifts.clone(),
             eased: self.eased.clone(),
+            grips: self.grips.clone(),
             since: self.since,
             frame: self.frame,
         }
@@ -325,6 +338,7 @@ impl World {
         self.contact_current = to.contact_current;
         self.lifts.clone_from(&to.lifts);
         self.eased.clone_from(&to.eased);
+        self.grips.clone_from(&to.grips);
         self.since = to.since;
         self.frame = to.frame;
     }

@@ -1,7 +1,7 @@
 //! Floor, walls and ceiling, and how they are touched.
 
 use super::field::NumberField;
-use crate::scene::Room;
+use crate::scene::{Room, Sticking};
 use egui::Ui;
 
 /// The friction of the room and of its panels.
@@ -29,6 +29,15 @@ pub(super) const fn length(label: &'static str, tooltip: &'static str) -> Number
 pub(super) fn floor_section(ui: &mut Ui, room: &mut Room) {
     plane(ui, "Floor", &length("Floor height", "World Y"), &mut room.floor, 0.0);
     FRICTION.show(ui, &mut room.friction);
+    ui.horizontal(|ui| {
+        ui.label("Below the limit");
+        for (sticking, name, meaning) in [
+            (Sticking::Spring, "Holds", "Springs along the surface: what lies on a slope stays there"),
+            (Sticking::Damper, "Brakes", "Dampers alone: what is pushed creeps, as in the papers' figures"),
+        ] {
+            ui.selectable_value(&mut room.sticking, sticking, name).on_hover_text(meaning);
+        }
+    });
     CONTACT_DAMPING.show(ui, &mut room.contact_damping);
 }
 

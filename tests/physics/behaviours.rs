@@ -1,7 +1,7 @@
 //! What a person must see: fibres strengthen, shear and twist what drops on the floor.
 
 use crate::common::*;
-use sinew::scene::{Axis, Fibre, MeasureKind, RestShape, Scene, Side, Stiffness};
+use sinew::scene::{Axis, Fibre, MeasureKind, RestShape, Scene, Side, Sticking, Stiffness};
 use sinew::solver::MeasureValue;
 
 /// The short bar that drops on its end at 15 m/s, measured by its peaks.
@@ -14,6 +14,7 @@ fn dropped(fibres: Vec<Fibre>) -> Scene {
     let mut scene = in_space(bar);
     scene.gravity = [0.0, -9.81, 0.0];
     scene.room.floor = Some(0.0);
+    scene.room.sticking = Sticking::Damper;
     scene.time.frames_per_second = 20_000.0;
     scene.measures = vec![
         measure("loss", MeasureKind::height_loss("top", "bottom", Axis::Y)).at_peak(),

@@ -14,6 +14,7 @@ mod fibres_implicit;
 mod fields;
 mod figures;
 mod forces;
+mod friction;
 mod implicit;
 mod meeting;
 mod paint;

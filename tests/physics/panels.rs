@@ -62,7 +62,7 @@ fn a_heavy_panel_comes_to_rest_on_the_bar_with_its_weight() {
     scene.measures = vec![measure("carried", sinew::scene::MeasureKind::reaction_force("bottom", [0.0, -1.0, 0.0]))];
     scene.panels = vec![panel(PanelMotion::Falls, 1.0, 0.074)];
     let mut runner = runner(&scene);
-    for _ in 0..120 {
+    for _ in 0..300 {
         runner.advance_frame();
     }
     let weight = 9.81 * (1.0 + 588.0 * 4e-4);

@@ -1,6 +1,7 @@
-//! Contact of particles with planes: penalty that only pushes, with Coulomb friction.
+//! Contact of particles with planes: penalty that only pushes, with Coulomb friction (see [`super::grip`] for what holds).
 
 use super::force::{Force, StepLimit};
+use super::grip::Grip;
 use crate::solver::easing::Easing;
 use crate::solver::energy::Energies;
 use crate::solver::neighbourhood::outer;
@@ -18,36 +19,58 @@ pub(crate) struct ContactLaw {
     pub damping: f64,
     /// Coulomb friction coefficient.
     pub friction: f64,
-    /// Slope of the friction force below its Coulomb limit [N s/m].
+    /// Damping of what acts along the surface below Coulomb's limit [N s/m].
     pub sticking: f64,
+    /// Stiffness of what holds there [N/m]; none where it only brakes.
+    pub holding: f64,
 }
 
 impl ContactLaw {
+    /// Normal force [N] at signed distance `gap` [m]: `N = max(0, kc d - cc vn)`.
+    fn push(&self, gap: f64, normal_speed: f64) -> f64 {
+        (self.stiffness * (self.radius - gap) - self.damping * normal_speed).max(0.0)
+    }
+
     /// Force [N] on a particle at signed distance `gap` [m] from a surface with outward `normal`, moving at `velocity`
-    /// [m/s] relative to it: `N = max(0, kc d - cc vn)` and `|Ft| = min(friction N, ct |vt|)`.
-    pub(crate) fn force(&self, gap: f64, normal: DVec3, velocity: DVec3) -> DVec3 {
-        let depth = self.radius - gap;
-        if depth <= 0.0 {
+    /// [m/s] relative to it, with what holds it stretched by `stretch` [m], of which the part along the surface counts:
+    /// `N` and `Ft = -(kt st + ct vt)`, which is cut to `friction N`.
+    pub(crate) fn force(&self, gap: f64, normal: DVec3, velocity: DVec3, stretch: DVec3) -> DVec3 {
+        if gap >= self.radius {
             return DVec3::ZERO;
         }
-        let normal_speed = velocity.dot(normal);
-        let push = (self.stiffness * depth - self.damping * normal_speed).max(0.0);
-        let slip = velocity - normal_speed * normal;
-        let speed = slip.length();
-        let drag = (self.friction * push).min(self.sticking * speed);
-        let tangential = if speed > 0.0 { slip * (-drag / speed) } else { DVec3::ZERO };
-        push * normal + tangential
+        let push = self.push(gap, velocity.dot(normal));
+        let (pull, each) = self.pull(normal, velocity, stretch);
+        let size = pull.length();
+        let drag = (self.friction * push).min(each * size);
+        push * normal - if size > 0.0 { pull * (drag / size) } else { DVec3::ZERO }
     }
 
-    /// [`Self::force`] where an allowance of `left` [m], which changes at `rate` [m/s], is granted.
-    pub(crate) fn eased_force(&self, gap: f64, normal: DVec3, velocity: DVec3, [left, rate]: [f64; 2]) -> DVec3 {
-        self.force(gap + left, normal, velocity + rate * normal)
+    /// What acts against a motion along the surface, were there no limit to it: a vector and what it is multiplied by to be
+    /// a force [N].
+    fn pull(&self, normal: DVec3, velocity: DVec3, stretch: DVec3) -> (DVec3, f64) {
+        let slip = velocity.reject_from_normalized(normal);
+        if self.holding == 0.0 {
+            return (slip, self.sticking);
+        }
+        (self.holding * stretch.reject_from_normalized(normal) + self.sticking * slip, 1.0)
     }
 
-    /// Elastic energy [J] at signed distance `gap` [m].
-    pub(crate) fn energy(&self, gap: f64) -> f64 {
-        let depth = (self.radius - gap).max(0.0);
-        0.5 * self.stiffness * depth * depth
+    /// What is left of a stretch [m] once what holds has been dragged along as far as it must; none of what does not touch.
+    pub(crate) fn dragged(&self, gap: f64, normal: DVec3, velocity: DVec3, stretch: DVec3) -> Option<DVec3> {
+        if gap >= self.radius || self.friction <= 0.0 || self.holding <= 0.0 {
+            return None;
+        }
+        let longest = self.friction * self.push(gap, velocity.dot(normal)) / self.holding;
+        Some(stretch.reject_from_normalized(normal).clamp_length_max(longest))
+    }
+
+    /// Elastic energy [J] at signed distance `gap` [m], with what holds stretched by `stretch` [m] along the surface.
+    pub(crate) fn energy(&self, gap: f64, stretch: DVec3) -> f64 {
+        let depth = self.radius - gap;
+        if depth <= 0.0 {
+            return 0.0;
+        }
+        0.5 * self.stiffness * depth * depth + 0.5 * self.holding * stretch.length_squared()
     }
 }
 
@@ -69,12 +92,14 @@ pub(crate) struct Contact {
     pub law: ContactLaw,
     /// Planes, by their index, that the body is eased out of.
     pub(crate) eased: Vec<(usize, Easing)>,
+    /// Where particles hold on to each plane [m].
+    grips: Vec<Grip<u32>>,
 }
 
 impl Contact {
     /// Contact that eases the body out of none of the planes.
     pub(crate) fn new(planes: Vec<Plane>, law: ContactLaw) -> Self {
-        Self { planes, law, eased: Vec::new() }
+        Self { grips: vec![Grip::default(); planes.len()], planes, law, eased: Vec::new() }
     }
 
     /// How the body is eased out of a plane, if it is.
@@ -94,6 +119,12 @@ impl Contact {
         self.law.radius - ((x - plane.point).dot(plane.normal) + left)
     }
 
+    /// How far [m] what holds a particle at `x` to plane `index` is stretched along it.
+    fn stretch(&self, index: usize, particle: u32, x: DVec3) -> DVec3 {
+        let held = self.grips[index].of(particle);
+        held.map_or(DVec3::ZERO, |place| (x - place).reject_from_normalized(self.planes[index].normal))
+    }
+
     /// Particles that touch a plane at `time` [s], with the planes.
     pub(crate) fn touching(&self, time: f64, positions: &[DVec3]) -> Vec<(u32, u32)> {
         let pairs = (0..self.planes.len()).flat_map(|plane| (0..positions.len()).map(move |i| (i, plane)));
@@ -108,15 +139,23 @@ impl Contact {
 
     /// How plane `index` resists a particle that touches it [N/m], where velocities change by `1/h` of positions: by its
     /// stiffness and damping along the normal, and across it as far as the particle sticks.
-    pub(crate) fn resistance(&self, index: usize, time: f64, x: DVec3, velocity: DVec3, h: f64) -> DMat3 {
-        let ContactLaw { stiffness, damping, friction, sticking, .. } = self.law;
+    pub(crate) fn resistance(
+        &self,
+        index: usize,
+        time: f64,
+        particle: u32,
+        [x, velocity]: [DVec3; 2],
+        h: f64,
+    ) -> DMat3 {
+        let ContactLaw { radius, stiffness, damping, friction, sticking, holding } = self.law;
         let normal = self.planes[index].normal;
         let velocity = velocity + self.allowance(index, time).map_or(0.0, |[_, rate]| rate) * normal;
         let along = outer(normal, normal);
-        let push = (stiffness * self.depth(index, time, x) - damping * velocity.dot(normal)).max(0.0);
-        let slip = (velocity - velocity.dot(normal) * normal).length();
-        let across = if sticking * slip <= friction * push { sticking } else { friction * push / slip };
-        along * (stiffness + damping / h) + (DMat3::IDENTITY - along) * (across / h)
+        let push = self.law.push(radius - self.depth(index, time, x), velocity.dot(normal));
+        let (pull, each) = self.law.pull(normal, velocity, self.stretch(index, particle, x));
+        let pull = each * pull.length();
+        let held = if pull <= friction * push { 1.0 } else { friction * push / pull };
+        along * (stiffness + damping / h) + (DMat3::IDENTITY - along) * (held * (holding + sticking / h))
     }
 
     /// When the body has been eased out of everything [s].
@@ -128,14 +167,14 @@ impl Contact {
 impl Force for Contact {
     fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
         for (index, plane) in self.planes.iter().enumerate() {
-            let allowance = self.allowance(index, time);
+            let [left, rate] = self.allowance(index, time).unwrap_or_default();
             for (i, force) in forces.iter_mut().enumerate() {
-                let gap = (state.positions[i] - plane.point).dot(plane.normal);
-                let velocity = state.velocities[i];
-                *force += match allowance {
-                    None => self.law.force(gap, plane.normal, velocity),
-                    Some(allowance) => self.law.eased_force(gap, plane.normal, velocity, allowance),
-                };
+                let x = state.positions[i];
+                let gap = (x - plane.point).dot(plane.normal) + left;
+                if gap < self.law.radius {
+                    let velocity = state.velocities[i] + rate * plane.normal;
+                    *force += self.law.force(gap, plane.normal, velocity, self.stretch(index, i as u32, x));
+                }
             }
         }
     }
@@ -144,8 +183,11 @@ impl Force for Contact {
         for (index, plane) in self.planes.iter().enumerate() {
             let (left, kept) =
                 self.easing(index).map_or((0.0, 0.0), |easing| (easing.at(time).0, easing.energy_at(time)));
-            for x in &state.positions {
-                energies.contact += self.law.energy((*x - plane.point).dot(plane.normal) + left);
+            for (i, &x) in state.positions.iter().enumerate() {
+                let gap = (x - plane.point).dot(plane.normal) + left;
+                if gap < self.law.radius {
+                    energies.contact += self.law.energy(gap, self.stretch(index, i as u32, x));
+                }
             }
             energies.contact += kept;
         }
@@ -154,13 +196,43 @@ impl Force for Contact {
     fn step_limit(&self, state: &ParticleState) -> StepLimit {
         let lightest = state.masses.iter().copied().fold(f64::INFINITY, f64::min);
         StepLimit {
-            frequency_squared: self.law.stiffness / lightest,
+            frequency_squared: self.law.stiffness.max(self.law.holding) / lightest,
             damping_rate: self.law.damping.max(self.law.sticking) / lightest,
         }
     }
 
     fn bytes(&self) -> usize {
-        size_of_val(self) + size_of_val(&*self.planes) + size_of_val(&*self.eased)
+        let grips: usize = self.grips.iter().map(|grip| size_of_val(grip) + grip.bytes()).sum();
+        size_of_val(self) + size_of_val(&*self.planes) + size_of_val(&*self.eased) + grips
+    }
+
+    fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
+        for index in 0..self.planes.len() {
+            let plane = self.planes[index];
+            let [left, rate] = self.allowance(index, time).unwrap_or_default();
+            let mut held = Vec::new();
+            for (i, &x) in state.positions.iter().enumerate() {
+                let gap = (x - plane.point).dot(plane.normal) + left;
+                if gap < self.law.radius {
+                    let velocity = state.velocities[i] + rate * plane.normal;
+                    let stretch = self.stretch(index, i as u32, x);
+                    let kept = self.law.dragged(gap, plane.normal, velocity, stretch);
+                    held.extend(kept.map(|stretch| (i as u32, x - stretch)));
+                }
+            }
+            self.grips[index].renew(held);
+        }
+        // The force is what it was but where it slides, and there it keeps its size.
+        false
+    }
+
+    fn adopt(&mut self, before: &[Box<dyn Force>]) {
+        let Some(before) = before.iter().find_map(|force| force.downcast_ref::<Self>()) else { return };
+        for (plane, grip) in self.planes.iter().zip(&mut self.grips) {
+            if let Some(index) = before.planes.iter().position(|known| known == plane) {
+                grip.clone_from(&before.grips[index]);
+            }
+        }
     }
 
     fn changes_until(&self) -> f64 {

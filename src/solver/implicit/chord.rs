@@ -143,10 +143,10 @@ impl Chord {
     fn add_contact(&self, dynamics: &Dynamics<'_>, state: &ParticleState, time: f64, h: f64, diagonal: &mut [DMat3]) {
         let Some(contact) = dynamics.contact() else { return };
         for &(i, plane) in &*self.touching {
-            let i = i as usize;
-            let resistance = contact.resistance(plane as usize, time, state.positions[i], state.velocities[i], h);
-            let turn = self.turns.get(i).copied().unwrap_or(DMat3::IDENTITY);
-            diagonal[i] += turn.transpose() * resistance * turn;
+            let moving = [state.positions[i as usize], state.velocities[i as usize]];
+            let resistance = contact.resistance(plane as usize, time, i, moving, h);
+            let turn = self.turns.get(i as usize).copied().unwrap_or(DMat3::IDENTITY);
+            diagonal[i as usize] += turn.transpose() * resistance * turn;
         }
     }
 

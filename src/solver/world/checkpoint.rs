@@ -1,6 +1,7 @@
 //! What a world goes on from: kept frame by frame, it lets a motion be looked at again and taken up anywhere.
 
 use super::eased::Eased;
+use super::grips::Grips;
 use crate::solver::body::checkpoint::BodyCheckpoint;
 use crate::solver::measure::MeasureValue;
 
@@ -15,6 +16,7 @@ pub struct Checkpoint {
     pub(super) contact_current: bool,
     pub(super) lifts: Vec<f64>,
     pub(super) eased: Eased,
+    pub(super) grips: Grips,
     pub(super) since: f64,
     pub(super) frame: u64,
 }
@@ -24,6 +26,6 @@ impl Checkpoint {
     pub fn bytes(&self) -> usize {
         let bodies: usize = self.bodies.iter().map(BodyCheckpoint::bytes).sum();
         let rest = size_of_val(&*self.panels) + size_of_val(&*self.peaks) + size_of_val(&*self.lifts);
-        size_of_val(self) + bodies + rest + self.eased.bytes()
+        size_of_val(self) + bodies + rest + self.eased.bytes() + self.grips.bytes()
     }
 }

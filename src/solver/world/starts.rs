@@ -54,7 +54,7 @@ impl World {
         self.overlaps = overlaps;
         self.eased = eased;
         if self.eased.end() > time {
-            self.evaluate_contact(time);
+            self.evaluate_contact(time, 0.0);
         }
     }
 }

@@ -52,6 +52,15 @@ fn the_heart_beats_alike_every_time() {
 }
 
 #[test]
+fn the_gripper_lifts_a_ball_and_holds_it_by_friction_alone() {
+    let held = values(&scene("gripper"), "lift", &[3.0, 5.5, 8.0]);
+    assert!(held[0] > 60.0 && held.iter().all(|lift| (lift - held[0]).abs() < 0.05), "{held:?}");
+    let smooth = apply_sets(&scene("gripper"), [("/room/friction", "0")]).expect("a place that is there");
+    let slipped = values(&smooth, "lift", &[2.0])[0];
+    assert!(slipped < 10.0, "{slipped} mm without friction");
+}
+
+#[test]
 fn the_arm_twists_both_ways_alike_and_curls() {
     let found = values(&scene("octopus"), "twist", &[1.2, 3.2, 5.2]);
     assert!(found[0] > 40.0 && (found[1] / found[0] + 1.0).abs() < 0.02, "{found:?}");

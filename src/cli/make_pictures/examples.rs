@@ -20,8 +20,9 @@ const fn beside_start(name: &'static str, at: f64) -> ExamplePicture {
 }
 
 /// Every scene that ships.
-pub(super) const EXAMPLES: [ExamplePicture; 70] = [
+pub(super) const EXAMPLES: [ExamplePicture; 71] = [
     beside_start("alive_fish", 2.0),
+    at("alive_gripper", 2.0),
     at("alive_heart", 0.6),
     at("alive_octopus", 1.0),
     beside_start("alive_worm", 4.0),

@@ -127,6 +127,7 @@ examples! {
     Alive "alive_worm", "A worm", "": "A wave along its fibres lets it crawl to the right by friction.";
     Alive "alive_worm_back", "A worm that crawls back", "": "The wave turned round: it crawls to the left, as far.";
     Alive "alive_heart", "A heart", "": "Rings of fibres contract in a beat that repeats.";
+    Alive "alive_gripper", "A gripper", "": "Two fingers curl round a ball, lift it and hold it by friction.";
     Alive "alive_octopus", "An arm", "": "Oblique fibres twist it both ways, and others curl it up.";
     Alive "alive_fish", "A fish", "": "A wave from head to tail pushes water aside, and it swims.";
     Fibres "figure_06_without_soft", "A bar without fibres", "Figure 6":

@@ -232,18 +232,18 @@ fn the_knife_cuts_in_two_at_a_vertex() {
     let mut other = fibre.clone();
     other.id = "fibre-2".into();
     let among = [fibre.clone(), other];
-    let (first, second) = split(&fibre, 3, &among, SAMPLING).expect("an inner vertex");
+    let (first, second) = split(&fibre, 3, &among, &[], SAMPLING).expect("an inner vertex");
     let before = at(&fibre);
     assert_eq!((at(&first.fibre), at(&second)), (before[..=3].to_vec(), before[3..].to_vec()));
     assert_eq!((first.fibre.id.as_str(), second.id.as_str()), ("fibre-1", "fibre-3"));
     assert_eq!(second.name, "Fibre 3");
     assert_eq!((second.rest_shape, &second.extra), (RestShape::Straight, &fibre.extra));
     for (vertex, left) in [(0, 1), (1, 2), (7, 2), (8, 1)] {
-        let error = split(&fibre, vertex, &among, SAMPLING).expect_err("a stub");
+        let error = split(&fibre, vertex, &among, &[], SAMPLING).expect_err("a stub");
         assert_eq!(error, FibreEditError::Stub { index: vertex, left });
     }
-    assert!(matches!(split(&fibre, 9, &among, SAMPLING), Err(FibreEditError::NoVertex { index: 9, count: 9 })));
-    let (first, _) = split(&drawn(View::Front, View::Side), 5, &among, SAMPLING).expect("an inner vertex");
+    assert!(matches!(split(&fibre, 9, &among, &[], SAMPLING), Err(FibreEditError::NoVertex { index: 9, count: 9 })));
+    let (first, _) = split(&drawn(View::Front, View::Side), 5, &among, &[], SAMPLING).expect("an inner vertex");
     assert!(first.note.expect("a note").contains("no longer drawn by its two strokes"));
 }
 

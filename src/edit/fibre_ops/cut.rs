@@ -3,7 +3,8 @@
 use super::edited::{Edited, LEAST_VERTICES, Sampling, with_vertices};
 use super::error::FibreEditError;
 use super::vertices::vertices;
-use crate::scene::Fibre;
+use crate::geometry::curve::arc_length;
+use crate::scene::{Drive, Fibre, SharedDrive};
 
 /// Copies of fibres under new identifiers and names. `among` are the fibres of the body that the copies go into.
 pub fn copies<'a>(of: impl IntoIterator<Item = &'a Fibre>, among: &[Fibre]) -> Vec<Fibre> {
@@ -37,7 +38,8 @@ fn renamed(fibre: &Fibre, taken: &[String]) -> Fibre {
 
 /// Cuts a fibre in two at a vertex, which ends the first half and begins the second. The first half stays under the
 /// fibre's identifier; the second is new among the fibres of the body. Nothing carries bending or tension from half
-/// to half.
+/// to half. A wave that runs along the fibre goes on along the second half as it did: where that is one of the `shared`
+/// drives of the body, the half has one of its own from then on.
 ///
 /// # Errors
 /// No such vertex, a half of fewer than 3 vertices, or strokes that give no curve.
@@ -45,6 +47,7 @@ pub fn split(
     fibre: &Fibre,
     vertex: usize,
     among: &[Fibre],
+    shared: &[SharedDrive],
     sampling: Sampling,
 ) -> Result<(Edited, Fibre), FibreEditError> {
     let vertices = vertices(fibre, sampling)?;
@@ -58,6 +61,14 @@ pub fn split(
     }
     let first = with_vertices(fibre, &vertices[..=vertex])?;
     let second = with_vertices(fibre, &vertices[vertex..])?.fibre;
-    let second = copies([&second], among).remove(0);
+    let mut second = copies([&second], among).remove(0);
+    if let Some(activation) = &mut second.activation
+        && let Some(Drive::Wave(wave)) = activation.drive.resolved(shared)
+        && let Some(wavelength) = wave.wavelength
+    {
+        let mut wave = wave.clone();
+        wave.phase_degrees += 360.0 * (arc_length(&vertices[..=vertex]) / wavelength).fract();
+        activation.drive = wave.into();
+    }
     Ok((first, second))
 }

@@ -5,21 +5,25 @@ use super::error::FibreEditError;
 use crate::scene::{Fibre, FibreSource};
 use crate::sketch::View;
 
-/// Runs a fibre the other way. A pair of strokes stays one.
+/// Runs a fibre the other way, and with it a wave along it; it curls to the same side as before. A pair of strokes stays one.
 ///
 /// # Errors
 /// None for a fibre of a valid document.
 pub fn reverse(fibre: &Fibre) -> Result<Edited, FibreEditError> {
+    let mut fibre = fibre.clone();
+    if let Some(curl) = fibre.activation.as_mut().and_then(|activation| activation.curl.as_mut()) {
+        curl.axis = curl.axis.map(|along| 0.0 - along);
+    }
     match &fibre.source {
         FibreSource::Vertices(vertices) => {
             let reversed: Vec<_> = vertices.iter().rev().copied().map(glam::DVec3::from_array).collect();
-            with_vertices(fibre, &reversed)
+            with_vertices(&fibre, &reversed)
         }
         FibreSource::Strokes(pair) => {
             let mut pair = pair.clone();
             pair.first.points.reverse();
             pair.second.points.reverse();
-            Ok(Edited::whole(Fibre { source: FibreSource::Strokes(pair), ..fibre.clone() }))
+            Ok(Edited::whole(Fibre { source: FibreSource::Strokes(pair), ..fibre }))
         }
     }
 }

@@ -4,7 +4,7 @@ use super::axis_map::{AxisMap, carried};
 use super::edited::{Edited, Sampling, chosen, with_vertices};
 use super::error::FibreEditError;
 use super::vertices::vertices;
-use crate::scene::{Fibre, FibreSource};
+use crate::scene::{Activation, Fibre, FibreSource};
 use glam::{DMat3, DQuat, DVec3};
 
 /// A turn's entries within this of -1, 0 and 1 are taken for them: right angles come out of radians with such errors.
@@ -49,6 +49,23 @@ impl Transform {
         self.matrix * point + self.offset
     }
 
+    /// What becomes of how a fibre acts: the axis that it curls about turns along, and a mirroring reverses a sense of turning
+    /// about an axis as well as one along the fibre.
+    fn carry(&self, fibre: Fibre) -> Fibre {
+        let sense = self.matrix.determinant().signum();
+        let mut activation = fibre.activation;
+        if let Some(Activation { curl, twist, .. }) = &mut activation {
+            if let Some(curl) = curl {
+                // Adding zero turns -0 into 0.
+                curl.axis = (sense * (self.matrix * DVec3::from_array(curl.axis)) + DVec3::ZERO).to_array();
+            }
+            if let Some(twist) = twist {
+                twist.degrees_per_metre *= sense;
+            }
+        }
+        Fibre { activation, ..fibre }
+    }
+
     /// Where it takes the axes, if it takes axes to axes.
     pub(super) fn axis_map(&self) -> Option<AxisMap> {
         let mut map = AxisMap { to: [0; 3], sign: [0.0; 3], offset: self.offset };
@@ -73,7 +90,7 @@ fn exact(matrix: DMat3) -> DMat3 {
     DMat3::from_cols_array(&matrix.to_cols_array().map(near))
 }
 
-/// Moves, turns or mirrors a fibre. A pair of strokes stays one under any move, and under turns and mirrorings that
+/// Moves, turns or mirrors a fibre, with what it does by itself. A pair of strokes stays one under any move, and under turns and mirrorings that
 /// take axes to axes; it becomes vertices under others.
 ///
 /// # Errors
@@ -84,10 +101,11 @@ pub fn transform(fibre: &Fibre, by: &Transform, sampling: Sampling) -> Result<Ed
             return Err(FibreEditError::NotFinite { index: 0 });
         }
         let source = FibreSource::Strokes(carried(pair, &map));
-        return Ok(Edited::whole(Fibre { source, ..fibre.clone() }));
+        return Ok(Edited::whole(by.carry(Fibre { source, ..fibre.clone() })));
     }
     let moved: Vec<DVec3> = vertices(fibre, sampling)?.into_iter().map(|vertex| by.apply(vertex)).collect();
-    with_vertices(fibre, &moved)
+    let edited = with_vertices(fibre, &moved)?;
+    Ok(Edited { fibre: by.carry(edited.fibre), ..edited })
 }
 
 /// Moves, turns or mirrors some vertices of a fibre; the others stay. All of them are [`transform`], and strokes stay

@@ -133,7 +133,7 @@ pub(crate) fn insert_vertices(cx: &mut Context) {
 pub(crate) fn split(cx: &mut Context) {
     let Some((body, fibre)) = cx.selected_fibre() else { return };
     let Some(&[vertex]) = cx.selection.vertices() else { return };
-    match fibre_ops::split(fibre, vertex, &body.fibres, cx.sampling()) {
+    match fibre_ops::split(fibre, vertex, &body.fibres, &body.drives, cx.sampling()) {
         Ok((first, second)) => {
             let (body, ids) = (body.id.clone(), [first.fibre.id.clone(), second.id.clone()]);
             let name = format!("Split {}", fibre.title());

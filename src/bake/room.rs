@@ -35,7 +35,7 @@ pub(super) fn panels(scene: &Scene) -> Vec<Panel> {
 }
 
 fn panel(panel: &crate::scene::Panel, floor: Option<f64>) -> Panel {
-    Panel {
+    let mut placed = Panel {
         id: panel.id.clone(),
         height: panel.height,
         velocity: 0.0,
@@ -55,7 +55,9 @@ fn panel(panel: &crate::scene::Panel, floor: Option<f64>) -> Panel {
                 Some(DrivenHeight { drive: drive(&of.drive, &[]), height: panel.height, travel: of.travel })
             }
         },
-    }
+    };
+    placed.follow(0.0);
+    placed
 }
 
 /// The side of the room whose plane has this normal into the free side.

@@ -91,13 +91,23 @@ impl Panel {
 
     /// Moves over one outer step from `time` to `time + dt` [s]. Nothing moves it into the floor.
     pub(super) fn drift(&mut self, time: f64, dt: f64) {
-        match &self.driven {
-            Some(DrivenHeight { drive, height, travel }) => {
-                let (value, rate) = drive.at(time + dt);
-                (self.height, self.velocity) = (height + travel * value, travel * rate);
-            }
-            None => self.height += dt * self.velocity,
+        if self.driven.is_none() {
+            self.height += dt * self.velocity;
+            self.stop_at_floor();
         }
+        self.follow(time + dt);
+    }
+
+    /// Puts one that is driven where it has to be at `time` [s], but not into the floor.
+    pub(crate) fn follow(&mut self, time: f64) {
+        if let Some(DrivenHeight { drive, height, travel }) = &self.driven {
+            let (value, rate) = drive.at(time);
+            (self.height, self.velocity) = (height + travel * value, travel * rate);
+            self.stop_at_floor();
+        }
+    }
+
+    fn stop_at_floor(&mut self) {
         if let Some(floor) = self.floor
             && self.height < floor
         {

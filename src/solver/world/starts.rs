@@ -3,6 +3,7 @@
 use super::World;
 use super::eased::Eased;
 use crate::solver::overlap::{EasedPair, of_bodies, with_panel, with_plane};
+use crate::solver::panel::Panel;
 
 impl World {
     /// Finds what overlaps and eases it apart from now on. After an edit what is known of before goes on: of bodies that
@@ -30,7 +31,9 @@ impl World {
             }
             for (number, panel) in self.panels.iter().enumerate() {
                 let known = old(index).and_then(|(world, was)| {
-                    let same = world.panels.iter().position(|known| known.id == panel.id)?;
+                    // One that an edit has put elsewhere may have been put into the body.
+                    let is_same = |known: &Panel| known.id == panel.id && known.height == panel.height;
+                    let same = world.panels.iter().position(is_same)?;
                     Some(world.eased.panel(was, same).copied())
                 });
                 let easing = known.unwrap_or_else(|| {

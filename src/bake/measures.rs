@@ -60,6 +60,7 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
                     Quantity::Volume(if planar { "m²" } else { "m³" })
                 }
                 MeasureKind::InertiaRatio => Quantity::InertiaRatio,
+                MeasureKind::ActivationWork => Quantity::ActivationWork,
             };
             let peak = measure.over_time == OverTime::Peak;
             Ok(Probe { name: measure.name.clone(), body, quantity, peak })

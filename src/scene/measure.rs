@@ -63,6 +63,9 @@ pub enum MeasureKind {
     /// Moment of inertia of a two-layer body about its centre [fraction of M Ro²], Ro the mean distance of the outer
     /// particles from it: about the normal of the plane in 2D, the mean over all axes in 3D. It tells where the mass is.
     InertiaRatio,
+    /// Work that the drives of the body's fibres, of gravity and of its gas have done on it [J]; not that of pins, panels
+    /// and wind.
+    ActivationWork,
 }
 
 impl MeasureKind {

@@ -79,7 +79,7 @@ impl From<DrivenMotion> for Motion {
 /// A move and a turn, each as far as a drive has it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DrivenMotion {
-    /// What both are multiplied by. A wave's wavelength has no meaning here.
+    /// What both are multiplied by; a wave with a wavelength is refused, as it runs along fibres.
     pub drive: Drive,
     /// How far it is moved where the drive is 1 [m], world axes.
     #[serde(default)]

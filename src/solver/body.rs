@@ -179,6 +179,19 @@ impl Body {
         true
     }
 
+    /// Starts in a world whose time is not zero: nothing that was found at time zero holds.
+    pub(super) fn start_late(&mut self) {
+        for force in &mut self.parts.forces {
+            force.adopt(&[]);
+        }
+        self.current = false;
+    }
+
+    /// The work that its drives have done on it so far [J].
+    pub(super) fn drive_work(&self) -> f64 {
+        self.parts.forces.iter().map(|force| force.drive_work()).sum()
+    }
+
     /// The planes of the room that it touches.
     pub(super) fn planes(&self) -> &[Plane] {
         room_contact(&self.parts.forces).map_or(&[], |contact| &contact.planes)

@@ -122,6 +122,11 @@ impl Drive {
         }
     }
 
+    /// The greatest size of its values.
+    pub(crate) fn largest(&self) -> f64 {
+        self.greatest().abs().max(self.least().abs())
+    }
+
     /// Until when [s] it changes.
     pub(crate) fn until(&self) -> f64 {
         match self {
@@ -165,33 +170,70 @@ fn keyed(keys: &[(f64, f64)], between: Between, after: After, time: f64) -> (f64
     }
 }
 
-/// The work that a drive does on a body whose energy is its value times a measure of the body, the half of a step's at each of
-/// its ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct DriveWork {
+/// What a force and its energy are multiplied by, and the work that this does on the body by changing: half of a step's at
+/// each of its ends.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Driven {
+    /// By 1 where there is none.
+    drive: Option<Drive>,
     /// Work done up to the last booking [J].
-    pub(crate) done: f64,
-    /// The drive's value there, and the measure [J].
+    done: f64,
+    /// The drive's value there, and the energy that is not multiplied [J].
     booked: Option<[f64; 2]>,
 }
 
-impl DriveWork {
-    /// Takes note of where the booking begins, unless it has begun.
-    pub(crate) fn begin(&mut self, value: f64, measure: impl FnOnce() -> f64) {
-        self.booked.get_or_insert_with(|| [value, measure()]);
+impl Driven {
+    /// By a drive, if there is one.
+    pub(crate) fn by(drive: Option<Drive>) -> Self {
+        Self { drive, ..Self::default() }
     }
 
-    /// Books the step that ended with this value and measure.
-    pub(crate) fn book(&mut self, value: f64, measure: f64) {
-        if let Some([before, was]) = self.booked {
-            self.done += 0.5 * (value - before) * (was + measure);
+    /// The factor at a time [s].
+    pub(crate) fn at(&self, time: f64) -> f64 {
+        self.drive.as_ref().map_or(1.0, |drive| drive.at(time).0)
+    }
+
+    /// Work done so far [J].
+    pub(crate) fn work(&self) -> f64 {
+        self.done
+    }
+
+    /// Takes note of where the booking begins, unless it has begun; `energy` [J] is what is multiplied.
+    pub(crate) fn begin(&mut self, time: f64, energy: impl FnOnce() -> f64) {
+        if self.booked.is_none() {
+            self.book(time, energy);
         }
-        self.booked = Some([value, measure]);
     }
 
-    /// Goes on with the work of another, from wherever the body is next.
-    pub(crate) fn adopt(&mut self, before: &Self) {
-        *self = Self { done: before.done, booked: None };
+    /// Books the step that ended at a time [s] with this energy [J]. One that is no number, such as that of gas without a
+    /// volume, has no work: the body is about to be stopped.
+    pub(crate) fn book(&mut self, time: f64, energy: impl FnOnce() -> f64) {
+        let Some(drive) = &self.drive else { return };
+        let now = [drive.at(time).0, energy()];
+        if !now[1].is_finite() {
+            return;
+        }
+        if let Some(before) = self.booked {
+            self.done += 0.5 * (now[0] - before[0]) * (before[1] + now[1]);
+        }
+        self.booked = Some(now);
+    }
+
+    /// Begins to book anew, from wherever the body is next, and goes on with the work of what stood here before.
+    pub(crate) fn adopt(&mut self, before: Option<&Self>) {
+        self.booked = None;
+        self.done = before.map_or(0.0, |before| before.done);
+    }
+
+    /// Until when [s] it changes.
+    pub(crate) fn until(&self) -> f64 {
+        self.drive.as_ref().map_or(0.0, Drive::until)
+    }
+
+    /// Where it stands still at its greatest value, or at its least.
+    pub(crate) fn at_extreme(&self, greatest: bool) -> Self {
+        let of = |drive: &Drive| Drive::Constant(if greatest { drive.greatest() } else { drive.least() });
+        Self::by(self.drive.as_ref().map(of))
     }
 }
 
@@ -234,10 +276,14 @@ impl DriveAlong {
         }
     }
 
-    /// Where it stands still at its greatest value, or at its least.
+    /// The greatest value that it takes, or the least.
+    pub(crate) fn extreme(&self, greatest: bool) -> f64 {
+        if greatest { self.drive.greatest() } else { self.drive.least() }
+    }
+
+    /// Where it stands still at that value.
     pub(crate) fn at_extreme(&self, greatest: bool) -> Self {
-        let drive = Drive::Constant(if greatest { self.drive.greatest() } else { self.drive.least() });
-        Self { drive, turns: Vec::new() }
+        Self { drive: Drive::Constant(self.extreme(greatest)), turns: Vec::new() }
     }
 
     /// Until when [s] it changes.
@@ -298,5 +344,16 @@ mod tests {
                 assert!((values(k) - Drive::Wave(late).at(time).0).abs() < 1e-14, "{place} m, {time} s");
             }
         }
+    }
+
+    #[test]
+    fn energies_that_are_no_number_are_no_work() {
+        let mut driven = Driven::by(Some(keys(Between::Linear, After::Hold)));
+        driven.begin(0.5, || 2.0);
+        for energy in [f64::NAN, f64::INFINITY] {
+            driven.book(1.0, || energy);
+        }
+        driven.book(1.5, || 4.0);
+        assert_eq!(driven.work(), 0.5 * (3.0 - 1.0) * (2.0 + 4.0));
     }
 }

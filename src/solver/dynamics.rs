@@ -150,9 +150,9 @@ impl Dynamics<'_> {
         self.forces.iter().find_map(|force| force.downcast_ref())
     }
 
-    /// Gravity [m/s²].
-    pub(super) fn gravity(&self) -> DVec3 {
-        self.forces.iter().filter_map(|force| force.downcast_ref::<Gravity>()).map(|gravity| gravity.acceleration).sum()
+    /// Gravity at a time [s], in m/s².
+    pub(super) fn gravity(&self, time: f64) -> DVec3 {
+        self.forces.iter().filter_map(|force| force.downcast_ref::<Gravity>()).map(|gravity| gravity.at(time)).sum()
     }
 
     /// Axes along which each of `n` particles is held.

@@ -46,7 +46,8 @@ energies! {
     grab,
     /// Energy of the fibres' twist.
     twisting,
-    /// The work that drives have done on the body, counted down from zero: with it the sum stays what it was.
+    /// The work that the drives of fibres, gravity and enclosed gas have done on the body, counted down from zero: with it the
+    /// sum stays what it was. What pins, panels, grabs and wind do comes from outside and is not among the energies.
     activation,
 }
 

@@ -54,6 +54,8 @@ pub(crate) enum Quantity {
     Volume(&'static str),
     /// Moment of inertia of a two-layer body over M Ro².
     InertiaRatio,
+    /// Work of drives [J].
+    ActivationWork,
 }
 
 const MILLI: f64 = 1e3;
@@ -74,6 +76,7 @@ impl Quantity {
             Self::LayerOffset => "layer_offset",
             Self::Volume(_) => "volume",
             Self::InertiaRatio => "inertia_ratio",
+            Self::ActivationWork => "activation_work",
         }
     }
 
@@ -87,6 +90,7 @@ impl Quantity {
             Self::Twist(..) => "degrees",
             Self::ReactionForce(..) => "N",
             Self::ReactionTorque(..) => "N m",
+            Self::ActivationWork => "J",
         }
     }
 
@@ -158,6 +162,7 @@ impl Quantity {
                 of_layers(body, |layers| layers.outer_surface.as_ref().map_or(0.0, |surface| surface.volume(now)))
             }
             Self::InertiaRatio => of_layers(body, |layers| layers.inertia_ratio(body.state())),
+            Self::ActivationWork => MeasureValue::Scalar(body.drive_work()),
         }
     }
 }

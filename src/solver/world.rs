@@ -181,12 +181,16 @@ impl World {
         for (body, goes_on) in self.bodies.iter_mut().zip(&mut goes_on) {
             let old = before.bodies.iter().position(|old| old.parts().id == body.parts().id);
             *goes_on = old.filter(|&old| body.adopt(&before.bodies[old], before.time()));
+            if goes_on.is_none() {
+                body.start_late();
+            }
         }
         for panel in &mut self.panels {
             if let Some(old) = before.panels.iter().find(|old| old.id == panel.id) {
                 panel.height = old.height;
                 panel.velocity = old.velocity;
             }
+            panel.follow(before.time());
         }
         let panel = |old: usize| self.panels.iter().position(|panel| panel.id == before.panels[old].id);
         self.grips = before.grips.renumbered(|old| goes_on.iter().position(|&was| was == Some(old)), panel);

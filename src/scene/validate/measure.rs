@@ -64,9 +64,11 @@ fn kind(at: &At<'_>, measure: &Measure, regions: &Ids<'_>) -> Checked {
         MeasureKind::Shear(of) => ("shear", &of.region, Some(&of.against), None),
         MeasureKind::ReactionForce(of) => ("reaction_force", &of.region, None, Some(("along", &of.along))),
         MeasureKind::ReactionTorque(of) => ("reaction_torque", &of.region, None, Some(("along", &of.along))),
-        MeasureKind::Size(_) | MeasureKind::LayerOffset | MeasureKind::Volume | MeasureKind::InertiaRatio => {
-            return Ok(());
-        }
+        MeasureKind::Size(_)
+        | MeasureKind::LayerOffset
+        | MeasureKind::Volume
+        | MeasureKind::InertiaRatio
+        | MeasureKind::ActivationWork => return Ok(()),
     };
     let at = at.field(name);
     regions.resolve(&at.field("region"), region)?;

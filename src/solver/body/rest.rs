@@ -30,7 +30,8 @@ impl Body {
         let RestScale { force, energy } = self.parts.rest_scale;
         let gravity = self.parts.forces.iter().find_map(|force| force.downcast_ref::<Gravity>());
         let lightest = self.parts.state.masses.iter().copied().fold(f64::INFINITY, f64::min);
-        let weight = gravity.map_or(f64::INFINITY, |gravity| lightest * gravity.acceleration.length());
+        let weight = gravity.map_or(0.0, |gravity| lightest * gravity.at(time).length());
+        let weight = if weight > 0.0 { weight } else { f64::INFINITY };
         self.settled(time, RestScale { force: ASLEEP * force.min(weight), energy: ASLEEP * ASLEEP * energy })
     }
 

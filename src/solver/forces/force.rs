@@ -48,6 +48,17 @@ pub trait Force: Any + Send + Sync {
         0.0
     }
 
+    /// Whether what it does not come from the body alone: it may give energy that no [`Self::add_energy`] tells of, though
+    /// it does not change in time.
+    fn does_work(&self) -> bool {
+        false
+    }
+
+    /// The work that its drive has done so far [J], as it is taken from the energy `activation`.
+    fn drive_work(&self) -> f64 {
+        0.0
+    }
+
     /// What is wrong with a state, where the force has no meaning in it; the body is stopped then.
     fn fault(&self, _state: &ParticleState) -> Option<&'static str> {
         None
@@ -59,7 +70,8 @@ pub trait Force: Any + Send + Sync {
         false
     }
 
-    /// Goes on from where the forces of the same body stood before an edit: what has broken stays broken.
+    /// Goes on from where the forces of the same body stood before an edit, and from any time: what has broken stays broken,
+    /// and nothing that was noted of the body's start counts any more. There are none where the body starts anew.
     fn adopt(&mut self, _before: &[Box<dyn Force>]) {}
 
     /// What the force is called where forces are timed one by one.

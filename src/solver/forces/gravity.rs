@@ -1,7 +1,7 @@
 //! Weight.
 
 use super::force::Force;
-use crate::solver::drive::{Drive, DriveWork};
+use crate::solver::drive::{Drive, Driven};
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
@@ -11,36 +11,30 @@ use glam::DVec3;
 pub(crate) struct Gravity {
     /// Acceleration [m/s²].
     pub acceleration: DVec3,
-    /// What it is multiplied by, if anything.
-    drive: Option<Drive>,
-    work: DriveWork,
+    driven: Driven,
 }
 
 impl Gravity {
     /// An acceleration [m/s²], times a drive if there is one.
     pub(crate) fn new(acceleration: DVec3, drive: Option<Drive>) -> Self {
-        Self { acceleration, drive, work: DriveWork::default() }
+        Self { acceleration, driven: Driven::by(drive) }
     }
 
     /// Acceleration [m/s²] at a time [s].
     pub(crate) fn at(&self, time: f64) -> DVec3 {
-        self.drive.as_ref().map_or(self.acceleration, |drive| drive.at(time).0 * self.acceleration)
+        self.driven.at(time) * self.acceleration
     }
+}
 
-    /// Energy [J] in the field that is not driven.
-    fn energy(&self, state: &ParticleState) -> f64 {
-        let moment: DVec3 = state.positions.iter().zip(&state.masses).map(|(&x, &m)| m * x).sum();
-        -moment.dot(self.acceleration)
-    }
+/// Energy [J] of a body in a field of this acceleration [m/s²].
+fn energy(acceleration: DVec3, state: &ParticleState) -> f64 {
+    let moment: DVec3 = state.positions.iter().zip(&state.masses).map(|(&x, &m)| m * x).sum();
+    -moment.dot(acceleration)
 }
 
 impl Force for Gravity {
     fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        if let Some(drive) = &self.drive {
-            let mut work = self.work;
-            work.begin(drive.at(time).0, || self.energy(state));
-            self.work = work;
-        }
+        self.driven.begin(time, || energy(self.acceleration, state));
         let acceleration = self.at(time);
         for (force, &mass) in forces.iter_mut().zip(&state.masses) {
             *force += mass * acceleration;
@@ -48,26 +42,26 @@ impl Force for Gravity {
     }
 
     fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
-        energies.gravity += self.drive.as_ref().map_or(1.0, |drive| drive.at(time).0) * self.energy(state);
-        energies.activation -= self.work.done;
+        energies.gravity += self.driven.at(time) * energy(self.acceleration, state);
+        energies.activation -= self.drive_work();
     }
 
     fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
-        if let Some(drive) = &self.drive {
-            let (value, energy) = (drive.at(time).0, self.energy(state));
-            self.work.book(value, energy);
-        }
+        self.driven.book(time, || energy(self.acceleration, state));
         false
     }
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {
-        if let Some(before) = before.iter().find_map(|force| force.downcast_ref::<Self>()) {
-            self.work.adopt(&before.work);
-        }
+        let before = before.iter().find_map(|force| force.downcast_ref::<Self>());
+        self.driven.adopt(before.map(|before| &before.driven));
+    }
+
+    fn drive_work(&self) -> f64 {
+        self.driven.work()
     }
 
     fn changes_until(&self) -> f64 {
-        self.drive.as_ref().map_or(0.0, Drive::until)
+        self.driven.until()
     }
 
     fn driven_until(&self) -> f64 {

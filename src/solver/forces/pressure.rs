@@ -1,7 +1,7 @@
 //! Pressure of enclosed gas: the two-layer paper's, with the signed volume in place of a bounding box.
 
 use super::force::Force;
-use crate::solver::drive::{Drive, DriveWork};
+use crate::solver::drive::{Drive, Driven};
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
@@ -77,20 +77,19 @@ pub(crate) struct Pressure {
     pub surfaces: Vec<(Surface, f64)>,
     /// A pressure [Pa] that stays whatever the volume.
     frozen: Option<f64>,
-    /// What nRT is multiplied by, if anything.
-    drive: Option<Drive>,
-    work: DriveWork,
+    /// What nRT is multiplied by.
+    driven: Driven,
 }
 
 impl Pressure {
     /// Gas of `energy_scale` nRT [J] between these surfaces.
     pub(crate) fn new(energy_scale: f64, surfaces: Vec<(Surface, f64)>) -> Self {
-        Self { energy_scale, surfaces, frozen: None, drive: None, work: DriveWork::default() }
+        Self { energy_scale, surfaces, frozen: None, driven: Driven::default() }
     }
 
     /// The same gas, nRT times a drive.
     pub(crate) fn driven(self, drive: Option<Drive>) -> Self {
-        Self { drive, ..self }
+        Self { driven: Driven::by(drive), ..self }
     }
 
     /// Keeps the pressure from here on as it is at a time [s] at `positions` [m]: particles feel only those beside them then.
@@ -102,7 +101,7 @@ impl Pressure {
     /// stopped.
     fn pressure(&self, time: f64, positions: &[DVec3]) -> f64 {
         let volume = self.volume(positions);
-        let scale = self.drive.as_ref().map_or(self.energy_scale, |drive| drive.at(time).0 * self.energy_scale);
+        let scale = self.driven.at(time) * self.energy_scale;
         self.frozen.unwrap_or(if volume > 0.0 { scale / volume } else { 0.0 })
     }
 
@@ -119,11 +118,9 @@ impl Pressure {
 
 impl Force for Pressure {
     fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        if let Some(drive) = &self.drive {
-            let mut work = self.work;
-            work.begin(drive.at(time).0, || self.energy(state));
-            self.work = work;
-        }
+        let mut driven = std::mem::take(&mut self.driven);
+        driven.begin(time, || self.energy(state));
+        self.driven = driven;
         let pressure = self.pressure(time, &state.positions);
         for (surface, sign) in &self.surfaces {
             surface.add_gradient(&state.positions, sign * pressure, forces);
@@ -131,8 +128,8 @@ impl Force for Pressure {
     }
 
     fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
-        energies.pressure += self.drive.as_ref().map_or(1.0, |drive| drive.at(time).0) * self.energy(state);
-        energies.activation -= self.work.done;
+        energies.pressure += self.driven.at(time) * self.energy(state);
+        energies.activation -= self.drive_work();
     }
 
     fn couplings(&self) -> Vec<Vec<u32>> {
@@ -151,23 +148,25 @@ impl Force for Pressure {
     }
 
     fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
-        if let Some(drive) = &self.drive {
-            let (value, energy) = (drive.at(time).0, self.energy(state));
-            self.work.book(value, energy);
-        }
+        let mut driven = std::mem::take(&mut self.driven);
+        driven.book(time, || self.energy(state));
+        self.driven = driven;
         false
     }
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {
-        let gases = before.iter().filter_map(|force| force.downcast_ref::<Self>());
+        let mut gases = before.iter().filter_map(|force| force.downcast_ref::<Self>());
         // Gas in both layers counts as two.
-        if let Some(before) = gases.into_iter().find(|gas| gas.surfaces == self.surfaces) {
-            self.work.adopt(&before.work);
-        }
+        let before = gases.find(|gas| gas.surfaces == self.surfaces);
+        self.driven.adopt(before.map(|gas| &gas.driven));
+    }
+
+    fn drive_work(&self) -> f64 {
+        self.driven.work()
     }
 
     fn changes_until(&self) -> f64 {
-        self.drive.as_ref().map_or(0.0, Drive::until)
+        self.driven.until()
     }
 
     fn driven_until(&self) -> f64 {
@@ -175,9 +174,7 @@ impl Force for Pressure {
     }
 
     fn clone_at_extreme(&self, greatest: bool) -> Box<dyn Force> {
-        let of = |drive: &Drive| Drive::Constant(if greatest { drive.greatest() } else { drive.least() });
-        let drive = self.drive.as_ref().map(of);
-        Box::new(Self { drive, ..self.clone() })
+        Box::new(Self { driven: self.driven.at_extreme(greatest), ..self.clone() })
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

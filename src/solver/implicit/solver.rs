@@ -125,7 +125,7 @@ impl StageSolver {
         } else {
             dynamics.evaluate(stage.time, state);
         }
-        let gravity = dynamics.gravity().length();
+        let gravity = dynamics.gravity(stage.time).length();
         let Work { residual, step, .. } = &mut *self.work;
         step.clear();
         let bases = stage.positions.iter().zip(stage.velocities);

@@ -2,7 +2,8 @@
 //!
 //! An edge that wants to be shorter by a share c rests at `l0 (1 - c)`; its energy is still divided by the drawn length,
 //! `l_f (EA / 2 l0) (|e| - l0 (1 - c))²`. So its Hessian is at most `l_f EA / l0` times unity, whatever the edge does and
-//! however it is driven, and that is what the stable step is measured with.
+//! however it is driven, and that is what the stable step is measured with. Bending gets stiffer as edges get shorter, by
+//! `(1 - c)^-2`, with the greatest c among the drive's, and so is it measured.
 //!
 //! The work of a step is half of what the change of all drives adds to the energy where the step began and half of what it
 //! adds where it ended. The sum of all energies less that work is kept to second order, as it is without drives.
@@ -94,9 +95,9 @@ impl Activity {
         self.booked.as_ref().map_or(0.0, |booked| booked.time)
     }
 
-    /// Goes on with the work of another, from wherever the body is next.
-    pub(super) fn adopt(&mut self, before: &Self) {
-        *self = Self { work: before.work, booked: None };
+    /// Begins to book anew, from wherever the body is next, and goes on with the work of what stood here before.
+    pub(super) fn adopt(&mut self, before: Option<&Self>) {
+        *self = Self { work: before.map_or(0.0, |before| before.work), booked: None };
     }
 
     /// Memory of the lists [bytes].
@@ -128,7 +129,9 @@ fn work_between(fibres: &[FibreRest], broken: &Breakage, [before, now]: [&Booked
             length += fibre.edges.len();
             if activation.curls() {
                 let (was, is) = (fibre.binormals_at(before.time), fibre.binormals_at(now.time));
-                for bend in (0..fibre.bends.len()).filter(|bend| !broken.bends[first_bend + *bend]) {
+                // Where the turn of the material cannot be read, nothing curls.
+                let acts = |bend: &usize| fibre.bends[*bend].curved.is_some() && !broken.bends[first_bend + *bend];
+                for bend in (0..fibre.bends.len()).filter(acts) {
                     let (from, to) = (was(bend), is(bend));
                     let found = before.binormals[binormal + bend] + now.binormals[binormal + bend];
                     work += fibre.bends[bend].stiffness * (to - from).dot(to + from - found);

@@ -232,7 +232,7 @@ impl Force for FibreForce {
     fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
         let mut turns = self.turns.iter().zip(&self.broken.bends);
         let mut edges_broken = self.broken.edges.iter();
-        energies.activation -= self.activity.work;
+        energies.activation -= self.drive_work();
         for fibre in self.fibres.iter() {
             let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)).collect();
             let rest_length = fibre.lengths_at(time);
@@ -313,11 +313,16 @@ impl Force for FibreForce {
     }
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {
-        if let Some(before) = before.iter().find_map(|force| force.downcast_ref::<Self>()) {
+        let before = before.iter().find_map(|force| force.downcast_ref::<Self>());
+        self.activity.adopt(before.map(|before| &before.activity));
+        if let Some(before) = before {
             self.broken = before.broken.carried([&before.fibres, &self.fibres]);
-            self.activity.adopt(&before.activity);
             self.workspace = Scratch::default();
         }
+    }
+
+    fn drive_work(&self) -> f64 {
+        self.activity.work
     }
 
     fn name(&self) -> &'static str {

@@ -5,9 +5,9 @@ use glam::DVec3;
 
 impl FibreForce {
     /// Puts the force [N] that every edge carries between the particles at `positions` into `lines`, one entry an edge
-    /// of each of the body's centre lines: `l_f EA (|e| - l) / l0`, l what they rest at at the end of the last step, negative
-    /// where it is pressed. Broken edges carry
-    /// nothing; entries of edges that are none of these fibres' are left as they are.
+    /// of each of the body's centre lines: `l_f EA (|e| - l) / l0`, l what they rest at at the end of the last step, and the
+    /// pull of the muscle then; negative where it is pressed. Broken edges carry nothing; entries of edges that are none of
+    /// these fibres' are left as they are.
     pub fn tensions(&self, positions: &[DVec3], lines: &mut [Vec<f64>]) {
         let mut broken = self.broken.edges.iter();
         for fibre in self.fibres.iter() {

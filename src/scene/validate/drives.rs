@@ -4,9 +4,7 @@ use super::brief;
 use super::check::{
     At, Checked, Ids, direction, finite, fraction, increasing, not_negative, number, positive, require,
 };
-use crate::scene::{
-    Activation, AfterLast, Body, Drive, DriveKeys, IntegratorChoice, IntegratorKind, SharedDrive, Stiffness, Wave,
-};
+use crate::scene::{Activation, AfterLast, Drive, DriveKeys, SharedDrive, Stiffness, Wave};
 
 /// Shares by which a fibre may want to be shorter: beyond them its edges turn over or it buckles at once.
 const CONTRACTION: [f64; 2] = [-0.5, 0.8];
@@ -149,12 +147,4 @@ fn contraction(at: &At<'_>, of: &Activation, shared: &[SharedDrive]) -> Checked 
         })?;
     }
     Ok(())
-}
-
-/// Fibres that act or resist twist cannot be stepped implicitly.
-pub(super) fn integrator(at: &At<'_>, body: &Body) -> Checked {
-    let acts = body.fibres.iter().any(|fibre| fibre.activation.is_some() || fibre.stiffness.twisting() > 0.0);
-    let implicit = body.integrator == IntegratorChoice::Given(IntegratorKind::FibresImplicit);
-    let problem = "cannot step a body with fibres that act or resist twist";
-    require(at, &body.integrator, !(acts && implicit), problem, || "give \"automatic\" or \"leap_frog\"")
 }

@@ -6,7 +6,8 @@ use super::parts::{impulses, initial, model_file, pins, placement, regions, rota
 use super::{SceneError, brief};
 use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
-    Body, Dab, Fibre, FibreSource, MAX_DABS, MAX_PARTICLES, Mass, Material, Shape, Stiffness, ViewStroke,
+    Body, Dab, Fibre, FibreSource, IntegratorChoice, IntegratorKind, MAX_DABS, MAX_PARTICLES, Mass, Material, Shape,
+    Stiffness, ViewStroke,
 };
 use glam::{DMat3, DVec3};
 
@@ -30,10 +31,18 @@ pub(super) fn solid(at: &At<'_>, body: &Body, before: f64) -> Result<f64, SceneE
     placement(&at.field("placement"), &body.placement)?;
     material(&at.field("material"), &body.material)?;
     let particles = count(at, body, before)?;
-    drives::integrator(&at.field("integrator"), body)?;
+    integrator(&at.field("integrator"), body)?;
     initial(&at.field("initial"), &body.initial)?;
     parts(at, body)?;
     Ok(particles)
+}
+
+/// Fibres that act or resist twist cannot be stepped implicitly.
+fn integrator(at: &At<'_>, body: &Body) -> Checked {
+    let acts = body.fibres.iter().any(|fibre| fibre.activation.is_some() || fibre.stiffness.twisting() > 0.0);
+    let implicit = body.integrator == IntegratorChoice::Given(IntegratorKind::FibresImplicit);
+    let problem = "cannot step a body with fibres that act or resist twist";
+    require(at, &body.integrator, !(acts && implicit), problem, || "give \"automatic\" or \"leap_frog\"")
 }
 
 fn shape(at: &At<'_>, shape: &Shape) -> Checked {

@@ -78,7 +78,7 @@ pub(super) fn draft(
         Precision::Exact => matrix,
         Precision::Fast => matrix.fast(),
     })];
-    let rods = fibres::rods(body, &embedder, volume, &placed);
+    let rods = fibres::rods(body, &embedder, volume, &placed, path)?;
     let strongest = fibres::strongest(body, &placed, &rods);
     let mut matrix_alone = None;
     if !rods.is_empty() {
@@ -102,7 +102,7 @@ pub(super) fn draft(
     let explicit_dt = resistance.stable_step(&LeapFrog::default());
     let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| match (parameter, strongest) {
         (SolidParameter::Fibres, Some(fibre)) => format!("{path}/fibres/{fibre}/stiffness"),
-        (parameter, _) => format!("{path}/{}", parameter.pointer()),
+        (parameter, _) => parameter.pointer(path),
     });
     let law = contact.law;
     if !contact.planes.is_empty() {

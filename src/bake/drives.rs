@@ -27,12 +27,17 @@ pub(super) fn gravity(scene: &scene::Scene) -> Option<Drive> {
     scene.gravity_drive.as_ref().map(|of| drive(of, &[]))
 }
 
+/// Whether a scene has a wind that pushes on anything.
+pub(super) fn blows(scene: &scene::Scene) -> bool {
+    scene.wind.as_ref().is_some_and(|wind| wind.density * wind.drag > 0.0)
+}
+
 /// The push of a scene's wind on a surface, if there is any.
 pub(super) fn wind(scene: &scene::Scene, surface: FlowSurface) -> Option<Flow> {
-    let wind = scene.wind.as_ref()?;
-    let density = wind.density * wind.drag;
+    let wind = scene.wind.as_ref().filter(|_| blows(scene))?;
     let velocity = DVec3::from_array(wind.velocity);
-    (density > 0.0).then(|| Flow::new(velocity, wind.drive.as_ref().map(|of| drive(of, &[])), density, surface))
+    let driven = wind.drive.as_ref().map(|of| drive(of, &[]));
+    Some(Flow::new(velocity, driven, wind.density * wind.drag, surface))
 }
 
 fn keyframes(keys: &DriveKeys) -> Drive {

@@ -150,6 +150,26 @@ pub enum BakeError {
         /// Distance at rest [m].
         apart: f64,
     },
+    /// A fibre that is to curl or twist by more from vertex to vertex than such a turn is told by.
+    #[error(
+        "{path}: {rate} degrees/m, where the drive is {largest}, turn the fibre by {degrees:.0} degrees between vertices \
+         {longest:.2e} m apart, and less than {most} are possible; give at most {:.3} degrees/m in size or put the vertices \
+         nearer to each other", 0.99 * most / (largest * longest)
+    )]
+    TurnsTooFar {
+        /// Pointer to the turn per length.
+        path: String,
+        /// Turn per length [degrees/m].
+        rate: f64,
+        /// Greatest size of the drive's values.
+        largest: f64,
+        /// Greatest distance of the vertices [m].
+        longest: f64,
+        /// Turn from vertex to vertex [degrees].
+        degrees: f64,
+        /// The turn that it stays below [degrees].
+        most: f64,
+    },
     /// More steps to a frame than anybody can wait for.
     #[error(
         "{path}: a frame of {frame_seconds:.3e} s would take {steps:.2e} steps of at most {stable_dt:.2e} s for \"{body}\"; \

@@ -1,6 +1,7 @@
 //! Fibres of a body: from vertices or strokes to structure particles that ride on the material.
 
 use super::drives::drive;
+use super::error::BakeError;
 use super::note::Note;
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape, painted};
@@ -23,6 +24,8 @@ pub struct PlacedFibre {
     pub fibre: usize,
     /// Identifier of the scene's fibre.
     pub id: String,
+    /// Way along the fibre from its first point to the first of these [m].
+    pub start: f64,
     /// Structure particles at rest, model frame [m].
     pub vertices: Vec<DVec3>,
     /// Their embedding.
@@ -46,6 +49,10 @@ const CROWDED: f64 = 0.75;
 /// Turn [degrees] of a fibre at one vertex beyond which its bending energy is only a continuation of the law (below a
 /// cosine of -1/2), and as drawn less than a sixteenth of its stiffness is left.
 const FOLDED: f64 = 120.5;
+
+/// Turns [degrees] from vertex to vertex from which on a curl and a twist have another meaning.
+const MOST_CURLED: f64 = 90.0;
+const MOST_TWISTED: f64 = 180.0;
 
 /// Where the fibres of one body are put, and where it is said what happened.
 pub(super) struct Placing<'a> {
@@ -77,8 +84,9 @@ impl Placing<'_> {
         self.notes.push(Note { path: path.to_owned(), text, warning });
     }
 
-    /// Structure particles of a fibre, cut to the runs that lie in the material.
-    fn runs(&mut self, fibre: &Fibre, path: &str) -> Result<Vec<Vec<DVec3>>, SketchError> {
+    /// Structure particles of a fibre, cut to the runs that lie in the material, each with the way along the fibre to where
+    /// it begins [m].
+    fn runs(&mut self, fibre: &Fibre, path: &str) -> Result<Vec<(f64, Vec<DVec3>)>, SketchError> {
         let material = &self.body.material;
         let particles = match &fibre.source {
             FibreSource::Vertices(vertices) => vertices.iter().map(|&x| DVec3::from_array(x)).collect(),
@@ -103,11 +111,11 @@ impl Placing<'_> {
         for note in &trimmed.notes {
             self.note(path, true, note.to_string());
         }
-        Ok(trimmed.runs)
+        Ok(trimmed.starts.into_iter().zip(trimmed.runs).collect())
     }
 
     /// Embeds one run: ends too far outside the particles carry no force, inner vertices there slide inwards.
-    fn embed(&mut self, fibre: usize, mut vertices: Vec<DVec3>, path: &str) -> Option<PlacedFibre> {
+    fn embed(&mut self, fibre: usize, (start, mut vertices): (f64, Vec<DVec3>), path: &str) -> Option<PlacedFibre> {
         let total = vertices.len();
         let holds =
             |at: DVec3| self.embedder.compact_weights(at).is_some_and(|w| w.square_sum() <= GREATEST_SQUARE_SUM);
@@ -150,7 +158,7 @@ impl Placing<'_> {
         self.warn_if_folded(&vertices[first..=last], path);
         let embedding = vertices.iter().map(|&at| self.embedder.compact_weights(at).unwrap_or_default()).collect();
         let id = self.body.fibres[fibre].id.clone();
-        Some(PlacedFibre { fibre, id, vertices, embedding, active: first..last + 1 })
+        Some(PlacedFibre { fibre, id, start, vertices, embedding, active: first..last + 1 })
     }
 
     /// The nearest point on the way to the centroid of the particles around a vertex at which it may carry force; none
@@ -237,11 +245,10 @@ pub(super) fn rods(
     embedder: &Embedder<'_>,
     particle_volume: f64,
     placed: &[PlacedFibre],
-) -> Vec<FibreRest> {
-    placed
-        .iter()
-        .enumerate()
-        .filter(|(_, run)| carries(body, run))
+    path: &str,
+) -> Result<Vec<FibreRest>, BakeError> {
+    let carrying = placed.iter().enumerate().filter(|(_, run)| carries(body, run));
+    carrying
         .map(|(line, run)| {
             let fibre = &body.fibres[run.fibre];
             let (ea, ei) = fibre.stiffness.rigidity(particle_volume);
@@ -260,20 +267,31 @@ pub(super) fn rods(
             if fibre.rest_shape == RestShape::Straight {
                 rest = rest.straightened();
             }
-            rest.twisting(twist(fibre, embedder, vertices))
+            let activation = activation(body, run, &format!("{path}/fibres/{}/activation", run.fibre))?;
+            Ok(rest
+                .twisting(twist(fibre, embedder, vertices))
                 .on_line(line as u32, run.active.start as u32)
                 .breaking(limits(fibre))
-                .acting(activation(body, fibre, vertices))
+                .acting(activation))
         })
         .collect()
 }
 
-/// What drives do to the part of a fibre that runs through these vertices.
-fn activation(body: &Body, fibre: &Fibre, vertices: &[DVec3]) -> Option<FibreActivation> {
-    let of = fibre.activation.as_ref()?;
-    let lengths: Vec<f64> = vertices.windows(2).map(|edge| edge[0].distance(edge[1])).collect();
-    let mut activation = FibreActivation::new(&drive(&of.drive, &body.drives), vertices).contracting(of.contract);
+/// What drives do to a run of a fibre whose activation has this pointer.
+fn activation(body: &Body, run: &PlacedFibre, path: &str) -> Result<Option<FibreActivation>, BakeError> {
+    let fibre = &body.fibres[run.fibre];
+    let Some(of) = &fibre.activation else { return Ok(None) };
+    let vertices = &run.vertices[run.active.clone()];
+    let length_of =
+        |points: &[DVec3]| -> Vec<f64> { points.windows(2).map(|edge| edge[0].distance(edge[1])).collect() };
+    let lengths = length_of(vertices);
+    let start = run.start + length_of(&run.vertices[..=run.active.start]).iter().sum::<f64>();
+    let drive = drive(&of.drive, &body.drives);
+    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let mut activation = FibreActivation::new(&drive, start, vertices).contracting(of.contract);
     if let Some(curl) = &of.curl {
+        let longest = lengths.windows(2).map(|edges| 0.5 * (edges[0] + edges[1])).fold(0.0, f64::max);
+        within_reach(curl.degrees_per_metre, MOST_CURLED, drive.largest(), longest, &format!("{path}/curl"))?;
         let axis = DVec3::from_array(curl.axis).normalize_or(DVec3::Z);
         activation = activation.curling(curl.degrees_per_metre.to_radians(), axis, &lengths);
     }
@@ -281,9 +299,21 @@ fn activation(body: &Body, fibre: &Fibre, vertices: &[DVec3]) -> Option<FibreAct
         activation = activation.pulling(Muscle::new(fibre.volume_fraction * muscle.force, muscle.width));
     }
     if let Some(twist) = &of.twist {
+        within_reach(twist.degrees_per_metre, MOST_TWISTED, drive.largest(), longest, &format!("{path}/twist"))?;
         activation = activation.twisting(twist.degrees_per_metre.to_radians(), &lengths);
     }
-    Some(activation)
+    Ok(Some(activation))
+}
+
+/// Checks that a turn per length [degrees/m] times the largest value of its drive stays below `most` [degrees] from vertex
+/// to vertex, which are `longest` [m] apart at most; `path` is the pointer to what it is of.
+fn within_reach(rate: f64, most: f64, largest: f64, longest: f64, path: &str) -> Result<(), BakeError> {
+    let degrees = rate.abs() * largest * longest;
+    if degrees < most {
+        return Ok(());
+    }
+    let path = format!("{path}/degrees_per_metre");
+    Err(BakeError::TurnsTooFar { path, rate, largest, longest, degrees, most })
 }
 
 /// How the part of a fibre that runs through these vertices resists twist; not at all where the turn of the material cannot

@@ -1,5 +1,6 @@
 //! From the name of an integrator to the integrator.
 
+use super::drives;
 use super::note::Note;
 use crate::scene::{Body, Initial, IntegratorChoice, IntegratorKind, Motion, Scene, TimeStep};
 use crate::solver::forces::{FibreForce, Force};
@@ -65,16 +66,17 @@ pub(super) fn stepping(
     Stepping { integrator: IntegratorKind::LeapFrog, reason: None }
 }
 
-/// Whether by all that the scene says a body is held, starts without speed, takes no blow, does not tear, does not act by
-/// itself and meets neither panels nor other bodies: long steps resolve what it does.
+/// Whether by all that the scene says a body is held, starts without speed, takes no blow, does not tear, is driven by
+/// nothing, blown at by nothing and meets neither panels nor other bodies: long steps resolve what it does.
 fn moves_gently(scene: &Scene, body: &Body) -> bool {
     let Initial { velocity, angular_velocity, .. } = &body.initial;
     let is_held = body.pins.iter().any(|pin| pin.axes.len() == 3 && pin.motion == Motion::Fixed);
     let is_alone = scene.bodies.len() + scene.two_layer.len() == 1 && scene.panels.is_empty();
     let is_struck = !body.impulses.is_empty() || [*velocity, *angular_velocity] != [[0.0; 3]; 2];
     let may_tear = body.fibres.iter().any(|fibre| fibre.break_past.is_some());
-    let acts = body.fibres.iter().any(|fibre| fibre.activation.is_some());
-    is_held && is_alone && !is_struck && !may_tear && !acts
+    let is_moved = body.pins.iter().any(|pin| matches!(pin.motion, Motion::Driven(_)));
+    let is_driven = scene.gravity_drive.is_some() || body.fibres.iter().any(|fibre| fibre.activation.is_some());
+    is_held && is_alone && !is_struck && !may_tear && !is_moved && !is_driven && !drives::blows(scene)
 }
 
 /// Longest step of an integrator that is stable at any [s]; longer ones would show little of the motion.

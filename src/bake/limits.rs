@@ -6,7 +6,7 @@
 //! fibres.
 
 use crate::scene::TwoLayer;
-use crate::solver::forces::{FibreForce, Force, StepLimit};
+use crate::solver::forces::{FibreForce, Flow, Force, StepLimit};
 use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
 use crate::solver::stable_step::highest_frequency_squared;
@@ -44,27 +44,50 @@ fn scale(value: &mut f64, by: f64) -> bool {
     *value > 0.0
 }
 
-/// The pointer from a two-layer body to the parameter that sets its step; none where no single one does. `forces_of`
-/// gives the forces of a body with other parameters.
-pub(super) fn of_two_layer(
-    body: &TwoLayer,
-    modes: &Modes,
-    integrator: &dyn Integrator,
-    state: &ParticleState,
-    extent: f64,
-    forces_of: impl Fn(&TwoLayer) -> Vec<Box<dyn Force>>,
-) -> Option<&'static str> {
-    let shapes = modes.limiting(integrator, MODES);
-    let step = |body: &TwoLayer| {
-        let halved = modes.under(&mut forces_of(body), state, extent, &shapes);
-        greatest_stable_step(integrator, halved)
-    };
-    let present = step(body);
-    let raised = PARAMETERS.iter().filter_map(|(name, scale)| {
-        let mut halved = body.clone();
-        scale(&mut halved, 0.5).then(|| (*name, step(&halved)))
-    });
-    greatest(present, raised)
+/// Greatest rate [1/s] at which wind brakes a body under these forces. It grows with the speed, so that no small motion
+/// around a body at rest shows it.
+pub(super) fn wind_rate(forces: &[Box<dyn Force>], state: &ParticleState) -> f64 {
+    forces.iter().filter_map(|force| force.downcast_ref::<Flow>()).map(|flow| flow.step_limit(state).damping_rate).sum()
+}
+
+/// Pointer to what the drag of the wind is proportional to.
+const WIND: &str = "/wind/density";
+
+/// A two-layer body whose step is asked for.
+pub(super) struct Layered<'a> {
+    pub(super) body: &'a TwoLayer,
+    /// Pointer to the body.
+    pub(super) path: &'a str,
+    /// At rest.
+    pub(super) state: &'a ParticleState,
+    /// Half its least extent [m].
+    pub(super) extent: f64,
+    /// [`wind_rate`].
+    pub(super) wind: f64,
+}
+
+impl Layered<'_> {
+    /// The pointer to the parameter that sets its step; none where no single one does. `forces_of` gives the forces of a
+    /// body with other parameters.
+    pub(super) fn limited_by(
+        &self,
+        modes: &Modes,
+        integrator: &dyn Integrator,
+        forces_of: impl Fn(&TwoLayer) -> Vec<Box<dyn Force>>,
+    ) -> Option<String> {
+        let shapes = modes.limiting(integrator, MODES);
+        let step = |body: &TwoLayer, wind: f64| {
+            let modes = modes.under(&mut forces_of(body), self.state, self.extent, &shapes);
+            greatest_stable_step(integrator, modes, wind)
+        };
+        let present = step(self.body, self.wind);
+        let raised = PARAMETERS.iter().filter_map(|(name, scale)| {
+            let mut halved = self.body.clone();
+            scale(&mut halved, 0.5).then(|| (format!("{}/{name}", self.path), step(&halved, self.wind)))
+        });
+        let calmed = (self.wind > 0.0).then(|| (WIND.to_owned(), step(self.body, 0.5 * self.wind)));
+        greatest(present, raised.chain(calmed))
+    }
 }
 
 /// The one of some parameters that raises a step most from what it is now.
@@ -84,18 +107,20 @@ pub(super) enum SolidParameter {
     Fibres,
     PairDamping,
     AirDrag,
+    Wind,
 }
 
 impl SolidParameter {
-    const ALL: [Self; 4] = [Self::YoungModulus, Self::Fibres, Self::PairDamping, Self::AirDrag];
+    const ALL: [Self; 5] = [Self::YoungModulus, Self::Fibres, Self::PairDamping, Self::AirDrag, Self::Wind];
 
-    /// Pointer from the body.
-    pub(super) fn pointer(self) -> &'static str {
+    /// Its pointer, of a body by the pointer to that.
+    pub(super) fn pointer(self, body: &str) -> String {
         match self {
-            Self::YoungModulus => "material/young_modulus",
-            Self::Fibres => "fibres",
-            Self::PairDamping => "material/damping/pair",
-            Self::AirDrag => "material/damping/air",
+            Self::YoungModulus => format!("{body}/material/young_modulus"),
+            Self::Fibres => format!("{body}/fibres"),
+            Self::PairDamping => format!("{body}/material/damping/pair"),
+            Self::AirDrag => format!("{body}/material/damping/air"),
+            Self::Wind => WIND.to_owned(),
         }
     }
 }
@@ -111,6 +136,8 @@ pub(super) struct Resistance {
     contact: StepLimit,
     pair: f64,
     air: f64,
+    /// By [`wind_rate`].
+    wind: f64,
     /// Whether the fibres can be stepped implicitly.
     implicit: bool,
 }
@@ -137,9 +164,11 @@ impl Resistance {
             all = all.max(at_extreme(false));
         }
         let matrix = matrix.map_or(all, |mut matrix| highest_frequency_squared(&mut matrix, state, spacing).min(all));
-        let damping: f64 = forces.iter().map(|force| force.step_limit(state).damping_rate).sum();
+        let wind = wind_rate(forces, state);
+        let of_the_body = forces.iter().filter(|force| force.downcast_ref::<Flow>().is_none());
+        let damping: f64 = of_the_body.map(|force| force.step_limit(state).damping_rate).sum();
         let implicit = fibres.is_none_or(FibreForce::takes_implicit_steps);
-        Self { all, matrix, contact, pair: damping - air, air, implicit }
+        Self { all, matrix, contact, pair: damping - air, air, wind, implicit }
     }
 
     /// Greatest stable step [s].
@@ -150,7 +179,7 @@ impl Resistance {
         // Damping shortens the step of some integrators and is all that holds others: explicit Euler may count only on
         // what every particle has all the time, and the bound of each rate is up to four times what a mode sees.
         let with_least = integrator.stable_step(frequency, ASSURED * assured);
-        integrator.stable_step(frequency, assured + self.contact.damping_rate).min(with_least)
+        integrator.stable_step(frequency, assured + self.contact.damping_rate + self.wind).min(with_least)
     }
 
     /// What sets that step; none where no single parameter does.
@@ -171,6 +200,7 @@ impl Resistance {
             SolidParameter::Fibres => self.all -= 0.5 * (self.all - self.matrix),
             SolidParameter::PairDamping => self.pair *= 0.5,
             SolidParameter::AirDrag => self.air *= 0.5,
+            SolidParameter::Wind => self.wind *= 0.5,
         }
         self
     }

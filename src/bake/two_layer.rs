@@ -74,11 +74,12 @@ pub(super) fn draft(
         forces
     };
     let modes = fastest_modes(&mut probed(body), &at_rest, model.radius);
-    let stable_dt = modes.greatest_stable_step(integrator.as_ref());
-    let stable_steps = stable_steps(|integrator| modes.greatest_stable_step(integrator));
-    let explicit_dt = modes.greatest_stable_step(&LeapFrog::default());
-    let limited_by = limits::of_two_layer(body, &modes, integrator.as_ref(), &at_rest, model.radius, probed)
-        .map(|parameter| format!("{path}/{parameter}"));
+    let wind = limits::wind_rate(&forces, &at_rest);
+    let stable_dt = modes.greatest_stable_step(integrator.as_ref(), wind);
+    let stable_steps = stable_steps(|integrator| modes.greatest_stable_step(integrator, wind));
+    let explicit_dt = modes.greatest_stable_step(&LeapFrog::default(), wind);
+    let layered = limits::Layered { body, path, state: &at_rest, extent: model.radius, wind };
+    let limited_by = layered.limited_by(&modes, integrator.as_ref(), probed);
     let law = contact.law;
     if !contact.planes.is_empty() {
         forces.push(Box::new(contact));
@@ -113,6 +114,11 @@ pub(super) fn draft(
         limited_by,
         step_parameter: step_parameter(scene).to_owned(),
     };
+    if parts.skin.is_none() && drives::blows(scene) {
+        let text =
+            "the wind does not push on it: a segment or a ring has no surface; give a ball or a mesh, or `air_drag`";
+        notes.push(Note { path: path.to_owned(), text: text.to_owned(), warning: true });
+    }
     note_pins(scene, &body.pins, &parts, Following::of_two_layer(body, model.radius), path, notes);
     Ok(Draft { parts, regions, stable_steps, fractions: Vec::new(), thin: Vec::new() })
 }

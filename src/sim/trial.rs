@@ -37,8 +37,10 @@ impl Trial {
             return;
         }
         self.world.advance_frame();
-        let energy: f64 = self.energies().map(|energies| stored(&energies)).sum();
-        let fine = energy <= BLOWN_UP * self.first && self.world.divergence().is_none();
+        let sum = |of: fn(&Energies) -> f64| self.energies().map(|energies| of(&energies)).sum::<f64>();
+        // What drives have put in may be there, too.
+        let most = BLOWN_UP * (self.first - sum(|energies| energies.activation).min(0.0));
+        let fine = sum(stored) <= most && self.world.divergence().is_none();
         // A comparison with NaN is false, so that a motion that is no number has blown up too.
         if !fine {
             self.blew_up_at = Some(self.world.time());
@@ -96,7 +98,7 @@ impl Trial {
 
 /// What grows when a run blows up [J].
 fn stored(energies: &Energies) -> f64 {
-    energies.total() - energies.gravity - energies.pressure
+    energies.total() - energies.gravity - energies.pressure - energies.activation
 }
 
 /// The energy that a scene has to spend at the start [J]: motion, strain, contact, gas (nRT) and the height of its

@@ -23,6 +23,8 @@ pub struct Placed {
 pub struct Trimmed {
     /// Runs of embedded structure particles [m], each at least `SHORTEST_RUN` long: one fibre each.
     pub runs: Vec<Vec<DVec3>>,
+    /// Way along the fibre from its first structure particle to the first of each run [m].
+    pub starts: Vec<f64>,
     /// What was left out.
     pub notes: Vec<SketchNote>,
 }
@@ -43,7 +45,7 @@ pub fn trim(particles: &[Placed], h: f64) -> Result<Trimmed, SketchError> {
         return Err(SketchError::Discarded { nearest });
     }
     let runs = split(particles, h);
-    let (kept, dropped): (Vec<_>, Vec<_>) = runs.into_iter().partition(|run| run.len() >= SHORTEST_RUN);
+    let (kept, dropped): (Vec<_>, Vec<_>) = runs.into_iter().partition(|(_, run)| run.len() >= SHORTEST_RUN);
     if kept.is_empty() {
         return Err(SketchError::Stranded { embedded, total });
     }
@@ -55,28 +57,33 @@ pub fn trim(particles: &[Placed], h: f64) -> Result<Trimmed, SketchError> {
         notes.push(SketchNote::Split { pieces: kept.len() });
     }
     if !dropped.is_empty() {
-        let points = dropped.iter().map(Vec::len).sum();
+        let points = dropped.iter().map(|(_, run)| run.len()).sum();
         notes.push(SketchNote::Dropped { pieces: dropped.len(), points });
     }
-    Ok(Trimmed { runs: kept, notes })
+    let (starts, runs) = kept.into_iter().unzip();
+    Ok(Trimmed { runs, starts, notes })
 }
 
-/// Embedded particles in runs, parted where unembedded ones make a gap longer than `h` along the fibre.
-fn split(particles: &[Placed], h: f64) -> Vec<Vec<DVec3>> {
-    let mut runs: Vec<Vec<DVec3>> = Vec::new();
+/// Embedded particles in runs, parted where unembedded ones make a gap longer than `h` along the fibre, with where on it
+/// they start.
+fn split(particles: &[Placed], h: f64) -> Vec<(f64, Vec<DVec3>)> {
+    let mut runs: Vec<(f64, Vec<DVec3>)> = Vec::new();
     // Length walked since the last embedded particle, and whether anything unembedded lay on the way.
     let (mut gap, mut interrupted) = (0.0, true);
+    let mut way = 0.0;
     let mut before: Option<DVec3> = None;
     for particle in particles {
-        gap += before.map_or(0.0, |before| Point::distance(before, particle.point));
+        let step = before.map_or(0.0, |before| Point::distance(before, particle.point));
+        gap += step;
+        way += step;
         before = Some(particle.point);
         if !particle.embedded {
             interrupted = true;
             continue;
         }
         match runs.last_mut() {
-            Some(run) if !interrupted || gap <= h => run.push(particle.point),
-            _ => runs.push(vec![particle.point]),
+            Some((_, run)) if !interrupted || gap <= h => run.push(particle.point),
+            _ => runs.push((way, vec![particle.point])),
         }
         (gap, interrupted) = (0.0, false);
     }

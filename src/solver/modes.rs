@@ -63,9 +63,10 @@ pub(crate) struct Modes {
 pub(crate) struct ModeShape([Vec<DVec3>; 2]);
 
 impl Modes {
-    /// Greatest step [s] at which `integrator` keeps every mode from growing.
-    pub(crate) fn greatest_stable_step(&self, integrator: &dyn Integrator) -> f64 {
-        greatest_stable_step(integrator, self.found.iter().map(|(mode, _)| *mode))
+    /// Greatest step [s] at which `integrator` keeps every mode from growing, where a drag that small motions do not show may
+    /// brake them by up to `drag` [1/s] more.
+    pub(crate) fn greatest_stable_step(&self, integrator: &dyn Integrator, drag: f64) -> f64 {
+        greatest_stable_step(integrator, self.found.iter().map(|(mode, _)| *mode), drag)
     }
 
     /// The shapes of the modes that would grow first, `most` at most.
@@ -93,9 +94,19 @@ impl Modes {
     }
 }
 
-/// Greatest step [s] at which `integrator` keeps every mode from growing.
-pub(crate) fn greatest_stable_step(integrator: &dyn Integrator, modes: impl IntoIterator<Item = Mode>) -> f64 {
-    modes.into_iter().map(|mode| integrator.stable_step(mode.frequency, mode.damping)).fold(f64::INFINITY, f64::min)
+/// [`Modes::greatest_stable_step`] of some modes.
+pub(crate) fn greatest_stable_step(
+    integrator: &dyn Integrator,
+    modes: impl IntoIterator<Item = Mode>,
+    drag: f64,
+) -> f64 {
+    let step = |frequency: f64, damping: f64| integrator.stable_step(frequency, damping);
+    let braked = |mode: Mode| {
+        let step_of_its_own = step(mode.frequency, mode.damping);
+        if drag > 0.0 { step_of_its_own.min(step(mode.frequency, mode.damping + drag)) } else { step_of_its_own }
+    };
+    let alone = if drag > 0.0 { step(0.0, drag) } else { f64::INFINITY };
+    modes.into_iter().map(braked).fold(alone, f64::min)
 }
 
 /// The sum of base vectors by complex shares, its common phase such that the greatest share is real.

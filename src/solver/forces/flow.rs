@@ -74,7 +74,7 @@ impl Force for Flow {
 
     fn step_limit(&self, state: &ParticleState) -> StepLimit {
         // The push grows by (1/2) rho C A |u| for each metre a second.
-        let greatest = self.drive.as_ref().map_or(1.0, |drive| drive.greatest().abs());
+        let greatest = self.drive.as_ref().map_or(1.0, Drive::largest);
         let fastest = state.velocities.iter().map(|v| v.length()).fold(0.0, f64::max);
         let speed = USUAL_SPEED.max(greatest * self.velocity.length() + fastest);
         let vertices = self.vertices(state);
@@ -102,6 +102,10 @@ impl Force for Flow {
 
     fn driven_until(&self) -> f64 {
         self.changes_until()
+    }
+
+    fn does_work(&self) -> bool {
+        self.velocity != DVec3::ZERO
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

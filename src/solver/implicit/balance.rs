@@ -37,7 +37,7 @@ impl Balance {
     /// Whether in a step from `time` [s] nothing from outside can do work, as far as can be told before: held particles
     /// must not move either.
     pub(super) fn watches(&self, dynamics: &Dynamics<'_>, time: f64) -> bool {
-        self.kept.is_some() && dynamics.forces.iter().all(|force| force.changes_until() <= time)
+        self.kept.is_some() && dynamics.forces.iter().all(|force| !force.does_work() && force.changes_until() <= time)
     }
 
     /// Sees the body after a step from `start` [m], which is there if the step is watched.
@@ -57,8 +57,8 @@ impl Balance {
         if let Some(start) = start {
             let held = dynamics.held(state.len());
             let moved = |i: usize| DVec3::select(held[i], state.positions[i] - start[i], DVec3::ZERO) != DVec3::ZERO;
-            // Gravity's and a gas's energy count from anywhere.
-            let slack = SLACK * (now - energies.gravity - energies.pressure).abs();
+            // Gravity's and a gas's energy count from anywhere, and what drives have done is no energy of the body.
+            let slack = SLACK * (now - energies.gravity - energies.pressure - energies.activation).abs();
             if now > kept.highest + slack && !(0..state.len()).any(moved) {
                 return Err(Unconverged);
             }

@@ -25,9 +25,9 @@ pub(crate) struct FibreActivation {
 }
 
 impl FibreActivation {
-    /// A drive of the fibre through vertices at `x` [m] that does nothing as yet.
-    pub(crate) fn new(drive: &Drive, x: &[DVec3]) -> Self {
-        let mut along = vec![0.0];
+    /// A drive of the fibre through vertices at `x` [m], the first of them `start` [m] along it, that does nothing as yet.
+    pub(crate) fn new(drive: &Drive, start: f64, x: &[DVec3]) -> Self {
+        let mut along = vec![start];
         for edge in x.windows(2) {
             along.push(along[along.len() - 1] + edge[0].distance(edge[1]));
         }
@@ -69,6 +69,12 @@ impl FibreActivation {
     pub(super) fn at_extreme(&self, greatest: bool) -> Self {
         let (edges, inner) = (self.edges.at_extreme(greatest), self.inner.at_extreme(greatest));
         Self { edges, inner, stiffest: true, ..self.clone() }
+    }
+
+    /// Length over the drawn one to which it shortens an edge that nothing holds, with the drive at its greatest or at its
+    /// least; 1 where it does not.
+    pub(super) fn shortest(&self, greatest: bool) -> f64 {
+        1.0 - (self.contract * self.edges.extreme(greatest)).max(0.0)
     }
 
     /// Until when [s] it changes.

@@ -196,8 +196,12 @@ impl FibreRest {
 
     /// The same fibre, as stiff as it ever gets while it acts, its drive at its greatest or its least.
     pub(super) fn at_extreme(&self, greatest: bool) -> Self {
-        let activation = self.activation.as_ref().map(|activation| activation.at_extreme(greatest));
-        Self { activation, ..self.clone() }
+        let Some(activation) = &self.activation else { return self.clone() };
+        let mut extreme = Self { activation: Some(activation.at_extreme(greatest)), ..self.clone() };
+        // A move of a vertex turns short edges further than those that were drawn, by which the step is measured.
+        let steeper = activation.shortest(greatest).powi(-2);
+        extreme.bends.iter_mut().for_each(|bend| bend.stiffness *= steeper);
+        extreme
     }
 
     /// Until when [s] it changes by itself.

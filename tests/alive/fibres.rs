@@ -10,9 +10,9 @@ use sinew::sim::Runner;
 use sinew::solver::{Body as Simulated, Energies, World};
 use sinew::test_support::solver::FibreForce;
 
-const E: f64 = 2e5;
+pub const E: f64 = 2e5;
 /// Force unit E D² [N].
-const F: f64 = E * D * D;
+pub const F: f64 = E * D * D;
 
 /// A rod of whole layers, at rest along Y.
 pub fn rod(layers: [u32; 3]) -> Body {

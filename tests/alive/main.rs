@@ -5,7 +5,9 @@
 #[path = "../physics/common.rs"]
 #[allow(dead_code, reason = "the physics tests use the rest of it")]
 mod common;
+mod edits;
 mod fibres;
 mod moved;
 mod rules;
 mod scenes;
+mod steps;

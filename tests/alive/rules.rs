@@ -4,7 +4,10 @@ use crate::common::*;
 use crate::fibres::{rod, upright};
 use serde_json::{Value, json};
 use sinew::io::scene_from_json;
-use sinew::scene::{Activation, Drive, IntegratorKind, Motion, Region, Scene, Selector, SharedDrive, Wave};
+use sinew::scene::{
+    Activation, Assets, Drive, IntegratorKind, Motion, Region, Rigidity, Scene, Selector, SharedDrive, TwoLayer, Wave,
+    Wind,
+};
 
 /// A scene of a body with two shared drives and fibres that follow them.
 fn alive() -> Value {
@@ -79,4 +82,36 @@ fn fibres_that_act_are_never_stepped_implicitly() {
         baked(&in_space(rod)).world.bodies()[0].parts().integrator_word
     };
     assert_eq!([kind(false), kind(true)], [IntegratorKind::FibresImplicit.word(), IntegratorKind::LeapFrog.word()]);
+}
+
+#[test]
+fn fibres_that_turn_too_far_from_vertex_to_vertex_are_refused() {
+    let curl = |rate: f64| Activation::curling(rate, [0.0, 0.0, 1.0], -2.0);
+    let twist = |rate: f64| Activation::twisting(rate, -2.0);
+    let bake = |activation: Activation| {
+        let mut rod = rod([3, 7, 3]);
+        let mut fibre = upright(7, 0.5 * D, 40.0, activation);
+        fibre.stiffness = Rigidity::new(1.0, 1e-6).with_twisting(1e-6).into();
+        rod.fibres.push(fibre);
+        sinew::bake::bake(&in_space(rod), &Assets::default()).map(|_| ()).map_err(|error| error.to_string())
+    };
+    // Twice the rate over a spacing.
+    for (most, part, of) in [(90.0, "curl", curl as fn(f64) -> Activation), (180.0, "twist", twist)] {
+        let greatest = most / (2.0 * D);
+        assert_eq!(bake(of(0.999 * greatest)), Ok(()));
+        for rate in [1.001 * greatest, -1.001 * greatest] {
+            let error = bake(of(rate)).expect_err("too far");
+            let place = format!("/bodies/0/fibres/0/activation/{part}/degrees_per_metre: ");
+            assert!(error.starts_with(&place) && error.contains(&format!("less than {most}")), "{error}");
+        }
+    }
+}
+
+#[test]
+fn it_is_said_of_what_no_wind_pushes_on() {
+    let notes = |body: TwoLayer| {
+        let scene = Scene::new("blown").with_two_layer(body).with_wind(Wind::new([3.0, 0.0, 0.0]));
+        baked(&scene).notes.into_iter().filter(|note| note.text.contains("wind")).count()
+    };
+    assert_eq!([notes(TwoLayer::ring("ring")), notes(TwoLayer::ball("ball"))], [1, 0]);
 }

@@ -4,7 +4,7 @@ use super::context::{Context, Severity, Step};
 use crate::draw::Bounds;
 use crate::edit::Command;
 use crate::edit::fibre_ops::{self, Transform};
-use crate::scene::Fibre;
+use crate::scene::{Body, Drive, Fibre, SharedDrive};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -18,13 +18,18 @@ const APART: f64 = 0.04;
 struct Clipping {
     sinew: String,
     fibres: Vec<Fibre>,
+    /// Those of the body's drives that the fibres name.
+    #[serde(default)]
+    drives: Vec<SharedDrive>,
 }
 
 /// The selected fibres as text.
 pub(super) fn copied(cx: &mut Context) -> Option<String> {
     let fibres: Vec<Fibre> = cx.selected_fibres().into_iter().cloned().collect();
     let count = fibres.len();
-    let text = serde_json::to_string_pretty(&Clipping { sinew: FIBRES.to_owned(), fibres }).ok()?;
+    let names = |drive: &&SharedDrive| fibres.iter().any(|fibre| shared(fibre).is_some_and(|id| *id == drive.id));
+    let drives = cx.active_body().map_or_else(Vec::new, |body| body.drives.iter().filter(names).cloned().collect());
+    let text = serde_json::to_string_pretty(&Clipping { sinew: FIBRES.to_owned(), fibres, drives }).ok()?;
     cx.say(Severity::Note, format!("Copied {}", counted(count)));
     Some(text)
 }
@@ -32,7 +37,7 @@ pub(super) fn copied(cx: &mut Context) -> Option<String> {
 /// Puts the fibres of a text into the body, selected.
 pub(super) fn paste(text: &str, cx: &mut Context) {
     let clipping = serde_json::from_str::<Clipping>(text).ok().filter(|clipping| clipping.sinew == FIBRES);
-    let Some(Clipping { fibres, .. }) = clipping.filter(|clipping| !clipping.fibres.is_empty()) else {
+    let Some(Clipping { mut fibres, drives, .. }) = clipping.filter(|clipping| !clipping.fibres.is_empty()) else {
         cx.say(Severity::Warning, "The clipboard holds no fibres: copy some with Ctrl+C first");
         return;
     };
@@ -41,6 +46,7 @@ pub(super) fn paste(text: &str, cx: &mut Context) {
         return;
     };
     let id = body.id.clone();
+    fibres.iter_mut().for_each(|fibre| settle(fibre, &drives, body));
     let copies = fibre_ops::copies(fibres.iter(), &body.fibres);
     let by = Transform::translation(aside(&copies, cx));
     let sampling = cx.sampling();
@@ -55,6 +61,29 @@ pub(super) fn paste(text: &str, cx: &mut Context) {
             cx.selection.set(there);
         }
         Err(error) => cx.say(Severity::Error, error.to_string()),
+    }
+}
+
+/// The name of the shared drive that a fibre follows.
+fn shared(fibre: &Fibre) -> Option<&String> {
+    match &fibre.activation.as_ref()?.drive {
+        Drive::Shared(id) => Some(id),
+        _ => None,
+    }
+}
+
+/// Gives a fibre the drive that it followed where it is from, one of `drives`, for its own, unless the body that it goes into
+/// has the same.
+fn settle(fibre: &mut Fibre, drives: &[SharedDrive], body: &Body) {
+    let drive_in = |drives: &[SharedDrive]| {
+        let id = shared(fibre)?;
+        drives.iter().find(|drive| drive.id == *id).map(|drive| drive.drive.clone())
+    };
+    let (followed, here) = (drive_in(drives), drive_in(&body.drives));
+    if followed != here
+        && let (Some(activation), Some(followed)) = (&mut fibre.activation, followed)
+    {
+        activation.drive = followed;
     }
 }
 

@@ -5,7 +5,7 @@ use super::field::NumberField;
 use super::room_section::{FRICTION, length};
 use crate::draw::Bounds;
 use crate::edit::Command;
-use crate::scene::{HeightKey, Panel, PanelMotion};
+use crate::scene::{Drive, HeightKey, Panel, PanelDrive, PanelMotion};
 use egui::{DragValue, Ui};
 use glam::DVec3;
 
@@ -68,21 +68,58 @@ fn show_panel(ui: &mut Ui, panel: &mut Panel) {
     let extent = |label| NumberField { range: 1e-4..=1000.0, ..length(label, "Extent of the panel") };
     extent("Width, X").show(ui, &mut panel.size[0]);
     extent("Depth, Z").show(ui, &mut panel.size[1]);
+    show_motions(ui, panel);
+    let height = panel.height;
+    match &mut panel.motion {
+        PanelMotion::Falls => {}
+        PanelMotion::Driven(keys) => show_heights(ui, keys, height),
+        PanelMotion::Follows(follows) => show_follows(ui, follows),
+    }
+}
+
+/// Chooses how a panel moves. What it did before is kept, so that a look at another motion loses no drive and no heights.
+fn show_motions(ui: &mut Ui, panel: &mut Panel) {
+    let (kept_heights, kept_drive) = (ui.id().with(("heights", &panel.id)), ui.id().with(("drive", &panel.id)));
+    match &panel.motion {
+        PanelMotion::Falls => {}
+        PanelMotion::Driven(keys) => ui.data_mut(|data| data.insert_temp(kept_heights, keys.clone())),
+        PanelMotion::Follows(follows) => ui.data_mut(|data| data.insert_temp(kept_drive, follows.clone())),
+    }
     ui.horizontal(|ui| {
         let falls = panel.motion == PanelMotion::Falls;
         if ui.selectable_label(falls, "Falls").on_hover_text("Falls under gravity from rest").clicked() {
             panel.motion = PanelMotion::Falls;
         }
-        let driven = ui.selectable_label(!falls, "Driven").on_hover_text("Follows heights over time");
-        if driven.clicked() && falls {
-            let keys = [0.0, 1.0].map(|time| HeightKey::new(time, panel.height));
-            panel.motion = PanelMotion::Driven(keys.to_vec());
+        let driven = matches!(panel.motion, PanelMotion::Driven(_));
+        let choice = ui.selectable_label(driven, "Driven").on_hover_text("Follows heights over time");
+        if choice.clicked() && !driven {
+            let kept: Option<Vec<HeightKey>> = ui.data(|data| data.get_temp(kept_heights));
+            let usual = || [0.0, 1.0].map(|time| HeightKey::new(time, panel.height)).to_vec();
+            panel.motion = PanelMotion::Driven(kept.unwrap_or_else(usual));
+        }
+        // Drives are written in the scene's file: there is none to choose where it has none.
+        let drive: Option<PanelDrive> = ui.data(|data| data.get_temp(kept_drive));
+        if let Some(drive) = drive {
+            let follows = matches!(panel.motion, PanelMotion::Follows(_));
+            let choice = ui.selectable_label(follows, "Follows").on_hover_text("Stands where a drive has it");
+            if choice.clicked() && !follows {
+                panel.motion = PanelMotion::Follows(drive);
+            }
         }
     });
-    let height = panel.height;
-    if let PanelMotion::Driven(keys) = &mut panel.motion {
-        show_heights(ui, keys, height);
-    }
+}
+
+/// Shows what a panel follows.
+fn show_follows(ui: &mut Ui, follows: &mut PanelDrive) {
+    let tooltip = "How far above its height it stands where its drive is 1; below it where negative";
+    length("Travel", tooltip).show(ui, &mut follows.travel);
+    let drive = match &follows.drive {
+        Drive::Constant(value) => format!("times {value} at all times"),
+        Drive::Keyframes(keys) => format!("times a drive of {} keys", keys.keys.len()),
+        Drive::Wave(wave) => format!("times a wave of {} s", wave.period),
+        Drive::Shared(id) => format!("times the drive \"{id}\""),
+    };
+    ui.weak(drive).on_hover_text("Drives are changed in the scene's file");
 }
 
 /// Shows the heights [m] of a panel over time; the first one that is added where there is none is `usual`.

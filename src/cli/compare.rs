@@ -70,11 +70,13 @@ struct Run {
     dt: f64,
     /// Greatest step that this integrator is estimated to take [s]; null where it takes any.
     stable_dt: Option<f64>,
-    /// Whether it did not blow up.
+    /// Whether it neither blew up nor gained more energy than it was ever given.
     stable: bool,
+    /// By how much of the energy that it was ever given it gained at the most.
+    energy_gained: f64,
     /// When it blew up [s]; null where it did not.
     blew_up_at: Option<f64>,
-    /// Difference from the reference's energy at the end over the energy of the start; null once blown up.
+    /// Difference from the reference's energy at the end over the greatest that it was given; null once blown up.
     energy_error: Option<f64>,
     /// Root mean square distance from the reference's particles at the end [m]; null once blown up.
     position_error: Option<f64>,
@@ -233,13 +235,14 @@ fn shown(
     wall_seconds: f64,
     references: &References,
 ) -> Run {
-    let stable = trial.blew_up_at().is_none();
-    let reference = references.at(steps as f64 * dt).filter(|reference| stable && reference.blew_up_at().is_none());
+    let ended = trial.blew_up_at().is_none();
+    let reference = references.at(steps as f64 * dt).filter(|reference| ended && reference.blew_up_at().is_none());
     Run {
         integrator,
         dt,
         stable_dt: Some(trial.stable_dt()).filter(|limit| limit.is_finite()),
-        stable,
+        stable: trial.is_stable(),
+        energy_gained: trial.gained(),
         blew_up_at: trial.blew_up_at(),
         energy_error: reference.map(|reference| trial.energy_error(reference)),
         position_error: reference.map(|reference| trial.position_error(reference)),
@@ -271,7 +274,11 @@ fn table(report: &CompareReport) -> String {
     ]);
     let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), four_figures);
     for run in &report.runs {
-        let result = run.blew_up_at.map_or("stable".to_owned(), |at| format!("blew up at {} s", four_figures(at)));
+        let result = match run.blew_up_at {
+            Some(at) => format!("blew up at {} s", four_figures(at)),
+            None if run.stable => "stable".to_owned(),
+            None => format!("gained {} times its energy", four_figures(run.energy_gained)),
+        };
         table.push([
             run.integrator.word().to_owned(),
             four_figures(run.dt),

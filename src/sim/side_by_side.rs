@@ -78,6 +78,7 @@ impl SideBySide {
             integrator: run.integrator,
             stable_dt: run.trial.stable_dt(),
             blew_up_at: run.trial.blew_up_at(),
+            gained: (!run.trial.is_stable()).then(|| run.trial.gained()),
             bodies: run.shown.bodies.len(),
             sample: self.sample(&run.trial),
         };

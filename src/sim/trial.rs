@@ -3,18 +3,32 @@
 use crate::scene::Scene;
 use crate::solver::body::Body;
 use crate::solver::energy::Energies;
+use crate::solver::outside::Outside;
 use crate::solver::world::World;
 use glam::DVec3;
 
-/// A run has blown up once its energy exceeds the first this many times.
+/// A run has blown up once it has gained this many times the energy that it was ever given.
 const BLOWN_UP: f64 = 100.0;
+
+/// Share of the sizes of all energies that may be rounding.
+const ROUND_OFF: f64 = 1e-9;
+
+/// A run that has gained more than this share of the energy that it was ever given is not stable.
+const GAINS: f64 = 1.0;
 
 /// A scene under one integrator with exactly one step: no sub-stepping, no automatic choice, and no guard that stops a
 /// body early.
 #[derive(Clone)]
 pub struct Trial {
     world: World,
+    /// Energy that may be spent from the start on [J].
+    spendable: f64,
+    /// Sum of all energies at the start [J].
     first: f64,
+    outside: Outside,
+    /// What was done from outside so far, and the most that this and drives ever had [J].
+    work: [f64; 2],
+    gained: f64,
     blew_up_at: Option<f64>,
     stable_dt: f64,
 }
@@ -27,8 +41,12 @@ impl Trial {
                 body.set_guarded(false);
             }
         }
-        let first = first_energy(scene, &world);
-        Self { world, first, blew_up_at: None, stable_dt }
+        let outside = Outside::of(&world);
+        let spendable = spendable(scene, &world);
+        let mut trial =
+            Self { world, spendable, first: 0.0, outside, work: [0.0; 2], gained: 0.0, blew_up_at: None, stable_dt };
+        trial.first = trial.balance().0;
+        trial
     }
 
     /// One step; nothing more happens once it has blown up.
@@ -37,19 +55,52 @@ impl Trial {
             return;
         }
         self.world.advance_frame();
-        let sum = |of: fn(&Energies) -> f64| self.energies().map(|energies| of(&energies)).sum::<f64>();
-        // What drives have put in may be there, too.
-        let most = BLOWN_UP * (self.first - sum(|energies| energies.activation).min(0.0));
-        let fine = sum(stored) <= most && self.world.divergence().is_none();
+        let outside = Outside::of(&self.world);
+        self.work[0] += self.outside.work_until(&outside, &self.world);
+        let driven: f64 = -self.energies().map(|energies| energies.activation).sum::<f64>();
+        self.work[1] = self.work[1].max(self.work[0] + driven);
+        self.outside = outside;
+        let (energy, size) = self.balance();
+        // What is lost to rounding is no gain.
+        let gained = (energy - self.first - self.work[0] - ROUND_OFF * size).max(0.0) / self.handled();
+        let fine = gained <= BLOWN_UP && self.world.divergence().is_none();
         // A comparison with NaN is false, so that a motion that is no number has blown up too.
         if !fine {
             self.blew_up_at = Some(self.world.time());
         }
+        self.gained = self.gained.max(gained);
+    }
+
+    /// The greatest energy that the run was given so far [J]: what there was to be spent, and what was done from outside.
+    fn handled(&self) -> f64 {
+        (self.spendable + self.work[1]).max(f64::MIN_POSITIVE)
+    }
+
+    /// Sum of all energies and of those of panels that fall [J], and of their sizes.
+    fn balance(&self) -> (f64, f64) {
+        let all = self.energies().flat_map(|energies| energies.values());
+        let panels = self.world.panels().iter().filter(|panel| panel.driven.is_none());
+        let gravity = self.world.gravity().y;
+        let panels = panels.flat_map(|panel| {
+            let moving = 0.5 * panel.mass * panel.velocity * panel.velocity;
+            [moving, -panel.mass * gravity * panel.height]
+        });
+        all.chain(panels).fold((0.0, 0.0), |(sum, size), energy| (sum + energy, size + energy.abs()))
     }
 
     fn energies(&self) -> impl Iterator<Item = Energies> {
         let time = self.world.time();
         self.world.bodies().iter().map(move |body| body.energies(time))
+    }
+
+    /// By how much of the energy that the run was ever given it gained at the most, where nothing may be gained.
+    pub fn gained(&self) -> f64 {
+        self.gained
+    }
+
+    /// Whether it neither blew up nor gained more energy than it was ever given.
+    pub fn is_stable(&self) -> bool {
+        self.blew_up_at.is_none() && self.gained <= GAINS
     }
 
     /// The world as it stands.
@@ -81,9 +132,9 @@ impl Trial {
         self.world.bodies().iter().flat_map(|body| body.state().positions.iter().copied())
     }
 
-    /// Difference of the energies over the energy of the start.
+    /// Difference of the energies over the greatest that the reference was given.
     pub fn energy_error(&self, reference: &Self) -> f64 {
-        (self.energy() - reference.energy()).abs() / self.first
+        (self.energy() - reference.energy()).abs() / reference.handled()
     }
 
     /// Root mean square distance of the particles from those of the reference [m].
@@ -96,14 +147,9 @@ impl Trial {
     }
 }
 
-/// What grows when a run blows up [J].
-fn stored(energies: &Energies) -> f64 {
-    energies.total() - energies.gravity - energies.pressure - energies.activation
-}
-
-/// The energy that a scene has to spend at the start [J]: motion, strain, contact, gas (nRT) and the height of its
-/// bodies above the floor, or above themselves where there is none.
-fn first_energy(scene: &Scene, world: &World) -> f64 {
+/// The energy that a scene has to spend at the start [J]: motion, strain, contact, gas (nRT), the height of its bodies and
+/// panels above the floor, or of bodies above themselves where there is none.
+fn spendable(scene: &Scene, world: &World) -> f64 {
     let gravity = DVec3::from_array(scene.gravity);
     let gas: f64 = scene.two_layer.iter().filter(|body| body.shape.dimension() > 1).map(|body| body.pressure).sum();
     let bodies = world.bodies().iter().map(|body| {
@@ -111,8 +157,12 @@ fn first_energy(scene: &Scene, world: &World) -> f64 {
         let center = state.center();
         let extent = state.positions.iter().map(|x| x.distance(center)).fold(0.0, f64::max);
         let height = scene.room.floor.map_or(extent, |floor| (center.y - floor).max(extent));
-        stored(&body.energies(0.0)) + state.mass() * gravity.length() * height
+        let energies = body.energies(0.0);
+        let stored = energies.total() - energies.gravity - energies.pressure;
+        stored + state.mass() * gravity.length() * height
     });
-    let first = bodies.sum::<f64>() + gas;
-    if first > 0.0 { first } else { 1.0 }
+    let floor = scene.room.floor.unwrap_or(0.0);
+    let panels = world.panels().iter().filter(|panel| panel.driven.is_none());
+    let panels = panels.map(|panel| panel.mass * gravity.length() * (panel.height - floor).abs());
+    bodies.sum::<f64>() + panels.sum::<f64>() + gas
 }

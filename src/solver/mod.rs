@@ -22,6 +22,7 @@ pub(crate) mod linear_algebra;
 pub(crate) mod measure;
 pub(crate) mod modes;
 pub(crate) mod neighbourhood;
+pub(crate) mod outside;
 pub(crate) mod overlap;
 pub(crate) mod panel;
 pub(crate) mod rotation;

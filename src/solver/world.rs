@@ -139,6 +139,16 @@ impl World {
         &self.panels
     }
 
+    /// Gravity as it is now [m/s²].
+    pub(crate) fn gravity(&self) -> DVec3 {
+        self.gravity.at(self.time())
+    }
+
+    /// Force on a panel from below [N].
+    pub(super) fn lift(&self, panel: usize) -> f64 {
+        self.lifts[panel]
+    }
+
     /// The measures in the order of the scene.
     pub fn probes(&self) -> &[Probe] {
         &self.probes

@@ -234,6 +234,8 @@ fn runs(ui: &mut Ui, cx: &Context, dt: f64) {
         }
         if let Some(at) = run.blew_up_at {
             ui.colored_label(cx.tone.error(), format!("Blew up at {at:.3} s"));
+        } else if let Some(gained) = run.gained {
+            ui.colored_label(cx.tone.warning(), format!("Gained {gained:.1} times its energy"));
         }
     }
 }

@@ -7,6 +7,7 @@ mod behaviours;
 mod breaking;
 mod checkpoints;
 mod common;
+mod compared;
 mod conservation;
 mod fast;
 mod fibres;

@@ -55,7 +55,7 @@ pub(super) struct Chord {
 
 impl Chord {
     /// Makes the matrix for steps of `h` [s] ready; `state` is where the body is at `time` [s]. False where there is none.
-    pub(super) fn prepare(&mut self, dynamics: &Dynamics<'_>, state: &ParticleState, time: f64, h: f64) -> bool {
+    pub(super) fn prepare(&mut self, dynamics: &mut Dynamics<'_>, state: &ParticleState, time: f64, h: f64) -> bool {
         let origin = Origin {
             breaks: dynamics.forces.iter().map(|force| force.breaks().len()).sum(),
             forces: dynamics.forces.len(),
@@ -69,7 +69,7 @@ impl Chord {
 
     /// Makes the matrix anew because it did not serve in `state`: with what the body touches there, and of a body without
     /// a matrix that turns from its present stiffness. False where that would be the same matrix.
-    pub(super) fn renew(&mut self, dynamics: &Dynamics<'_>, state: &ParticleState, time: f64, h: f64) -> bool {
+    pub(super) fn renew(&mut self, dynamics: &mut Dynamics<'_>, state: &ParticleState, time: f64, h: f64) -> bool {
         let Some(basis) = self.basis.clone() else { return false };
         if basis.turns.is_none() {
             return self.probe(dynamics, state, time, basis.origin) && self.use_factor(dynamics, state, time, h);
@@ -83,7 +83,7 @@ impl Chord {
     }
 
     /// Asks the forces for the stiffness.
-    fn probe(&mut self, dynamics: &Dynamics<'_>, state: &ParticleState, time: f64, origin: Origin) -> bool {
+    fn probe(&mut self, dynamics: &mut Dynamics<'_>, state: &ParticleState, time: f64, origin: Origin) -> bool {
         self.kept.clear();
         self.basis = None;
         let (mut forces, mut at) = (dynamics.forces.to_vec(), state.clone());
@@ -104,6 +104,7 @@ impl Chord {
             }
         }
         let stiffness = Stiffness::around(&forces, &at, time, SMALL * dynamics.reach);
+        *dynamics.evaluations += stiffness.evaluations;
         let Some(elimination) = Elimination::new(&stiffness) else { return false };
         let turns = turns_with_it.then(|| {
             let mut unmoved = vec![DVec3::ZERO; at.len()];

@@ -14,6 +14,8 @@ pub(super) struct Stiffness {
     pub(super) positions: Vec<DMat3>,
     /// D; empty where no force hangs on a velocity.
     pub(super) velocities: Vec<DMat3>,
+    /// Times that the forces were evaluated for it.
+    pub(super) evaluations: u64,
 }
 
 /// Velocities are changed by this many small lengths over a second: forces are linear in them, and what is small for a
@@ -32,7 +34,9 @@ impl Stiffness {
         let moves = Moves::new(&sparsity, forces, state, time, small);
         let positions = moves.columns(false);
         let velocities = if moves.is_damped() { moves.columns(true) } else { Vec::new() };
-        Self { sparsity, positions, velocities }
+        // Once unmoved, three times to see whether anything is damped, and every colour along three axes.
+        let evaluations = 4 + 3 * moves.colours.len() as u64 * if velocities.is_empty() { 1 } else { 2 };
+        Self { sparsity, positions, velocities, evaluations }
     }
 
     /// `K x` [N] of displacements [m].

@@ -1,0 +1,132 @@
+//! Runs under any integrator and step are judged by the energy that they were given.
+
+use crate::common::*;
+use glam::DVec3;
+use sinew::scene::{Assets, Axis, Distance, IntegratorKind, Keyframe, Motion, Scene, Side};
+use sinew::sim::{Study, Trial};
+
+/// A scene, an integrator and a share of its stable step.
+struct Case {
+    scene: Scene,
+    integrator: IntegratorKind,
+    share: f64,
+}
+
+/// Whether it has a step that it cannot pass.
+fn is_explicit(kind: IntegratorKind) -> bool {
+    use IntegratorKind::{ExplicitEuler, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet};
+    [ExplicitEuler, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet].contains(&kind)
+}
+
+/// The case of a number: free bodies that fall, spin or swing, and bodies that are driven from rest.
+fn case(number: usize) -> Case {
+    let random = |salt: u64| 0.5 + 0.5 * wobble(number, salt).x;
+    let pick = |salt: u64, n: usize| (random(salt) * n as f64) as usize % n;
+    let layers_up = 3 + pick(1, 4) as u32;
+    let mut body = block([3, layers_up, 3], 1e4 * 10_f64.powf(2.0 * random(2)));
+    body.material.damping.pair = if pick(3, 2) == 0 { 0.0 } else { 30.0 };
+    let kind = pick(4, 4);
+    match kind {
+        0 => body.initial.velocity = (0.5 * wobble(number, 5)).to_array(),
+        1 => body.initial.deformation = [[1.1, 0.05, 0.0], [0.0, 0.95, 0.0], [0.0, 0.0, 1.0]],
+        _ => {
+            body.regions = vec![layers("foot", Axis::Y, Side::Min, 1), layers("top", Axis::Y, Side::Max, 1)];
+            let motion = if kind == 2 {
+                ramp([1.0, 0.5, 0.0], Distance::Metres(0.003), 0.05)
+            } else {
+                let key = |time: f64, x: f64| Keyframe::new(time, [x, 0.0, 0.0]);
+                Motion::Keyframes(vec![key(0.0, 0.0), key(0.02, 0.002), key(0.04, -0.002), key(0.06, 0.0)])
+            };
+            body.pins = vec![pin("foot", &ALL, Motion::Fixed), pin("top", &ALL, motion)];
+        }
+    }
+    let mut scene = in_space(body);
+    if kind == 0 {
+        scene.gravity = [0.0, -9.81, 0.0];
+        scene.room.floor = Some(-0.001);
+    }
+    let integrators = IntegratorKind::ALL.into_iter().filter(|kind| is_explicit(*kind));
+    let integrators: Vec<IntegratorKind> = integrators.collect();
+    let shares = [1.0 / 30.0, 0.2, 0.7, 1.5, 3.0];
+    Case { scene, integrator: integrators[pick(6, integrators.len())], share: shares[pick(7, shares.len())] }
+}
+
+/// The greatest energy of motion and strain in a run of so many steps, or until it blows up [J], infinite if that is no
+/// number; and the steps.
+fn peak(trial: &mut Trial, steps: u64) -> (f64, u64) {
+    let mut peak = 0.0_f64;
+    for step in 1..=steps {
+        trial.step();
+        let world = trial.world();
+        let energies = world.bodies().iter().map(|body| body.energies(world.time()));
+        let now: f64 = energies.map(|energies| energies.total() - energies.gravity).sum();
+        peak = if now.is_finite() { peak.max(now) } else { f64::INFINITY };
+        if trial.blew_up_at().is_some() {
+            return (peak, step);
+        }
+    }
+    (peak, steps)
+}
+
+/// Runs cases and holds what is said of them against the same run in steps of a tenth.
+fn judged_rightly(cases: std::ops::Range<usize>) {
+    let (mut stable, mut unstable) = (0, 0);
+    for number in cases {
+        let Case { scene, integrator, share } = case(number);
+        let study = Study::new(&scene, &Assets::default()).unwrap();
+        let dt = share * study.stable_step(integrator).min(0.01);
+        let steps = ((0.05 / dt) as u64).clamp(40, 1500);
+        let (mut trial, mut finer) = (study.trial(integrator, dt), study.trial(integrator, 0.1 * dt));
+        let (greatest, made) = peak(&mut trial, steps);
+        let grown = greatest / peak(&mut finer, 10 * made).0;
+        let what = format!("{number}: {integrator:?} at {share} of its step, grown {grown}, gained {}", trial.gained());
+        // Between the two it is a matter of taste.
+        if grown < 1.5 {
+            assert!(trial.is_stable(), "{what}");
+            stable += 1;
+        } else if grown.is_nan() || grown > 4.0 {
+            assert!(!trial.is_stable(), "{what}");
+            unstable += 1;
+        } else {
+            println!("{what}");
+        }
+    }
+    println!("{stable} stable, {unstable} not");
+    assert!(stable > 2 * unstable / 3 && unstable > 0, "{stable} and {unstable}");
+}
+
+#[test]
+fn driven_and_free_runs_are_judged_by_the_energy_they_were_given() {
+    judged_rightly(0..24);
+}
+
+#[test]
+#[ignore = "a long sweep: cargo test --release --test physics -- --ignored two_hundred"]
+fn two_hundred_driven_and_free_runs_are_judged_rightly() {
+    judged_rightly(0..200);
+}
+
+#[test]
+fn a_slow_drive_from_rest_is_no_blow_up_and_its_work_is_what_is_stored() {
+    let mut body = block([3, 6, 3], 1e5);
+    body.regions = vec![layers("foot", Axis::Y, Side::Min, 1), layers("top", Axis::Y, Side::Max, 1)];
+    body.pins =
+        vec![pin("foot", &ALL, Motion::Fixed), pin("top", &ALL, ramp([1.0, 0.0, 0.0], Distance::Metres(0.004), 0.2))];
+    let scene = in_space(body);
+    let study = Study::new(&scene, &Assets::default()).unwrap();
+    for integrator in [IntegratorKind::LeapFrog, IntegratorKind::Rk4, IntegratorKind::TrBdf2] {
+        let dt = if integrator == IntegratorKind::TrBdf2 { 0.002 } else { study.stable_step(integrator) / 3.0 };
+        let mut trial = study.trial(integrator, dt);
+        (0..(0.2 / dt) as u64).for_each(|_| trial.step());
+        let stored = trial.energy();
+        println!("{integrator:?}: {stored} J stored, gained {}", trial.gained());
+        assert_eq!(trial.blew_up_at(), None, "{integrator:?}");
+        assert!(stored > 1e-5 && trial.gained() < 0.05, "{integrator:?}: {stored} J, gained {}", trial.gained());
+    }
+    // Lost to nothing: displacement of the top is what was asked for.
+    let mut trial = study.trial(IntegratorKind::LeapFrog, 1e-4);
+    (0..2100).for_each(|_| trial.step());
+    let body = &trial.world().bodies()[0];
+    let top = body.parts().rest.iter().zip(&body.state().positions).filter(|(rest, _)| rest.y > 5.0 * D);
+    assert!(top.clone().all(|(rest, x)| x.distance(*rest + DVec3::X * 0.004) < 1e-12));
+}

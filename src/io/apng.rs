@@ -1,7 +1,7 @@
 //! Moving pictures as APNG, which grows by a picture at a time: browsers play it, and what knows only PNG shows its first.
 //!
-//! Pictures come as PNG files, whose data goes over as it is. Behind the head stands how many pictures there are; that is
-//! set right once a picture and the file's end are there, so that the file is whole whatever ends the run.
+//! Pictures come as PNG files, whose data goes over as it is. The next one is written behind the file's end; then it takes the
+//! place of that end, and then it is counted at the head: the file is whole whatever ends the run, and wherever it does.
 
 use super::IoError;
 use super::atomic::Draft;
@@ -14,7 +14,7 @@ const SIGNATURE: &[u8; 8] = b"\x89PNG\r\n\x1a\n";
 const HEAD: usize = 25;
 
 /// Bytes around the data of a piece: length, kind, check.
-const AROUND: u64 = 12;
+const AROUND: usize = 12;
 
 /// A moving picture that is written.
 pub(crate) struct AnimatedPng {
@@ -70,7 +70,7 @@ impl AnimatedPng {
                 picture.extend(piece(*b"IDAT", &data));
                 draft.write_all(&picture)?;
                 draft.write_all(&piece(*b"IEND", &[]))?;
-                self.end = (SIGNATURE.len() + HEAD + picture.len()) as u64 + AROUND + 8;
+                self.end = (SIGNATURE.len() + HEAD + AROUND + 8 + picture.len()) as u64;
                 self.file = Some(draft.replace()?);
                 self.sequence = 1;
             }
@@ -79,10 +79,10 @@ impl AnimatedPng {
                 picture.extend(piece(*b"fdAT", &[&(self.sequence + 1).to_be_bytes()[..], &data].concat()));
                 let length = picture.len() as u64;
                 picture.extend(piece(*b"IEND", &[]));
-                file.seek(SeekFrom::Start(self.end))?;
-                file.write_all(&picture)?;
-                file.seek(SeekFrom::Start((SIGNATURE.len() + HEAD) as u64))?;
-                file.write_all(&piece(*b"acTL", &counted(self.pictures + 1)))?;
+                for (at, bytes) in writes(self.end, &picture, self.pictures + 1) {
+                    file.seek(SeekFrom::Start(at))?;
+                    file.write_all(&bytes)?;
+                }
                 self.end += length;
                 self.sequence += 2;
             }
@@ -90,6 +90,17 @@ impl AnimatedPng {
         self.pictures += 1;
         Ok(())
     }
+}
+
+/// What is written where, one after another, to add a picture with a new end at the old end, so that there are so many then.
+/// After each, and within the first, the file is whole: the old end stays until all but what it hides is there.
+fn writes(end: u64, picture: &[u8], pictures: u32) -> [(u64, Vec<u8>); 3] {
+    let (first, rest) = picture.split_at(AROUND);
+    [
+        (end + AROUND as u64, rest.to_vec()),
+        (end, first.to_vec()),
+        ((SIGNATURE.len() + HEAD) as u64, piece(*b"acTL", &counted(pictures))),
+    ]
 }
 
 /// Seconds as a fraction of whole numbers.
@@ -173,6 +184,35 @@ mod tests {
                 assert_eq!(pixels, [10 * number as u8; 18]);
                 let control = reader.info().frame_control().unwrap();
                 assert_eq!((control.delay_num, control.delay_den), (1, 60));
+            }
+            reader.finish().unwrap();
+        }
+        let file = std::fs::read(&path).unwrap();
+        let end = file.len() - AROUND;
+        let mut next = piece(*b"fcTL", &control(7, [0, 0, 0, 3, 0, 0, 0, 2], [1, 60]));
+        next.extend(piece(*b"fdAT", &[&8_u32.to_be_bytes()[..], &data_of(&picture(50)[8..])].concat()));
+        next.extend(piece(*b"IEND", &[]));
+        let put = |file: &mut Vec<u8>, at: u64, bytes: &[u8]| {
+            file.resize(file.len().max(at as usize + bytes.len()), 0);
+            file[at as usize..at as usize + bytes.len()].copy_from_slice(bytes);
+        };
+        let steps = writes(end as u64, &next, 5);
+        let mut states = vec![];
+        for whole in 0..=3 {
+            let mut state = file.clone();
+            steps[..whole].iter().for_each(|(at, bytes)| put(&mut state, *at, bytes));
+            states.push((if whole == 3 { 5 } else { 4 }, state));
+        }
+        let mut half = file;
+        put(&mut half, steps[0].0, &steps[0].1[..20]);
+        states.push((4, half));
+        for (count, state) in states {
+            let mut reader = png::Decoder::new(io::Cursor::new(state)).read_info().unwrap();
+            assert_eq!(reader.info().animation_control().unwrap().num_frames, count);
+            let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+            for number in 1..=count {
+                reader.next_frame(&mut pixels).unwrap();
+                assert_eq!(pixels, [10 * number as u8; 18]);
             }
             reader.finish().unwrap();
         }

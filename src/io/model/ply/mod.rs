@@ -159,8 +159,10 @@ struct Faces {
     corners: Vec<i64>,
     /// Where each face ends in the list, and what a message calls it.
     ends: Vec<(usize, bool)>,
-    /// Texture coordinates of all corners; as many as there are, or they are not used.
+    /// Texture coordinates of the faces' corners, and where those of each face end in the list; a face's are used where they
+    /// are as many as its corners.
     textures: Vec<[f64; 2]>,
+    texture_ends: Vec<usize>,
 }
 
 impl Faces {
@@ -184,6 +186,8 @@ impl Faces {
                 }
                 self.ends.push((self.corners.len(), strips));
             }
+            // One end a face, with and without coordinates.
+            self.texture_ends.resize(self.ends.len(), self.textures.len());
             values.end(element, index)?;
         }
         Ok(())
@@ -200,14 +204,17 @@ impl Faces {
         let length = values.length(count, place)?;
         let numbers: Vec<f64> = (0..length).map(|_| values.next(property.scalar, place)).collect::<Result<_, _>>()?;
         self.textures.extend(numbers.as_chunks::<2>().0);
+        self.texture_ends.push(self.textures.len());
         Ok(())
     }
 
     /// The faces as the file lists them, strips as their triangles, over `points`; `textures` are those of the vertices.
     fn as_listed(&self, points: &[DVec3], textures: Vec<[f64; 2]>) -> FileMesh {
         let mut mesh = FileMesh { points: points.to_vec(), ..FileMesh::default() };
-        let mut triangles = Vec::new();
-        for (corners, is_strip) in self.each() {
+        let (mut triangles, mut textured, mut first) = (Vec::new(), Vec::new(), 0);
+        let is_whole = |uvs: &[[f64; 2]]| !uvs.is_empty() && uvs.iter().flatten().all(|c| c.is_finite());
+        for ((corners, is_strip), &end) in self.each().zip(&self.texture_ends) {
+            let own = std::mem::replace(&mut first, end)..end;
             for run in corners.split(|&corner| is_strip && corner == -1) {
                 let face: Vec<u32> = run.iter().map(|&corner| corner as u32).collect();
                 if is_strip {
@@ -218,13 +225,18 @@ impl Faces {
                     }
                 } else if face.len() > 2 {
                     mesh.add_face(&face);
+                    if own.len() == face.len() && is_whole(&self.textures[own.clone()]) {
+                        textured.resize(mesh.corners.len() - face.len(), UvSet::NONE);
+                        textured.extend(own.clone().map(|index| index as u32));
+                    }
                 }
             }
         }
-        let is_whole = |uvs: &[[f64; 2]]| !uvs.is_empty() && uvs.iter().flatten().all(|c| c.is_finite());
-        if mesh.corners.len() == self.textures.len() && is_whole(&self.textures) {
-            let corners = (0..mesh.corners.len() as u32).collect();
-            mesh.uv_sets.push(UvSet { values: self.textures.clone(), corners });
+        if !textured.is_empty() {
+            textured.resize(mesh.corners.len(), UvSet::NONE);
+            // What no corner uses may be no numbers, and is then none.
+            let sound = |uv: &[f64; 2]| if uv.iter().all(|c| c.is_finite()) { *uv } else { [0.0; 2] };
+            mesh.uv_sets.push(UvSet { values: self.textures.iter().map(sound).collect(), corners: textured });
         } else if is_whole(&textures) {
             mesh.uv_sets.push(UvSet { values: textures, corners: mesh.corners.clone() });
         }

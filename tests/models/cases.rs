@@ -38,7 +38,8 @@ pub enum Right {
 }
 
 /// Words that no message has: those of a parser's own types, of a panic, of a place in somebody's machine.
-const NEVER: [&str; 9] = ["Error", "panick", "unwrap", ".rs", "registry", "expected", "ParseFloat", "None", "Some("];
+pub const NEVER: [&str; 9] =
+    ["Error", "panick", "unwrap", ".rs", "registry", "expected", "ParseFloat", "None", "Some("];
 
 /// A folder to put files into.
 pub struct Folder(TempDir);

@@ -8,6 +8,7 @@ mod formats;
 mod gltf;
 mod gltf_document;
 mod obj;
+mod odd_files;
 mod overlaps;
 mod ply;
 mod progress;

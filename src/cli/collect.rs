@@ -1,9 +1,11 @@
 //! `sinew collect`: a scene and its models in one folder, to be moved, copied or sent.
 
+use super::error::printable;
 use super::output::wrote;
 use super::prepare::{Sets, folder_of, load, tell};
 use super::{CliError, Console, Outcome};
 use crate::io::{collect_scene, is_model};
+use crate::scene::one_line;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -32,6 +34,14 @@ pub(super) fn run(args: &Collect, console: &mut Console) -> Result<Outcome, CliE
     }
     let name = name.file_name().unwrap_or_default();
     let collected = collect_scene(&loaded.scene, folder_of(Some(&args.scene)), name, &args.out)?;
+    for (model, names) in &collected.missing {
+        let names: Vec<String> = names.iter().map(|name| format!("{:?}", one_line(name))).collect();
+        console.warn(&format!(
+            "{}: it names files that are not there and so did not go along: {}; find them, or do without",
+            printable(model),
+            names.join(", ")
+        ));
+    }
     console.print(&wrote(&format!("the scene with {} models", collected.models), &collected.scene))?;
     Ok(Outcome::Done)
 }

@@ -3,15 +3,16 @@
 use super::beside::put_beside;
 use super::model::companions;
 use super::paths::resolved;
-use super::read::read_bytes;
+use super::read::{open_file, read_bytes};
 use super::{IoError, make_folder, scene_to_json, write_atomically};
 use crate::scene::Scene;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::ffi::OsStr;
+use std::io::{self, BufRead, BufReader};
 use std::path::{Component, Path, PathBuf};
 
-/// Larger files than this are not copied [bytes].
+/// Larger models than this are not read [bytes].
 const LARGEST: u64 = 4 << 30;
 
 /// What was put into the folder.
@@ -21,6 +22,15 @@ pub(crate) struct Collected {
     pub(crate) scene: PathBuf,
     /// Models that went with it.
     pub(crate) models: usize,
+    /// Models that name files which are not there, with the names.
+    pub(crate) missing: Vec<(PathBuf, Vec<String>)>,
+}
+
+/// A file that goes along.
+struct Companion {
+    /// Its path in the folder that it goes into.
+    name: PathBuf,
+    source: PathBuf,
 }
 
 /// Puts a scene of this name into a folder, with its models and the files that these name; nothing that is there is written
@@ -32,11 +42,15 @@ pub(crate) struct Collected {
 pub(crate) fn collect_scene(scene: &Scene, from: &Path, name: &OsStr, into: &Path) -> Result<Collected, IoError> {
     scene.validate()?;
     let mut scene = scene.clone();
-    let mut files: BTreeMap<PathBuf, Vec<(PathBuf, Vec<u8>)>> = BTreeMap::new();
+    let mut files: BTreeMap<PathBuf, Vec<Companion>> = BTreeMap::new();
+    let mut missing = Vec::new();
     for path in scene.model_paths_mut() {
         let source = from.join(&*path);
         if let Entry::Vacant(vacant) = files.entry(source) {
-            let found = files_of(vacant.key())?;
+            let (found, lost) = files_of(vacant.key())?;
+            if !lost.is_empty() {
+                missing.push((vacant.key().clone(), lost));
+            }
             vacant.insert(found);
         }
     }
@@ -51,53 +65,88 @@ pub(crate) fn collect_scene(scene: &Scene, from: &Path, name: &OsStr, into: &Pat
         }
     }
     let name = put_beside(into, &name.to_string_lossy(), scene_to_json(&scene).as_bytes())?;
-    Ok(Collected { scene: into.join(name), models: files.len() })
+    Ok(Collected { scene: into.join(name), models: files.len(), missing })
 }
 
-/// A model's own file first, by its name, then those that it names, by their paths from its folder; with their content.
-fn files_of(source: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, IoError> {
+/// A model's own file first, by its name, then those that it names, by their paths from its folder; and the names of those
+/// that are not there.
+fn files_of(source: &Path) -> Result<(Vec<Companion>, Vec<String>), IoError> {
     let bytes = read_bytes(source, LARGEST).map_err(|error| error.within(source))?;
     let folder = source.parent().unwrap_or(Path::new(""));
     let named = companions(source, &bytes).map_err(|error| error.within(source))?;
-    let mut files = vec![(PathBuf::from(source.file_name().unwrap_or_default()), bytes)];
-    for path in named {
+    let own = PathBuf::from(source.file_name().unwrap_or_default());
+    let mut files = vec![Companion { name: own, source: source.to_owned() }];
+    for path in named.there {
         let is_inside = path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
-        match read_bytes(&folder.join(&path), LARGEST) {
-            // What is missing is missing where it was, too: the model does without.
-            Err(IoError::Missing) => {}
-            Ok(_) if !is_inside => return Err(IoError::CompanionOutside { file: path }.within(source)),
-            Ok(bytes) => files.push((path, bytes)),
-            Err(error) => return Err(error.within(&folder.join(&path))),
+        if !is_inside {
+            return Err(IoError::CompanionOutside { file: path }.within(source));
         }
+        let source = folder.join(&path);
+        // Whether it can be read is found out before anything is written.
+        open_file(&source).map_err(|error| error.within(&source))?;
+        files.push(Companion { name: path, source });
     }
-    Ok(files)
+    Ok((files, named.missing))
 }
 
 /// Puts a model beside the scene, or with the files that it names into a folder of its own. Gives its path from there.
-fn put(files: &[(PathBuf, Vec<u8>)], into: &Path) -> Result<String, IoError> {
-    let [(name, bytes), named @ ..] = files else { return Ok(String::new()) };
+fn put(files: &[Companion], into: &Path) -> Result<String, IoError> {
+    let [model, named @ ..] = files else { return Ok(String::new()) };
+    let name = model.name.to_string_lossy();
     if named.is_empty() {
-        return put_beside(into, &name.to_string_lossy(), bytes);
+        let bytes = read_bytes(&model.source, LARGEST).map_err(|error| error.within(&model.source))?;
+        return put_beside(into, &name, &bytes);
     }
-    let stem = name.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let stem = model.name.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let names = std::iter::once(stem.clone()).chain((2..).map(|number| format!("{stem}-{number}")));
     for folder_name in names {
         let folder = into.join(&folder_name);
-        let is_free = |(name, bytes): &(PathBuf, Vec<u8>)| match read_bytes(&folder.join(name), LARGEST) {
-            Ok(there) => there == *bytes,
-            Err(error) => matches!(error, IoError::Missing),
-        };
-        if folder.is_file() || !files.iter().all(is_free) {
+        if folder.is_file() || !all_free(files, &folder)? {
             continue;
         }
-        for (name, bytes) in files {
+        for Companion { name, source } in files {
             let path = folder.join(name);
             make_folder(path.parent().unwrap_or(&folder))?;
-            write_atomically(&path, |out| out.write_all(bytes))?;
+            let (mut file, _) = open_file(source).map_err(|error| error.within(source))?;
+            write_atomically(&path, |mut out| io::copy(&mut file, &mut out).map(drop))?;
         }
-        return Ok(format!("{folder_name}/{}", name.to_string_lossy()));
+        return Ok(format!("{folder_name}/{name}"));
     }
     Ok(String::new())
+}
+
+/// Whether nothing else than the files themselves is in their places in a folder.
+fn all_free(files: &[Companion], folder: &Path) -> Result<bool, IoError> {
+    for Companion { name, source } in files {
+        let (file, length) = open_file(source).map_err(|error| error.within(source))?;
+        let is_free = match open_file(&folder.join(name)) {
+            Ok((there, of)) => {
+                let same = || Ok(of == length && is_same(BufReader::new(there), BufReader::new(file))?);
+                same().map_err(|error| IoError::Read(error).within(source))?
+            }
+            Err(error) => matches!(error, IoError::Missing),
+        };
+        if !is_free {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// Whether two files have the same content, however long they are.
+fn is_same(mut a: impl BufRead, mut b: impl BufRead) -> io::Result<bool> {
+    loop {
+        let (left, right) = (a.fill_buf()?, b.fill_buf()?);
+        let length = left.len().min(right.len());
+        if length == 0 {
+            return Ok(left.len() == right.len());
+        }
+        if left[..length] != right[..length] {
+            return Ok(false);
+        }
+        a.consume(length);
+        b.consume(length);
+    }
 }
 
 /// A scene whose models are named from the folder of `path` in place of `from`.

@@ -5,11 +5,11 @@ use std::fs::{self, File, FileType};
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The content of a regular file of at most `limit` bytes.
+/// A regular file, opened, and its length [bytes].
 ///
 /// # Errors
-/// [`IoError::Missing`], [`IoError::NotAFile`], [`IoError::TooLarge`] or [`IoError::Read`].
-pub(super) fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, IoError> {
+/// [`IoError::Missing`], [`IoError::NotAFile`] or [`IoError::Read`].
+pub(super) fn open_file(path: &Path) -> Result<(File, u64), IoError> {
     let metadata = fs::metadata(path).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => IoError::Missing,
         _ => IoError::Read(error),
@@ -18,12 +18,20 @@ pub(super) fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, IoError> {
     if !metadata.is_file() {
         return Err(IoError::NotAFile(kind_of(metadata.file_type())));
     }
+    Ok((File::open(path).map_err(IoError::Read)?, metadata.len()))
+}
+
+/// The content of a regular file of at most `limit` bytes.
+///
+/// # Errors
+/// [`IoError::Missing`], [`IoError::NotAFile`], [`IoError::TooLarge`] or [`IoError::Read`].
+pub(super) fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, IoError> {
+    let (file, length) = open_file(path)?;
     let too_large = |bytes| Err(IoError::TooLarge { bytes, limit });
-    if metadata.len() > limit {
-        return too_large(metadata.len());
+    if length > limit {
+        return too_large(length);
     }
-    let mut bytes = Vec::with_capacity(metadata.len() as usize);
-    let file = File::open(path).map_err(IoError::Read)?;
+    let mut bytes = Vec::with_capacity(length as usize);
     file.take(limit + 1).read_to_end(&mut bytes).map_err(IoError::Read)?;
     if bytes.len() as u64 > limit {
         return too_large(bytes.len() as u64);

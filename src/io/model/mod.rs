@@ -14,6 +14,7 @@ mod polygon;
 mod stl;
 mod text;
 
+pub(super) use named_files::NamedFiles;
 pub(super) use polygon::triangulate;
 
 use limits::MAX_MODEL_BYTES;
@@ -26,7 +27,7 @@ use crate::geometry::file_mesh::{FileMesh, FilePart};
 use crate::geometry::model::Model;
 use crate::scene::one_line;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Formats, by how names end.
@@ -126,16 +127,17 @@ pub(super) fn load_obj_lines(path: &Path) -> Result<Vec<obj_lines::ObjLine>, IoE
     load().map_err(|error| error.within(path))
 }
 
-/// Files that a model with these bytes names, by their paths from its folder.
+/// Files that a model with these bytes names.
 ///
 /// # Errors
 /// A file in which they cannot be found.
-pub(super) fn companions(path: &Path, bytes: &[u8]) -> Result<Vec<PathBuf>, IoError> {
-    let Some(format) = Format::of(path) else { return Ok(Vec::new()) };
+pub(super) fn companions(path: &Path, bytes: &[u8]) -> Result<NamedFiles, IoError> {
+    let Some(format) = Format::of(path) else { return Ok(NamedFiles::default()) };
+    let folder = path.parent().unwrap_or(Path::new(""));
     let found = match format {
-        Format::Obj => named_files::of_obj(bytes, path.parent().unwrap_or(Path::new(""))),
-        Format::Gltf => named_files::of_gltf(bytes),
-        Format::Stl | Format::Ply => Ok(Vec::new()),
+        Format::Obj => named_files::of_obj(bytes, folder),
+        Format::Gltf => named_files::of_gltf(bytes, folder),
+        Format::Stl | Format::Ply => Ok(NamedFiles::default()),
     };
     found.map_err(|failure| error_of(failure, format))
 }

@@ -30,7 +30,7 @@ const TABLE: &[(&str, &[&str])] = &[
         "cli",
         &["geometry", "sketch", "scene", "edit", "bake", "io", "export", "solver", "sim", "draw", "render", "text"],
     ),
-    ("ui", &["geometry", "sketch", "scene", "edit", "bake", "io", "solver", "sim", "draw", "render", "text"]),
+    ("ui", &["geometry", "sketch", "scene", "edit", "bake", "io", "export", "solver", "sim", "draw", "render", "text"]),
     ("test_support", &["geometry", "sketch", "io", "solver", "sim", "render", "cli", "ui"]),
     ("main", &["cli", "ui"]),
 ];

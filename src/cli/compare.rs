@@ -3,9 +3,10 @@
 use super::error::printable;
 use super::interruption::Interruption;
 use super::order_plot::{PlotLine, order_plot};
+use super::output::{self, Inputs};
 use super::prepare::{Loaded, Sets, Threads, load, put_together, tell};
 use super::table::{Align, Table};
-use super::{CliError, Console, Outcome, output};
+use super::{CliError, Console, Outcome};
 use crate::scene::IntegratorKind;
 use crate::sim::{Convergence, Study, Trial};
 use crate::text::number::four_figures;
@@ -113,7 +114,7 @@ fn compare(args: &Compare, interruption: &Interruption, console: &mut Console) -
     let baked = put_together(&mut loaded, path, console)?;
     tell(loaded.made(), console);
     let Loaded { scene, .. } = loaded;
-    output::check(Some(&args.scene), &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
+    output::check(&Inputs::of(path, &scene), &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
 
     let seconds = args.seconds.unwrap_or(scene.time.duration);
     let pairs: Vec<(IntegratorKind, f64)> =

@@ -3,10 +3,11 @@
 use super::drive::{RunEnd, drive};
 use super::error::printable;
 use super::interruption::Interruption;
+use super::output::{self, Inputs};
 use super::prepare::{Sets, Span, Threads, load, put_together, tell};
 use super::svg::{Canvas, Scale};
 use super::table::{Align, Table};
-use super::{CliError, Console, Outcome, output};
+use super::{CliError, Console, Outcome};
 use crate::scene::{Body, Mass, Scene, Shape, one_line};
 use crate::sim::{MeasureReport, Report, Runner};
 use crate::text::number::four_figures;
@@ -87,7 +88,8 @@ fn converge(args: &Converge, interruption: &Interruption, console: &mut Console)
     tell(loaded.made(), console);
     let base = loaded.scene.clone();
     let index = chosen(args, &base)?;
-    output::check(Some(&args.scene), &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
+    let inputs = Inputs::of(Some(&args.scene), &base);
+    output::check(&inputs, &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
     if base.measures.is_empty() {
         return Err(CliError::NothingMeasured { scene: printable(&args.scene) });
     }

@@ -92,6 +92,14 @@ pub enum CliError {
         /// Names of those that there are.
         bodies: String,
     },
+    /// A title that several bodies have.
+    #[error("several fibre solids are called {:?}; name one by its identifier: {ids}", one_line(name))]
+    SeveralBodies {
+        /// What was asked for.
+        name: String,
+        /// Their identifiers.
+        ids: String,
+    },
     /// Two files that would be one.
     #[error("{}: {first} and {second} are the same file; give {second} another name", printable(path))]
     SameFile {

@@ -2,7 +2,7 @@
 
 use super::error::printable;
 use super::motion::Up;
-use super::output::{check, wrote};
+use super::output::{Inputs, check, wrote};
 use super::prepare::{Sets, folder_of, load, put_together};
 use super::{CliError, Console, Outcome};
 use crate::edit::fibre_ops::{LEAST_VERTICES, NEW_VOLUME_FRACTION, STIFFER, Sampling, rigidity_of, vertices};
@@ -70,15 +70,16 @@ pub(super) fn run(args: &Fibres, console: &mut Console) -> Result<Outcome, CliEr
     let mut scene = loaded.scene;
     let bodies: Vec<Site> =
         scene.bodies.iter().zip(baked.world.bodies()).map(|(body, of)| Site::new(body, of, args)).collect();
+    let inputs = Inputs::of(Some(&args.scene), &scene);
     let mut text = String::new();
     if let Some(path) = &args.to {
-        check(Some(&args.scene), &[("--to", Some(path))])?;
+        check(&inputs, &[("--to", Some(path))])?;
         let lines = lines(&scene, &bodies, args)?;
         write_lines(path, &lines)?;
         text = wrote(&format!("{} fibres", lines.len()), path);
     }
     if let (Some(from), Some(out)) = (&args.from, &args.out) {
-        check(Some(from), &[("--out", Some(out))])?;
+        check(&inputs.and("--from", Some(from)), &[("--out", Some(out))])?;
         let count = add(&mut scene, &bodies, from, args)?;
         let scene = with_models_from(scene, folder_of(Some(&args.scene)), out)?;
         save_scene(out, &scene)?;
@@ -131,19 +132,36 @@ impl Site {
     }
 }
 
-/// Whether a person means this body by a name.
-fn is_meant(body: &Body, name: &str) -> bool {
+/// The bodies that may be meant by a name: the one of that identifier, or else all of that title, the two also as one word.
+fn meant(scene: &Scene, name: &str) -> Vec<usize> {
     let word = |name: &str| name.replace(|c: char| c.is_whitespace() || c.is_control(), "_");
-    body.id == name || body.title() == name || word(body.title()) == name
+    let ways: [&dyn Fn(&Body) -> bool; 4] =
+        [&|body| body.id == name, &|body| word(&body.id) == name, &|body| body.title() == name, &|body| {
+            word(body.title()) == name
+        }];
+    let all = |is_it: &dyn Fn(&Body) -> bool| -> Vec<usize> {
+        scene.bodies.iter().enumerate().filter(|(_, body)| is_it(body)).map(|(index, _)| index).collect()
+    };
+    ways.into_iter().map(all).find(|found| !found.is_empty()).unwrap_or_default()
+}
+
+/// The one body that is meant by a name.
+fn find(scene: &Scene, name: &str) -> Result<usize, CliError> {
+    match meant(scene, name)[..] {
+        [index] => Ok(index),
+        [] => Err(no_body(name, scene)),
+        ref several => {
+            let ids: Vec<String> = several.iter().map(|&index| format!("{:?}", scene.bodies[index].id)).collect();
+            Err(CliError::SeveralBodies { name: name.to_owned(), ids: ids.join(", ") })
+        }
+    }
 }
 
 fn lines(scene: &Scene, bodies: &[Site], args: &Fibres) -> Result<Vec<NamedLine>, CliError> {
     let mut lines = Vec::new();
-    if let Some(name) = args.body.as_ref().filter(|name| !scene.bodies.iter().any(|body| is_meant(body, name))) {
-        return Err(no_body(name, scene));
-    }
-    for (body, site) in scene.bodies.iter().zip(bodies) {
-        if args.body.as_ref().is_some_and(|name| !is_meant(body, name)) {
+    let only = args.body.as_ref().map(|name| find(scene, name)).transpose()?;
+    for (index, (body, site)) in scene.bodies.iter().zip(bodies).enumerate() {
+        if only.is_some_and(|only| only != index) {
             continue;
         }
         for fibre in &body.fibres {
@@ -151,7 +169,8 @@ fn lines(scene: &Scene, bodies: &[Site], args: &Fibres) -> Result<Vec<NamedLine>
             let found = vertices(fibre, site.sampling);
             let points = found.map_err(|error| CliError::Fibre { which: of(), problem: error.to_string() })?;
             let points = points.into_iter().map(|point| site.out(point)).collect();
-            let (body, name) = (body.title().to_owned(), fibre.id.clone());
+            // Titles may be alike, identifiers never are.
+            let (body, name) = (body.id.clone(), fibre.id.clone());
             lines.push(NamedLine { body, name, place: String::new(), points });
         }
     }
@@ -165,12 +184,17 @@ fn no_body(name: &str, scene: &Scene) -> CliError {
 
 /// Adds the lines of a file as fibres; gives how many.
 fn add(scene: &mut Scene, bodies: &[Site], file: &Path, args: &Fibres) -> Result<usize, CliError> {
-    let lines = read_lines(file)?;
+    let only = args.body.as_ref().map(|name| find(scene, name)).transpose()?;
+    let is_body = |name: &str| {
+        let meant = meant(scene, name);
+        only.map_or(!meant.is_empty(), |only| meant.contains(&only))
+    };
+    let lines = read_lines(file, is_body)?;
     if lines.is_empty() {
         return Err(CliError::Fibre { which: printable(file), problem: "it holds no lines".to_owned() });
     }
     for line in &lines {
-        let index = chosen(scene, line, args)?;
+        let index = only.map_or_else(|| chosen(scene, line), Ok)?;
         let site = &bodies[index];
         let which = || format!("{}: {}{}", printable(file), line.place, quoted(&line.name));
         let refuse = |problem: String| Err(CliError::Fibre { which: which(), problem });
@@ -208,16 +232,11 @@ fn add(scene: &mut Scene, bodies: &[Site], file: &Path, args: &Fibres) -> Result
     Ok(lines.len())
 }
 
-/// The body that a line becomes a fibre of.
-fn chosen(scene: &Scene, line: &NamedLine, args: &Fibres) -> Result<usize, CliError> {
-    let find = |name: &str| scene.bodies.iter().position(|body| is_meant(body, name));
-    match &args.body {
-        Some(name) => find(name).ok_or_else(|| no_body(name, scene)),
-        None => match find(&line.body) {
-            Some(index) => Ok(index),
-            None if scene.bodies.len() == 1 => Ok(0),
-            None => Err(no_body(&line.body, scene)),
-        },
+/// The body that a line becomes a fibre of: the one that it names, or the only one.
+fn chosen(scene: &Scene, line: &NamedLine) -> Result<usize, CliError> {
+    match find(scene, if line.body.is_empty() { &line.name } else { &line.body }) {
+        Err(CliError::NoBody { .. }) if scene.bodies.len() == 1 => Ok(0),
+        found => found,
     }
 }
 

@@ -52,11 +52,11 @@ impl Pictures {
     /// A line about what was written.
     pub(super) fn written(&self, console: &mut Console) -> String {
         let mut text = String::new();
-        if let Some(single) = &self.single {
+        if let Some(single) = self.single.as_ref().filter(|single| single.frames() > 0) {
             text += &output::wrote(&format!("{} pictures", single.frames()), single.folder());
             warn_of_left_over(single.folder(), single.left_over(), console);
         }
-        if let Some(animated) = &self.animated {
+        if let Some(animated) = self.animated.as_ref().filter(|animated| animated.pictures() > 0) {
             text += &output::wrote(&format!("a moving picture of {} frames", animated.pictures()), animated.path());
         }
         text

@@ -1,6 +1,7 @@
 //! How the shapes of a run are written: in which formats, which frames, in what unit.
 
-use super::{CliError, Console, output};
+use super::output::{self, Inputs};
+use super::{CliError, Console};
 use crate::cli::error::printable;
 use crate::cli::finite::check_finite;
 use crate::export::{Motion, Space, Wanted};
@@ -24,10 +25,10 @@ pub(super) struct MotionOptions {
     /// is given
     #[arg(long, value_name = "A..B")]
     pub(super) frames: Option<FrameRange>,
-    /// Units to a metre in --out: 100 for a program that takes its units for centimetres
+    /// Units to a metre in --out: 100 for a program that takes its units for centimetres; glTF is always in metres
     #[arg(long, value_name = "N", value_parser = scale, allow_negative_numbers = true)]
     scale: Option<f64>,
-    /// Axis that points up in --out
+    /// Axis that points up in --out; in glTF it is always Y
     #[arg(long, value_enum)]
     up: Option<Up>,
 }
@@ -156,11 +157,12 @@ impl MotionOutput {
     /// In a folder, of a run that goes on to frame `last`; none where only pictures are asked for.
     ///
     /// # Errors
-    /// A folder that cannot be written, or a motion that a format cannot hold.
+    /// A folder that cannot be written, a file there that is read, or a motion that a format cannot hold.
     pub(super) fn create(
         options: &MotionOptions,
         folder: &Path,
         (scene, assets): (&Scene, &Assets),
+        inputs: &Inputs,
         runner: &Runner,
         last: u64,
     ) -> Result<Option<Self>, CliError> {
@@ -175,7 +177,9 @@ impl MotionOutput {
             tensions: all.tensions || one.tensions,
         });
         let motion = Motion::new(scene, assets, runner.world(), options.space(), wanted);
-        let files = MotionFiles::create(&formats, folder, motion.subject(), options.range(last))?;
+        let (subject, frames) = (motion.subject(), options.range(last));
+        inputs.check_apart("--out", &MotionFiles::planned(&formats, folder, subject, &frames))?;
+        let files = MotionFiles::create(&formats, folder, subject, frames)?;
         Ok(Some(Self { motion, files }))
     }
 
@@ -191,18 +195,22 @@ impl MotionOutput {
         Ok(())
     }
 
-    /// Writes what is left; gives a line about each file.
+    /// Writes what is left of the frames so far.
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub(super) fn finish(mut self, console: &mut Console) -> Result<String, CliError> {
-        self.files.finish()?;
+    pub(super) fn keep(&mut self) -> Result<(), CliError> {
+        Ok(self.files.finish()?)
+    }
+
+    /// A line about each file.
+    pub(super) fn written(&self, console: &mut Console) -> String {
         let mut text = String::new();
         for (what, path, left_over) in self.files.written() {
             text += &output::wrote(&what, &path);
             warn_of_left_over(&path, left_over, console);
         }
-        Ok(text)
+        text
     }
 }
 

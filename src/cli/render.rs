@@ -3,9 +3,10 @@
 use super::drive::{RunEnd, drive};
 use super::finite::check_finite;
 use super::interruption::Interruption;
+use super::output::{self, Inputs};
 use super::picture::Look;
 use super::prepare::{Sets, Threads, frames_to, load, put_together, seconds, tell};
-use super::{CliError, Console, Outcome, SceneRenderer, output};
+use super::{CliError, Console, Outcome, SceneRenderer};
 use crate::sim::Runner;
 use crate::text::number::four_figures;
 use clap::Args;
@@ -43,7 +44,7 @@ fn render(args: &Render, interruption: &Interruption, console: &mut Console) -> 
     let baked = put_together(&mut loaded, args.scene.as_deref(), console)?;
     tell(&loaded.notes(&baked), console);
     let scene = loaded.scene;
-    output::check(args.scene.as_ref(), &[("--out", Some(&args.out))])?;
+    output::check(&Inputs::of(args.scene.as_deref(), &scene), &[("--out", Some(&args.out))])?;
 
     let mut runner = Runner::new(baked);
     let mut renderer = SceneRenderer::open(&args.look, &scene, &runner.snapshot())?;

@@ -5,11 +5,12 @@ use super::finite::{NotFinite, check_finite};
 use super::frame_pictures::Pictures;
 use super::interruption::Interruption;
 use super::motion::{MotionOptions, MotionOutput};
+use super::output::{self, Inputs};
 use super::picture::Look;
 use super::prepare::{Loaded, Sets, Span, Threads, frames_to, load, put_together, source_name, tell, word};
 use super::repeat::{Repeated, Run, RunReport};
 use super::summary::summary;
-use super::{CliError, Console, Outcome, SceneRenderer, output};
+use super::{CliError, Console, Outcome, SceneRenderer};
 use crate::scene::{Assets, Scene};
 use crate::sim::{Report, Runner, TimeSeries};
 use crate::text::number::four_figures;
@@ -84,14 +85,21 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     let notes = loaded.notes(&baked);
     let Loaded { scene, assets, .. } = loaded;
     tell(&notes, console);
-    output::check(args.scene.as_ref(), &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
+    let inputs = Inputs::of(args.scene.as_deref(), &scene);
+    output::check(&inputs, &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
 
     let mut runner = Runner::new(baked);
     let most = runner.frames_for(args.span.limit(&scene));
     let last = args.motion.last_frame(most, args.span.seconds)?;
-    let mut outputs = FrameOutputs::new(args, (&scene, &assets), &runner, last)?;
+    let mut outputs = FrameOutputs::new(args, (&scene, &assets), &inputs, &runner, last)?;
     interruption.wait_for_end();
-    let ran = watch(args, (&scene, last), &mut runner, interruption, &mut outputs, console)?;
+    let ran = match watch(args, (&scene, last), &mut runner, interruption, &mut outputs, console) {
+        Ok(ran) => ran,
+        Err(error) => {
+            outputs.keep();
+            return Err(error);
+        }
+    };
     let lines = notes.iter().map(|note| format!("{}: {note}", word(note))).collect();
     let mut report = Report::new(&scene, &runner, ran.wall_seconds, lines);
     report.complete = !matches!(ran.end, RunEnd::Interrupted(_));
@@ -168,14 +176,20 @@ struct FrameOutputs {
 }
 
 impl FrameOutputs {
-    fn new(args: &Simulate, (scene, assets): (&Scene, &Assets), runner: &Runner, last: u64) -> Result<Self, CliError> {
+    fn new(
+        args: &Simulate,
+        (scene, assets): (&Scene, &Assets),
+        inputs: &Inputs,
+        runner: &Runner,
+        last: u64,
+    ) -> Result<Self, CliError> {
         let frames = args.motion.range(last);
         // A driver may be missing: that is found out before a folder is made.
         let renderer = (args.png.is_some() || args.motion.wants_apng())
             .then(|| SceneRenderer::open(&args.look, scene, &runner.snapshot()))
             .transpose()?;
         let series = args.series.as_ref().map(|_| TimeSeries::new(runner.world(), usize::MAX));
-        let create = |out| MotionOutput::create(&args.motion, out, (scene, assets), runner, last);
+        let create = |out| MotionOutput::create(&args.motion, out, (scene, assets), inputs, runner, last);
         let shapes = args.out.as_deref().map_or(Ok(None), create)?;
         let animated = args.out.as_deref().filter(|_| args.motion.wants_apng());
         let seconds = runner.world().plan().frame_seconds;
@@ -200,6 +214,13 @@ impl FrameOutputs {
         Ok(())
     }
 
+    /// Writes what is left of the shapes' frames so far; what the run failed by is told, and not what fails then.
+    fn keep(&mut self) {
+        if let Some(shapes) = &mut self.shapes {
+            shapes.keep().ok();
+        }
+    }
+
     /// Whether all that was collected is made of numbers; what is not is said.
     fn is_finite(&self, report: &Report, console: &mut Console) -> bool {
         let series = self.series.as_ref().and_then(TimeSeries::not_finite);
@@ -214,11 +235,13 @@ impl FrameOutputs {
 
     /// Writes what was collected, the report and the series where they are made of numbers; gives a line about each file.
     fn finish(
-        self,
+        mut self,
         args: &Simulate,
         report: Option<&RunReport<'_>>,
         console: &mut Console,
     ) -> Result<String, CliError> {
+        // First: no report that cannot be written keeps frames from their files.
+        self.shapes.as_mut().map_or(Ok(()), MotionOutput::keep)?;
         let mut text = String::new();
         if let (Some(path), Some(report)) = (&args.report, report) {
             text += &output::write_report(path, report)?;
@@ -228,7 +251,7 @@ impl FrameOutputs {
             text += &output::wrote("series", path);
         }
         if let Some(shapes) = self.shapes {
-            text += &shapes.finish(console)?;
+            text += &shapes.written(console);
         }
         if let Some(pictures) = &self.pictures {
             text += &pictures.written(console);

@@ -66,19 +66,87 @@ pub(crate) struct ParticleFrame {
     pub(crate) directions: Vec<DVec3>,
 }
 
+/// The first of some numbers that is none, or none in single precision, and its place among them.
+fn lost<const N: usize>(all: impl IntoIterator<Item = [f64; N]>, in_single: bool) -> Option<(usize, String)> {
+    let is_lost = |c: f64| !c.is_finite() || (in_single && !(c as f32).is_finite());
+    let told = |values: [f64; N]| {
+        let text: Vec<String> = values.iter().map(f64::to_string).collect();
+        if N == 1 { text.concat() } else { format!("[{}]", text.join(", ")) }
+    };
+    all.into_iter()
+        .enumerate()
+        .find(|(_, values)| values.iter().any(|&c| is_lost(c)))
+        .map(|(k, values)| (k, told(values)))
+}
+
 impl Frame {
-    /// The first place that is no numbers, as a message calls it, and its value.
-    pub(crate) fn not_finite(&self, name: impl Fn(usize) -> String) -> Option<(String, DVec3)> {
-        let lost = |points: &[DVec3]| points.iter().enumerate().find(|(_, p)| !p.is_finite()).map(|(k, p)| (k, *p));
+    /// The first value that is no number, or none in single precision where that is what is written; as a message calls it, and
+    /// what it is.
+    pub(crate) fn not_finite(&self, in_single: bool, name: impl Fn(usize) -> String) -> Option<(String, String)> {
+        let vectors = |all: &[DVec3]| lost(all.iter().map(DVec3::to_array), in_single);
+        let scalars = |all: &[f64]| lost(all.iter().map(|&value| [value]), in_single);
         self.bodies.iter().enumerate().find_map(|(index, body)| {
-            let told = |what: &str, found: Option<(usize, DVec3)>| {
-                found.map(|(k, p)| (format!("frame {}, body {:?}: {what} {k}", self.number, name(index)), p))
+            let particles = &body.particles;
+            let of_fibres = |found: &dyn Fn(&FibreFrame) -> Option<(usize, String)>| body.fibres.iter().find_map(found);
+            let found = [
+                ("vertex", vectors(&body.vertices)),
+                ("velocity of vertex", vectors(&body.velocities)),
+                ("vertex of a fibre", of_fibres(&|fibre| vectors(&fibre.vertices))),
+                ("tension of a fibre at its vertex", of_fibres(&|fibre| scalars(&fibre.tensions))),
+                ("end of a spring", vectors(&body.springs)),
+                ("particle", vectors(&particles.positions)),
+                ("velocity of particle", vectors(&particles.velocities)),
+                ("volume fraction of particle", scalars(&particles.fractions)),
+                ("strain of particle", scalars(&particles.strains)),
+                ("stress of particle", scalars(&particles.stresses)),
+                ("fibre direction of particle", vectors(&particles.directions)),
+            ];
+            let told = |(what, found): (&str, Option<(usize, String)>)| {
+                found.map(|(k, value)| (format!("frame {}, body {:?}: {what} {k}", self.number, name(index)), value))
             };
-            told("vertex", lost(&body.vertices))
-                .or_else(|| told("velocity of vertex", lost(&body.velocities)))
-                .or_else(|| body.fibres.iter().find_map(|fibre| told("vertex of a fibre", lost(&fibre.vertices))))
-                .or_else(|| told("particle", lost(&body.particles.positions)))
-                .or_else(|| told("velocity of particle", lost(&body.particles.velocities)))
+            found.into_iter().find_map(told)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Puts vectors or numbers where a frame has them.
+    type Put = fn(&mut BodyFrame, Vec<DVec3>, Vec<f64>);
+
+    #[test]
+    fn whatever_is_no_number_is_found_in_the_precision_that_is_written() {
+        let at = |v: f64| vec![DVec3::ZERO, DVec3::new(0.0, v, 0.0)];
+        let of = |v: f64| vec![0.0, v];
+        let puts: [(&str, Put); 11] = [
+            ("vertex", |body, v, _| body.vertices = v),
+            ("velocity of vertex", |body, v, _| body.velocities = v),
+            ("vertex of a fibre", |body, v, _| body.fibres = vec![FibreFrame { vertices: v, ..FibreFrame::default() }]),
+            ("tension of a fibre at its vertex", |body, _, s| {
+                body.fibres = vec![FibreFrame { tensions: s, ..FibreFrame::default() }];
+            }),
+            ("end of a spring", |body, v, _| body.springs = v),
+            ("particle", |body, v, _| body.particles.positions = v),
+            ("velocity of particle", |body, v, _| body.particles.velocities = v),
+            ("volume fraction of particle", |body, _, s| body.particles.fractions = s),
+            ("strain of particle", |body, _, s| body.particles.strains = s),
+            ("stress of particle", |body, _, s| body.particles.stresses = s),
+            ("fibre direction of particle", |body, v, _| body.particles.directions = v),
+        ];
+        for (what, put) in puts {
+            for (value, in_double, in_single) in
+                [(1.0, false, false), (1e39, false, true), (f64::NAN, true, true), (f64::NEG_INFINITY, true, true)]
+            {
+                let mut body = BodyFrame::default();
+                put(&mut body, at(value), of(value));
+                let frame = Frame { number: 7, bodies: vec![BodyFrame::default(), body], ..Frame::default() };
+                let found = |single| frame.not_finite(single, |index| format!("b{index}"));
+                assert_eq!(found(false).is_some(), in_double, "{what} {value}");
+                let told = found(true).map(|(what, _)| what);
+                assert_eq!(told, in_single.then(|| format!("frame 7, body \"b1\": {what} 1")), "{value}");
+            }
+        }
     }
 }

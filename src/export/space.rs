@@ -34,6 +34,11 @@ impl Space {
         self.scale * self.direction(v)
     }
 
+    /// A place there [m] of the world.
+    pub(crate) fn back(self, v: DVec3) -> DVec3 {
+        self.up.stand_up(v) / self.scale
+    }
+
     /// Places or velocities of the world there.
     pub(crate) fn places(self, mut all: Vec<DVec3>) -> Vec<DVec3> {
         if self != Self::default() {
@@ -55,6 +60,7 @@ mod tests {
             let v = DVec3::new(1.0, 2.0, 3.0);
             let space = Space { up, scale: 100.0 };
             assert_eq!(space.place(up.stand_up(v)), 100.0 * v);
+            assert_eq!(space.back(space.place(v)), v);
         }
     }
 }

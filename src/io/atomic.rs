@@ -42,8 +42,14 @@ pub(crate) fn check_writable(path: &Path) -> Result<PathBuf, IoError> {
 /// Removes temporary files in the folder of a path that writers left behind when they were killed. Those that are being
 /// written stay. What cannot be removed stays too: that is no reason to refuse a save.
 pub(super) fn sweep(path: &Path) {
-    let Ok(target) = WriteTarget::of(path) else { return };
-    for entry in fs::read_dir(target.folder()).into_iter().flatten().flatten() {
+    if let Ok(target) = WriteTarget::of(path) {
+        sweep_folder(target.folder());
+    }
+}
+
+/// As [`sweep`], of a folder.
+fn sweep_folder(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
         let name = name.to_string_lossy();
         let is_ours = name.starts_with(PREFIX) && name.ends_with(SUFFIX);
@@ -60,14 +66,17 @@ pub(super) fn sweep(path: &Path) {
     }
 }
 
-/// Makes a folder, and those above it that are missing, unless it is there.
+/// Makes a folder, and those above it that are missing, unless it is there; one that is there is rid of what writers left
+/// behind when they were killed.
 ///
 /// # Errors
 /// [`IoError::Folder`] within [`IoError::InFile`]: it cannot be made or written to, or the path is a file.
 pub(crate) fn make_folder(path: &Path) -> Result<(), IoError> {
     let make = || {
         fs::create_dir_all(path)?;
-        tempfile::Builder::new().prefix(PREFIX).suffix(SUFFIX).tempfile_in(path)?.close()
+        sweep_folder(path);
+        // Locked, as all of ours: another that sweeps at this moment leaves it alone.
+        WriteTarget { path: path.join("probe"), old: None }.temporary_file()?.close()
     };
     make().map_err(|error| IoError::Folder(error).within(path))
 }
@@ -75,6 +84,17 @@ pub(crate) fn make_folder(path: &Path) -> Result<(), IoError> {
 /// How the names of temporary files begin and end.
 const PREFIX: &str = ".sinew-";
 const SUFFIX: &str = ".tmp";
+
+/// Removes a file that would contradict what is about to be written beside it.
+///
+/// # Errors
+/// [`IoError::Write`] within [`IoError::InFile`]: it is there and stays.
+pub(super) fn remove_old(path: &Path) -> Result<(), IoError> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(IoError::Write(error).within(path)),
+        _ => Ok(()),
+    }
+}
 
 /// Where a file is going to be.
 struct WriteTarget {

@@ -71,6 +71,12 @@ pub enum IoError {
         /// Most that it takes.
         most: u64,
     },
+    /// More than the lengths of a GLB file can say.
+    #[error("a GLB file of {bytes} bytes would be longer than the 4 GiB that its format allows; write less into it")]
+    TooLargeForGlb {
+        /// How many bytes it would have.
+        bytes: u64,
+    },
     /// The system refused to make or use a folder.
     #[error("the folder cannot be written to ({0}); name a folder that can be made or may be written to")]
     Folder(#[source] io::Error),

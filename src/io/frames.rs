@@ -5,6 +5,17 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// The files of frames that lie in a folder, with their numbers.
+pub(crate) fn numbered_files(folder: &Path, prefix: &str, extension: &str) -> impl Iterator<Item = (u64, PathBuf)> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.filter_map(move |entry| {
+        let name = entry.file_name();
+        let digits = name.to_str()?.strip_prefix(prefix)?.strip_prefix('_')?;
+        let number = digits.strip_suffix(extension)?.strip_suffix('.')?.parse().ok()?;
+        Some((number, entry.path()))
+    })
+}
+
 /// A folder that takes one file a frame, `frame_000000` and on.
 #[derive(Clone, Debug)]
 pub struct FrameFolder {
@@ -61,19 +72,7 @@ impl FrameFolder {
 
     /// How many frames of a longer, earlier run lie in the folder behind those of this one.
     pub(crate) fn left_over(&self) -> usize {
-        let index = |name: &str| {
-            name.strip_prefix(self.prefix)?
-                .strip_prefix('_')?
-                .strip_suffix(self.extension)?
-                .strip_suffix('.')?
-                .parse::<u64>()
-                .ok()
-        };
-        let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
-        entries
-            .filter(|entry| {
-                entry.file_name().to_str().and_then(index).is_some_and(|index| index >= self.first + self.frames)
-            })
-            .count()
+        let end = self.first + self.frames;
+        numbered_files(&self.folder, self.prefix, self.extension).filter(|(number, _)| *number >= end).count()
     }
 }

@@ -5,13 +5,15 @@ use super::{IoError, write_atomically};
 use crate::geometry::model::Model;
 use glam::Vec3;
 use serde_json::{Value, json};
+use std::io;
 use std::path::Path;
 
 /// Writes a model as GLB, wholly or not at all. Numbers are single precision, as the format has them; indices take two
 /// bytes where that is enough. The colour is that of the first vertex.
 ///
 /// # Errors
-/// As [`write_atomically`], and [`IoError::NotFinite`] for a vertex, normal or colour that is no numbers.
+/// As [`write_atomically`], [`IoError::NotFinite`] for a vertex, normal or colour that is no numbers, and
+/// [`IoError::TooLargeForGlb`].
 pub fn write_glb(path: &Path, model: &Model, name: &str) -> Result<(), IoError> {
     write_atomically(path, |out| {
         check_points(&model.positions, || "vertex".to_owned())?;
@@ -20,7 +22,7 @@ pub fn write_glb(path: &Path, model: &Model, name: &str) -> Result<(), IoError> 
         check_single(&model.normals, || "normal".to_owned())?;
         let colours: Vec<Vec3> = model.colours.first().map(|&[r, g, b, _]| Vec3::new(r, g, b)).into_iter().collect();
         check_single(&colours, || "colour".to_owned())?;
-        out.write_all(&to_glb(model, name))
+        out.write_all(&to_glb(model, name).map_err(io::Error::other)?)
     })
 }
 
@@ -84,22 +86,28 @@ pub(super) fn indices_into(parts: &mut Parts, triangles: &[[u32; 3]], vertices: 
 }
 
 /// What a file begins with before so many bytes of data: its head, the document, the head of the data.
-pub(super) fn container_head(document: &Value, data: usize) -> Vec<u8> {
+///
+/// # Errors
+/// [`IoError::TooLargeForGlb`]: lengths are four bytes long.
+pub(super) fn container_head(document: &Value, data: usize) -> Result<Vec<u8>, IoError> {
     let mut text = document.to_string().into_bytes();
     text.resize(text.len().next_multiple_of(4), b' ');
+    let whole = 28 + text.len() + data;
+    let length = u32::try_from(whole).map_err(|_| IoError::TooLargeForGlb { bytes: whole as u64 })?;
     let mut out = Vec::with_capacity(28 + text.len());
     out.extend(b"glTF");
     out.extend(2_u32.to_le_bytes());
-    out.extend((28 + text.len() as u32 + data as u32).to_le_bytes());
+    out.extend(length.to_le_bytes());
+    // Both are parts of the whole.
     out.extend((text.len() as u32).to_le_bytes());
     out.extend(b"JSON");
     out.extend(text);
     out.extend((data as u32).to_le_bytes());
     out.extend(b"BIN\0");
-    out
+    Ok(out)
 }
 
-fn to_glb(model: &Model, name: &str) -> Vec<u8> {
+fn to_glb(model: &Model, name: &str) -> Result<Vec<u8>, IoError> {
     let mut parts = Parts::default();
     let positions: Vec<[f32; 3]> = model.positions.iter().map(|p| p.as_vec3().to_array()).collect();
     let (mut min, mut max) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
@@ -134,7 +142,21 @@ fn to_glb(model: &Model, name: &str) -> Vec<u8> {
         "bufferViews": views,
         "buffers": [{"byteLength": bin.len()}]
     });
-    let mut out = container_head(&document, bin.len());
+    let mut out = container_head(&document, bin.len())?;
     out.extend(bin);
-    out
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_four_bytes_cannot_count_is_refused() {
+        let head = |data| container_head(&json!({}), data);
+        let most = u32::MAX as usize - 32;
+        assert_eq!(head(most).map(|head| head[8..12].to_vec()).ok(), Some(vec![255; 4]));
+        let error = head(most + 1).expect_err("it is one byte too long").to_string();
+        assert!(error.contains("4294967296 bytes"), "{error}");
+    }
 }

@@ -76,7 +76,8 @@ fn write_obj(out: &mut dyn Write, lines: &[NamedLine]) -> io::Result<()> {
     let word = |name: &str| name.replace(|c: char| c.is_whitespace() || c.is_control(), "_");
     let mut next = 1;
     for line in lines {
-        writeln!(out, "o {}.{}", word(&line.body), word(&line.name))?;
+        let dot = if line.body.is_empty() { "" } else { "." };
+        writeln!(out, "o {}{dot}{}", word(&line.body), word(&line.name))?;
         for point in &line.points {
             writeln!(out, "v {} {} {}", point.x, point.y, point.z)?;
         }
@@ -102,20 +103,21 @@ fn write_csv(out: &mut dyn Write, lines: &[NamedLine]) -> csv::Result<()> {
     Ok(table.flush()?)
 }
 
-/// Reads curves.
+/// Reads curves. Names in an OBJ file are one word each, of which the part before a dot may be that of a body: `is_body` knows
+/// these.
 ///
 /// # Errors
 /// [`IoError::InFile`] with what is wrong: another name, no regular file of sensible size, no sense in it, and where.
-pub(crate) fn read_lines(path: &Path) -> Result<Vec<NamedLine>, IoError> {
+pub(crate) fn read_lines(path: &Path, is_body: impl Fn(&str) -> bool) -> Result<Vec<NamedLine>, IoError> {
     match Format::of(path)? {
-        Format::Obj => Ok(load_obj_lines(path)?
+        Format::Obj => load_obj_lines(path)?
             .into_iter()
             .map(|line| {
-                let (body, name) = line.name.rsplit_once('.').unwrap_or(("", &line.name));
-                let (body, name) = (body.to_owned(), name.to_owned());
-                NamedLine { body, name, place: format!("line {}", line.line), points: line.points }
+                let place = format!("line {}", line.line);
+                let (body, name) = parted(&line.name, &is_body).map_err(|problem| fault("OBJ", &place, problem))?;
+                Ok(NamedLine { body: body.to_owned(), name: name.to_owned(), place, points: line.points })
             })
-            .collect()),
+            .collect(),
         Format::Csv => read_text(path, MAX_SCENE_BYTES).and_then(|text| read_csv(&text)),
         Format::Json => read_text(path, MAX_SCENE_BYTES).and_then(|text| of_json(&parse(&text)?)),
     }
@@ -125,9 +127,20 @@ pub(crate) fn read_lines(path: &Path) -> Result<Vec<NamedLine>, IoError> {
     })
 }
 
+/// The body and the name of a line that a file names in one word; no body where it names none.
+fn parted<'a>(name: &'a str, is_body: &impl Fn(&str) -> bool) -> Result<(&'a str, &'a str), String> {
+    let ways = name.match_indices('.').map(|(dot, _)| (&name[..dot], &name[dot + 1..]));
+    let mut meant = ways.filter(|(body, _)| is_body(body));
+    match (meant.next(), meant.next()) {
+        (Some((one, _)), Some((other, _))) => Err(format!("{name:?} may be of body {one:?} and of body {other:?}")),
+        (one, _) => Ok(one.unwrap_or(("", name))),
+    }
+}
+
 fn fault(format: &'static str, place: impl Display, problem: impl Display) -> IoError {
     let remedy = match format {
         "CSV" => "give columns x, y and z, and fibre where there are several",
+        "OBJ" => "name the body by --body, or give the lines as CSV or JSON",
         _ => "give {\"fibres\": [{\"vertices\": [[x, y, z], ...]}]}",
     };
     IoError::Model { format, problem: one_line(&format!("{place}: {problem}")), remedy: remedy.to_owned() }
@@ -204,12 +217,12 @@ mod tests {
             points: points.clone(),
             ..NamedLine::default()
         };
-        let lines = [line("a", "f1"), line("a", "f2"), line("b.c", "f2")];
+        let lines = [line("a", "f1"), line("a", "f.2"), line("b.c", "f.2"), line("", "c.d")];
         let folder = tempfile::tempdir().unwrap();
         for name in ["a.obj", "a.csv", "a.JSON"] {
             let path = folder.path().join(name);
             write_lines(&path, &lines).unwrap();
-            let mut read = read_lines(&path).unwrap();
+            let mut read = read_lines(&path, |name| ["a", "b.c"].contains(&name)).unwrap();
             assert!(read.iter_mut().all(|line| !std::mem::take(&mut line.place).is_empty()));
             assert_eq!(read, lines, "{name}");
         }
@@ -228,7 +241,7 @@ mod tests {
         ] {
             let path = folder.path().join(name);
             std::fs::write(&path, text).unwrap();
-            let error = read_lines(&path).expect_err(name).to_string();
+            let error = read_lines(&path, |_| false).expect_err(name).to_string();
             assert!(error.contains(part) && error.contains(name), "{error}");
         }
     }

@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 
 /// A prism of six sides in millimetres, Z up: a vertex that nothing uses first, caps of six corners, sides of four each with
 /// texture coordinates of its own, two objects, a material.
-const PRISM: &str = "mtllib prism.mtl\no sides\nv 3 3 3\n\
+pub(super) const PRISM: &str = "mtllib prism.mtl\no sides\nv 3 3 3\n\
     v 30 0 0\nv 15 26 0\nv -15 26 0\nv -30 0 0\nv -15 -26 0\nv 15 -26 0\n\
     v 30 0 40\nv 15 26 40\nv -15 26 40\nv -30 0 40\nv -15 -26 40\nv 15 -26 40\n\
     vt 0 0\nvt 0.25 0\nvt 0.25 0.5\nvt 0 0.5\nvt 1 1\n\
@@ -21,7 +21,7 @@ const PRISM: &str = "mtllib prism.mtl\no sides\nv 3 3 3\n\
     o caps\nusemtl none\nf 7 6 5 4 3 2\nf 8/5 9/1 10/2 11/3 12/4 13/5\n";
 
 /// The prism, its axis Y once it stands, turned and moved, in free fall; and a ring of springs.
-fn falling() -> Value {
+pub(super) fn falling() -> Value {
     json!({
         "version": 1,
         "name": "Falling prism",
@@ -40,7 +40,7 @@ fn falling() -> Value {
     })
 }
 
-fn desk() -> Desk {
+pub(super) fn desk() -> Desk {
     let desk = Desk::new(&falling());
     fs::write(desk.path("prism.obj"), PRISM).unwrap();
     fs::write(desk.path("prism.mtl"), "newmtl red paint\nKd 1 0 0\n").unwrap();
@@ -48,7 +48,7 @@ fn desk() -> Desk {
 }
 
 /// Vertices of an OBJ file, and its other lines by their first word.
-fn obj(text: &str) -> (Vec<[f64; 3]>, BTreeMap<&str, Vec<&str>>) {
+pub(super) fn obj(text: &str) -> (Vec<[f64; 3]>, BTreeMap<&str, Vec<&str>>) {
     let (mut vertices, mut rest): (_, BTreeMap<&str, Vec<&str>>) = (Vec::new(), BTreeMap::new());
     for line in text.lines() {
         let (kind, values) = line.split_once(' ').unwrap();
@@ -63,7 +63,7 @@ fn obj(text: &str) -> (Vec<[f64; 3]>, BTreeMap<&str, Vec<&str>>) {
 }
 
 /// Points of every sample of a PC2 file: as many as it says there are. And the number of the first frame.
-fn pc2(bytes: &[u8]) -> (f32, Vec<Vec<[f64; 3]>>) {
+pub(super) fn pc2(bytes: &[u8]) -> (f32, Vec<Vec<[f64; 3]>>) {
     let word = |at: usize| <[u8; 4]>::try_from(&bytes[at..at + 4]).unwrap();
     assert_eq!((&bytes[..12], u32::from_le_bytes(word(12))), (&b"POINTCACHE2\0"[..], 1));
     let (points, samples) = (u32::from_le_bytes(word(16)) as usize, u32::from_le_bytes(word(28)) as usize);
@@ -75,7 +75,7 @@ fn pc2(bytes: &[u8]) -> (f32, Vec<Vec<[f64; 3]>>) {
 }
 
 /// Times and points of every sample of an MDD file, which must have no byte more.
-fn mdd(bytes: &[u8]) -> (Vec<f32>, Vec<Vec<[f64; 3]>>) {
+pub(super) fn mdd(bytes: &[u8]) -> (Vec<f32>, Vec<Vec<[f64; 3]>>) {
     let words: Vec<[u8; 4]> = bytes.as_chunks::<4>().0.to_vec();
     let (samples, points) = (u32::from_be_bytes(words[0]) as usize, u32::from_be_bytes(words[1]) as usize);
     assert_eq!(bytes.len(), 4 * (2 + samples + 3 * samples * points));
@@ -85,7 +85,7 @@ fn mdd(bytes: &[u8]) -> (Vec<f32>, Vec<Vec<[f64; 3]>>) {
     (times, (0..samples).map(|sample| all[sample * points..(sample + 1) * points].to_vec()).collect())
 }
 
-fn distance(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+pub(super) fn distance(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     assert_eq!(a.len(), b.len());
     a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
@@ -104,7 +104,7 @@ fn motion_comes_back_on_the_files_own_vertices_in_every_format() {
     expected.extend(
         ["Red_prism_1", "red_Prism_1_2"]
             .iter()
-            .flat_map(|name| ["mdd", "obj", "pc2"].map(|end| format!("{name}.{end}"))),
+            .flat_map(|name| [".mdd", ".pc2", "_rest.obj"].map(|end| format!("{name}{end}"))),
     );
     expected.extend(["motion.glb", "motion.usda", "motion_layers"].map(str::to_owned));
     expected.sort();
@@ -112,7 +112,7 @@ fn motion_comes_back_on_the_files_own_vertices_in_every_format() {
 
     // The rest shape: the file's vertices, all thirteen, where the body was put; its faces as they stand there.
     let (given, lines) = obj(PRISM);
-    let text = desk.text("out/Red_prism_1.obj");
+    let text = desk.text("out/Red_prism_1_rest.obj");
     let (rest, rest_lines) = obj(&text);
     let put = |[x, y, z]: [f64; 3]| [0.1 - 1e-3 * y, 0.5 + 1e-3 * z, -0.2 - 1e-3 * x];
     assert!(distance(&rest, &given.iter().map(|&p| put(p)).collect::<Vec<_>>()) < 1e-12);
@@ -171,7 +171,7 @@ fn another_programs_unit_and_axes_are_those_of_every_place() {
     let stage = desk.text("there/motion.usda");
     assert!(stage.contains("metersPerUnit = 0.01\n") && stage.contains("upAxis = \"Z\""), "{stage}");
     // Rest shape and motion are in the same frame.
-    assert!(distance(&obj(&desk.text("there/Red_prism_1.obj")).0, &turned) < 2.0);
+    assert!(distance(&obj(&desk.text("there/Red_prism_1_rest.obj")).0, &turned) < 2.0);
 }
 
 #[test]
@@ -276,7 +276,7 @@ fn what_went_out_comes_in_again_as_it_was() {
     let parts: Vec<_> =
         given.parts.iter().map(|part| (&*part.name, &*part.material, part.colour, part.faces.clone())).collect();
     assert_eq!(parts, [("sides", "red paint", Some([1.0, 0.0, 0.0, 1.0]), 0..6), ("caps", "none", None, 6..8)]);
-    for name in ["out/Red_prism_1.obj", "out/frame_000000.obj", "out/frame_000000.ply"] {
+    for name in ["out/Red_prism_1_rest.obj", "out/frame_000000.obj", "out/frame_000000.ply"] {
         let mesh = read(name);
         assert_eq!((&mesh.counts, &mesh.corners), (&given.counts, &given.corners), "{name}");
         for (a, b) in corners(&mesh).iter().zip(corners(&given)) {
@@ -284,7 +284,7 @@ fn what_went_out_comes_in_again_as_it_was() {
             assert!(a.1 == b.1 || (a.1 == Some([0.0; 2]) && b.1.is_none()), "{name}: {a:?} {b:?}");
         }
     }
-    let rest = read("out/Red_prism_1.obj");
+    let rest = read("out/Red_prism_1_rest.obj");
     let clip = read("out/motion.glb");
     let places = |mesh: &FileMesh| mesh.points[..13].iter().map(glam::DVec3::to_array).collect::<Vec<_>>();
     assert!(distance(&places(&clip), &places(&rest)) < 1e-7 && clip.points.len() > 13);

@@ -1,6 +1,6 @@
 //! Fibres as lines of other programs and back, and scenes that take their models along.
 
-use super::{Desk, names, pressed};
+use super::{Desk, names, pressed, program};
 use serde_json::{Value, json};
 use std::fs;
 
@@ -57,6 +57,59 @@ fn fibres_that_go_out_as_lines_come_back_where_they_lay() {
     let ids: Vec<String> = vertices(&desk, "new.json").into_iter().map(|(id, _)| id).collect();
     assert_eq!(ids, ["axis", "drawn", "axis-2", "drawn-2"]);
     assert_eq!(desk.run("simulate new.json --seconds 0.02").code, Some(0));
+}
+
+#[test]
+fn bodies_of_one_title_keep_their_fibres_apart() {
+    let mut scene = turned();
+    let mut other = scene["bodies"][0].clone();
+    scene["bodies"][0]["id"] = json!("a.1");
+    scene["bodies"][0]["fibres"][0]["id"] = json!("f.1 left");
+    other["id"] = json!("b 2");
+    other["placement"] = json!({"translation": [2, 0, 0]});
+    other["fibres"][0]["id"] = json!("f.1 left");
+    scene["bodies"].as_array_mut().unwrap().push(other);
+    scene["measures"] = json!([]);
+    let desk = Desk::new(&scene);
+    desk.done("fibres scene.json --to given.json");
+    let given = desk.json("given.json");
+    assert_eq!(given["fibres"].as_array().unwrap().len(), 4);
+    for file in ["lines.obj", "lines.csv", "lines.json"] {
+        desk.done(&format!("fibres scene.json --to {file}"));
+        let clear = "--set /bodies/0/fibres=[] --set /bodies/1/fibres=[]";
+        desk.done(&format!("fibres scene.json {clear} --from {file} --out new.json"));
+        desk.done("fibres new.json --to again.json");
+        let again = desk.json("again.json");
+        assert_eq!(again["fibres"].as_array().unwrap().len(), 4, "{file}");
+        for (given, again) in given["fibres"].as_array().unwrap().iter().zip(again["fibres"].as_array().unwrap()) {
+            assert_eq!(given["body"], again["body"], "{file}");
+            assert_eq!(
+                given["fibre"].as_str().unwrap().replace(' ', "_"),
+                again["fibre"].as_str().unwrap().replace(' ', "_")
+            );
+            let length = |fibre: &Value| fibre["vertices"].as_array().unwrap().len();
+            assert_eq!(length(given), length(again), "{file}");
+        }
+    }
+    for options in ["--to lines.csv --body Block", "--from lines.csv --body Block --out new.json"] {
+        let error = desk.refused(&format!("fibres scene.json {options}"));
+        assert!(
+            error.contains("several fibre solids are called \"Block\"; name one by its identifier: \"a.1\", \"b 2\""),
+            "{error}"
+        );
+    }
+    desk.done("fibres scene.json --to one.json --body a.1");
+    assert_eq!(desk.json("one.json")["fibres"].as_array().unwrap().len(), 2);
+    // A dot in a name of another program is a dot.
+    fs::write(desk.path("named.obj"), "o hair.003\nv 2 0.01 0\nv 2 0.02 0\nv 2 0.03 0\nl 1 2 3\n").unwrap();
+    let into = program()
+        .current_dir(desk.path(""))
+        .args(["fibres", "scene.json", "--from", "named.obj"])
+        .args(["--out", "new.json", "--body", "b 2"])
+        .status()
+        .unwrap();
+    assert!(into.success());
+    assert_eq!(desk.json("new.json")["bodies"][1]["fibres"][2]["id"], "hair.003");
 }
 
 #[test]
@@ -134,6 +187,34 @@ fn a_collected_scene_opens_wherever_its_folder_goes() {
     assert_eq!(names(&desk.path("again")), ["a cube", "a cube-2", "scene-2.json", "scene.json"]);
     fs::remove_dir_all(desk.path("moved/a cube")).unwrap();
     assert!(desk.refused("collect moved/scene.json --out nowhere").contains("a cube.obj: there is no such file"));
+}
+
+#[test]
+fn textures_go_along_under_any_name_and_those_that_are_missing_are_told() {
+    let desk = with_models();
+    let looks = "newmtl red\nmap_Kd -s 1 1 1 my leaf.png\nmap_Bump -bm 0.5 tex\\bump.png\nmap_d C:\\old\\alpha.png\n\
+        refl -type sphere red.png\nmap_Ks gone away.png\n";
+    fs::write(desk.path("models/looks/cube.mtl"), looks).unwrap();
+    fs::create_dir(desk.path("models/looks/tex")).unwrap();
+    for name in ["my leaf.png", "tex/bump.png", "alpha.png"] {
+        fs::write(desk.path(&format!("models/looks/{name}")), name).unwrap();
+    }
+    let said = desk.run("collect scene.json --out kit");
+    assert_eq!(said.code, Some(0), "{said:?}");
+    assert_eq!(names(&desk.path("kit/a cube/looks")), ["alpha.png", "cube.mtl", "my leaf.png", "red.png", "tex"]);
+    assert_eq!(desk.text("kit/a cube/looks/tex/bump.png"), "tex/bump.png");
+    let told: Vec<&str> = said.err.lines().filter(|line| line.contains("not there")).collect();
+    assert!(
+        told.len() == 1 && told[0].contains("models/a cube.obj") && told[0].contains("\"gone away.png\""),
+        "{}",
+        said.err
+    );
+    // Again the same, and another file of the same length is another.
+    assert!(desk.run("collect scene.json --out kit").out.contains("kit/scene.json"));
+    fs::write(desk.path("kit/a cube/looks/alpha.png"), "alphb.png").unwrap();
+    desk.run("collect scene.json --out kit");
+    assert_eq!(names(&desk.path("kit")), ["a cube", "a cube-2", "scene-2.json", "scene.json"]);
+    assert_eq!(desk.text("kit/a cube/looks/alpha.png"), "alphb.png");
 }
 
 #[test]

@@ -7,6 +7,8 @@ mod compare;
 mod converge;
 mod errors;
 mod export;
+mod export_clip;
+mod export_over;
 mod interrupting;
 mod lines;
 mod models;
@@ -58,6 +60,13 @@ impl Desk {
     fn done(&self, arguments: &str) -> String {
         let said = self.run(arguments);
         assert_eq!((said.code, said.err.as_str()), (Some(0), ""), "{arguments}: {said:?}");
+        said.out
+    }
+
+    /// Runs the program, which must do its work, whatever it has to say of the scene.
+    fn ran(&self, arguments: &str) -> String {
+        let said = self.run(arguments);
+        assert_eq!(said.code, Some(0), "{arguments}: {said:?}");
         said.out
     }
 

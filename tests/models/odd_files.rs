@@ -78,7 +78,7 @@ fn odd_obj_files() {
         ("as small as dust", "a.obj", cube_of(|c| 1e-4 * c).into_bytes(), Ok(8e-12)),
         ("as large as a planet", "a.obj", cube_of(|c| 1e6 * c).into_bytes(), Ok(8e18)),
         ("far from its origin", "a.obj", cube_of(|c| c + 1e4).into_bytes(), Ok(8.0)),
-        ("a stray vertex far away", "a.obj", far.collect::<String>().into_bytes(), Ok(8.0)),
+        ("a stray vertex far away", "a.obj", far.collect::<Vec<_>>().concat().into_bytes(), Ok(8.0)),
         ("a comment of a megabyte", "a.obj", with(&format!("#{}", "x".repeat(1 << 20))), Ok(8.0)),
         ("statements of nobody", "a.obj", with("shadow_obj a\nlod 3\nzzz 1 2 3"), Ok(8.0)),
         ("two at one place", "a.obj", with(&cube()), Ok(8.0)),
@@ -163,12 +163,12 @@ fn odd_stl_files() {
 const XYZ: &str = "property float x\nproperty float y\nproperty float z\n";
 
 fn ply(vertex: &str, faces: &str, list: &str) -> String {
-    let vertices: String = CORNERS.iter().map(|[x, y, z]| format!("{x} {y} {z}\n")).collect();
+    let vertices = CORNERS.map(|[x, y, z]| format!("{x} {y} {z}\n")).concat();
     format!("ply\nformat ascii 1.0\nelement vertex 8\n{vertex}element face {faces}\n{list}end_header\n{vertices}")
 }
 
 fn ply_cube(last: &str) -> String {
-    let faces: String = QUADS.iter().map(|[a, b, c, d]| format!("4 {a} {b} {c} {d}\n")).collect();
+    let faces = QUADS.map(|[a, b, c, d]| format!("4 {a} {b} {c} {d}\n")).concat();
     let (count, list) = (6 + last.lines().count(), "property list uchar int vertex_indices\n");
     ply(XYZ, &count.to_string(), list) + &faces + last
 }

@@ -71,8 +71,10 @@ def check_usd(folder, frames):
             greatest = max(greatest, apart(points, body["v"]))
             check(greatest < NEAR, f"USD's {prim.GetPath()} is {greatest} off in frame {number}")
             low, high = UsdGeom.Boundable(prim).GetExtentAttr().Get(number)
-            check(apart([low], [[min(p[k] for p in points) for k in range(3)]]) < NEAR, "USD's extent")
-            check(apart([high], [[max(p[k] for p in points) for k in range(3)]]) < NEAR, "USD's extent")
+            # Points are as large as they are drawn.
+            half = 0.5 * UsdGeom.Points(prim).GetWidthsAttr().Get()[0] if prim.IsA(UsdGeom.Points) else 0.0
+            check(apart([low], [[min(p[k] for p in points) - half for k in range(3)]]) < NEAR, "USD's extent")
+            check(apart([high], [[max(p[k] for p in points) + half for k in range(3)]]) < NEAR, "USD's extent")
             if not prim.IsA(UsdGeom.Mesh):
                 continue
             mesh = UsdGeom.Mesh(prim)

@@ -11,12 +11,13 @@ use super::drive::{RunEnd, drive};
 use super::error::printable;
 use super::finite::NotFinite;
 use super::interruption::{Interruption, Signal};
+use super::output::{self, Inputs};
 use super::parallel::in_parallel;
 use super::prepare::{
     Loaded, Sets, Span, Threads, digest, folder_of, load, notes, tell, with_frame_rate, with_sets, word,
 };
 use super::table::{Align, Table, readable};
-use super::{CliError, Console, Outcome, output};
+use super::{CliError, Console, Outcome};
 use crate::bake::{Baked, Note, bake};
 use crate::io::{complete_assets, make_folder};
 use crate::scene::{Assets, Scene, one_line};
@@ -108,7 +109,7 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     console.end();
     let checked = checked?;
     let targets = [("--report", &args.report), ("--csv", &args.csv), ("--plot", &args.plot)];
-    output::check(Some(&args.scene), &targets.map(|(option, path)| (option, path.as_ref())))?;
+    output::check(&Inputs::of(Some(&args.scene), &base), &targets.map(|(option, path)| (option, path.as_ref())))?;
     let series = args.series.as_deref().map(SeriesFolder::create).transpose()?;
 
     let scene = if base.name.is_empty() { &*printable(&args.scene) } else { &base.name };

@@ -10,7 +10,7 @@ use super::obj::write_rest;
 use super::republished::Republished;
 use super::writer::{MotionWriter, Planned};
 use crate::export::{BodySubject, Frame, Subject};
-use crate::io::atomic::Draft;
+use crate::io::atomic::{Draft, remove_old};
 use crate::io::{IoError, write_atomically};
 use glam::DVec3;
 use std::fs::File;
@@ -21,13 +21,33 @@ use std::path::{Path, PathBuf};
 const PC2_HEAD: u64 = 32;
 const PC2_SAMPLES: u64 = 28;
 
-/// Writes the rest shape of every body; gives the names of their files without an ending.
-fn write_rests(folder: &Path, subject: &Subject) -> Result<Vec<String>, IoError> {
-    let names = different(subject.bodies.iter().map(|body| body.name.as_str()), file_name);
-    for (name, body) in names.iter().zip(&subject.bodies) {
-        write_atomically(&folder.join(format!("{name}.obj")), |out| write_rest(out, body))?;
+/// Names of the bodies' files without an ending.
+fn names(subject: &Subject) -> Vec<String> {
+    different(subject.bodies.iter().map(|body| body.name.as_str()), file_name)
+}
+
+/// The caches and the rest shapes.
+pub(super) fn files(folder: &Path, subject: &Subject, ending: &str) -> Vec<PathBuf> {
+    let of = |name: String| [folder.join(format!("{name}.{ending}")), rest_file(folder, &name)];
+    names(subject).into_iter().flat_map(of).collect()
+}
+
+/// The rest shape's file: not of the body's own name, which may well be that of its model.
+fn rest_file(folder: &Path, name: &str) -> PathBuf {
+    folder.join(format!("{name}_rest.obj"))
+}
+
+/// Writes the rest shape of every body, once the caches of an earlier run, which are of other shapes, are gone; gives the
+/// caches.
+fn write_rests(folder: &Path, subject: &Subject, ending: &str) -> Result<Vec<PathBuf>, IoError> {
+    let mut caches = Vec::new();
+    for (name, body) in names(subject).iter().zip(&subject.bodies) {
+        let cache = folder.join(format!("{name}.{ending}"));
+        remove_old(&cache)?;
+        write_atomically(&rest_file(folder, name), |out| write_rest(out, body))?;
+        caches.push(cache);
     }
-    Ok(names)
+    Ok(caches)
 }
 
 fn bytes(points: &[DVec3], each: fn(f32) -> [u8; 4]) -> Vec<u8> {
@@ -53,14 +73,14 @@ impl Pc2 {
     /// # Errors
     /// A file that cannot be written.
     pub(super) fn create(folder: &Path, subject: &Subject, frames: &Planned) -> Result<Self, IoError> {
-        let names = write_rests(folder, subject)?;
-        let file = |(name, body): (&String, &BodySubject)| Growing {
-            path: folder.join(format!("{name}.pc2")),
+        let caches = write_rests(folder, subject, "pc2")?;
+        let file = |(path, body): (PathBuf, &BodySubject)| Growing {
+            path,
             points: body.mesh.points.len() as u32,
             file: None,
             samples: 0,
         };
-        Ok(Self { first: *frames.start(), files: names.iter().zip(&subject.bodies).map(file).collect() })
+        Ok(Self { first: *frames.start(), files: caches.into_iter().zip(&subject.bodies).map(file).collect() })
     }
 }
 
@@ -101,7 +121,7 @@ impl MotionWriter for Pc2 {
         let told = |file: &Growing| {
             (format!("PC2 cache of {} frames, its rest shape beside it,", file.samples), file.path.clone())
         };
-        self.files.iter().map(told).collect()
+        self.files.iter().filter(|file| file.samples > 0).map(told).collect()
     }
 }
 
@@ -115,10 +135,10 @@ impl Mdd {
     /// # Errors
     /// A file that cannot be written.
     pub(super) fn create(folder: &Path, subject: &Subject) -> Result<Self, IoError> {
-        let names = write_rests(folder, subject)?;
+        let caches = write_rests(folder, subject, "mdd")?;
         let mut files = Vec::new();
-        for (name, body) in names.iter().zip(&subject.bodies) {
-            files.push((Republished::create(folder.join(format!("{name}.mdd")))?, body.mesh.points.len() as u32));
+        for (cache, body) in caches.into_iter().zip(&subject.bodies) {
+            files.push((Republished::create(cache)?, body.mesh.points.len() as u32));
         }
         Ok(Self { times: Vec::new(), files })
     }
@@ -142,13 +162,15 @@ impl MotionWriter for Mdd {
 
     fn finish(&mut self) -> Result<(), IoError> {
         for (file, points) in self.files.iter_mut().filter(|(file, _)| file.is_behind()) {
-            file.publish(&mdd_head(&self.times, *points), &[])?;
+            // Where a disk was full, one may have a frame less than another.
+            file.publish(&mdd_head(&self.times[..file.frames()], *points), &[])?;
         }
         Ok(())
     }
 
     fn written(&self) -> Vec<(String, PathBuf)> {
         let what = format!("MDD cache of {} frames, its rest shape beside it,", self.times.len());
-        self.files.iter().map(|(file, _)| (what.clone(), file.path().to_owned())).collect()
+        let files = self.files.iter().filter(|_| !self.times.is_empty());
+        files.map(|(file, _)| (what.clone(), file.path().to_owned())).collect()
     }
 }

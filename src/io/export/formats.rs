@@ -1,11 +1,11 @@
 //! The formats, and the files of several of them at once.
 
-use super::caches::{Mdd, Pc2};
-use super::gltf::Gltf;
+use super::caches::{self, Mdd, Pc2};
+use super::gltf::{self, Gltf};
 use super::meshes::{ObjSequence, PlySequence};
 use super::tables::Tables;
-use super::usd::Usd;
-use super::writer::{MotionWriter, Planned};
+use super::usd::{self, Usd};
+use super::writer::{MotionWriter, Planned, frame_files};
 use crate::export::{Frame, Subject, Wanted};
 use crate::io::{IoError, make_folder};
 use std::path::{Path, PathBuf};
@@ -48,14 +48,48 @@ impl MotionFormat {
     }
 }
 
+impl MotionFormat {
+    /// Whether numbers are written in single precision.
+    fn is_single(self) -> bool {
+        !matches!(self, Self::Obj | Self::Csv)
+    }
+
+    /// The files that it writes into a folder, as far as they may be there already.
+    fn files(self, folder: &Path, subject: &Subject, frames: &Planned) -> Vec<PathBuf> {
+        match self {
+            Self::Usd => usd::files(folder),
+            Self::Pc2 => caches::files(folder, subject, "pc2"),
+            Self::Mdd => caches::files(folder, subject, "mdd"),
+            Self::Gltf => vec![gltf::file(folder)],
+            Self::Obj => frame_files(folder, "frame", "obj", frames),
+            Self::Ply => {
+                ["frame", "particles"].iter().flat_map(|prefix| frame_files(folder, prefix, "ply", frames)).collect()
+            }
+            Self::Csv => frame_files(folder, "particles", "csv", frames),
+        }
+    }
+}
+
 /// Files of a motion in some formats.
 pub(crate) struct MotionFiles {
     writers: Vec<Box<dyn MotionWriter>>,
     names: Vec<String>,
     frames: Planned,
+    /// Whether any of them is in single precision.
+    is_single: bool,
 }
 
 impl MotionFiles {
+    /// The files that [`MotionFiles::create`] and the frames after it write, as far as they may be there already.
+    pub(crate) fn planned(
+        formats: &[MotionFormat],
+        folder: &Path,
+        subject: &Subject,
+        frames: &Planned,
+    ) -> Vec<PathBuf> {
+        formats.iter().flat_map(|format| format.files(folder, subject, frames)).collect()
+    }
+
     /// Makes the folder and what stands beside the frames.
     ///
     /// # Errors
@@ -67,24 +101,28 @@ impl MotionFiles {
         subject: &Subject,
         frames: Planned,
     ) -> Result<Self, IoError> {
-        if formats.contains(&MotionFormat::Gltf) {
-            Gltf::check(subject, &frames)?;
-        }
+        // It makes nothing before the first frame.
+        let mut gltf =
+            formats.contains(&MotionFormat::Gltf).then(|| Gltf::create(folder, subject, &frames)).transpose()?;
         make_folder(folder)?;
         let mut writers: Vec<Box<dyn MotionWriter>> = Vec::new();
         for format in formats {
-            writers.push(match format {
+            let writer: Box<dyn MotionWriter> = match format {
                 MotionFormat::Usd => Box::new(Usd::create(folder, subject, &frames)?),
                 MotionFormat::Pc2 => Box::new(Pc2::create(folder, subject, &frames)?),
                 MotionFormat::Mdd => Box::new(Mdd::create(folder, subject)?),
-                MotionFormat::Gltf => Box::new(Gltf::create(folder, subject)),
+                MotionFormat::Gltf => match gltf.take() {
+                    Some(gltf) => Box::new(gltf),
+                    None => continue,
+                },
                 MotionFormat::Obj => Box::new(ObjSequence::create(folder, subject, &frames)?),
                 MotionFormat::Ply => Box::new(PlySequence::create(folder, subject, &frames)?),
                 MotionFormat::Csv => Box::new(Tables::create(folder, subject, &frames)?),
-            });
+            };
+            writers.push(writer);
         }
         let names = subject.bodies.iter().map(|body| body.name.clone()).collect();
-        Ok(Self { writers, names, frames })
+        Ok(Self { writers, names, frames, is_single: formats.iter().any(|format| format.is_single()) })
     }
 
     /// Whether a frame is among those that are written.
@@ -97,21 +135,23 @@ impl MotionFiles {
     /// # Errors
     /// [`IoError::NotFinite`] for a place that is no numbers, a file that cannot be written; the frames before stay whole.
     pub(crate) fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
-        if let Some((what, value)) = frame.not_finite(|body| self.names[body].clone()) {
-            return Err(IoError::NotFinite { what, value: value.to_string() });
+        if let Some((what, value)) = frame.not_finite(self.is_single, |body| self.names[body].clone()) {
+            return Err(IoError::NotFinite { what, value });
         }
         self.writers.iter_mut().try_for_each(|writer| writer.push(frame))
     }
 
-    /// Writes what is left to be written.
+    /// Writes what is left to be written, in every format, whatever becomes of another.
     ///
     /// # Errors
-    /// As [`MotionFiles::push`].
+    /// As [`MotionFiles::push`]; the first.
     pub(crate) fn finish(&mut self) -> Result<(), IoError> {
-        self.writers.iter_mut().try_for_each(|writer| writer.finish())
+        let results: Vec<_> = self.writers.iter_mut().map(|writer| writer.finish()).collect();
+        results.into_iter().collect()
     }
 
-    /// What was written, as it is told, and where; and how many files of an earlier run lie behind.
+    /// What was written, as it is told, and where, of formats that got a frame; and how many files of an earlier run lie
+    /// behind.
     pub(crate) fn written(&self) -> Vec<(String, PathBuf, usize)> {
         let each = |writer: &dyn MotionWriter| {
             let left_over = writer.left_over();

@@ -1,15 +1,19 @@
 //! glTF 2.0 as GLB: bodies with a morph target a frame, and an animation that goes from one to the next.
 //!
-//! All targets of a mesh are in a viewer's memory at once, so that this is for short clips. Numbers are single precision.
+//! All targets of a mesh are in a viewer's memory at once, so that this is for short clips. Numbers are single precision, in
+//! metres with Y up whatever is asked for elsewhere: the format knows no other unit or axis.
 
 use super::gltf_clip::ClipMesh;
+use super::looks::Look;
 use super::republished::Republished;
 use super::writer::{MotionWriter, Planned};
-use crate::export::{Frame, Subject};
+use crate::export::{Frame, Space, Subject};
+use crate::geometry::file_mesh::FilePart;
 use crate::io::IoError;
 use crate::io::glb::{FLOAT, Parts, container_head, indices_into};
 use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// Most frames, and bytes of all their targets together.
@@ -24,45 +28,46 @@ const POINTS: u32 = 0;
 
 /// A clip that is written.
 pub(super) struct Gltf {
+    /// In metres, Y up.
     subject: Subject,
+    /// The unit and axes of the frames.
+    space: Space,
     meshes: Vec<ClipMesh>,
     /// Least and greatest displacement of every body in every frame.
     bounds: Vec<Vec<[Vec3; 2]>>,
-    times: Vec<f32>,
+    /// [s]
+    times: Vec<f64>,
     file: Option<Republished>,
     path: PathBuf,
 }
 
 impl Gltf {
-    /// Whether a motion is short enough.
+    /// No frames yet, and nothing in the folder.
     ///
     /// # Errors
-    /// [`IoError::TooLong`] where it is not.
-    pub(super) fn check(subject: &Subject, frames: &Planned) -> Result<(), IoError> {
-        let count = frames.end() - frames.start() + 1;
-        let vertices: usize = subject.bodies.iter().map(|body| body.mesh.points.len()).sum();
-        let bytes = count * (vertices * VECTOR) as u64;
-        if count <= MOST_FRAMES && bytes <= MOST_BYTES {
-            return Ok(());
+    /// [`IoError::TooLong`] for a motion that is not short enough.
+    pub(super) fn create(folder: &Path, subject: &Subject, frames: &Planned) -> Result<Self, IoError> {
+        let (mut subject, space) = (subject.clone(), subject.space);
+        subject.space = Space::default();
+        for body in &mut subject.bodies {
+            body.mesh.move_points(|point| space.back(point));
         }
-        let most = MOST_FRAMES.min(MOST_BYTES / (vertices * VECTOR).max(1) as u64);
-        Err(IoError::TooLong { format: "gltf", frames: count, most })
-    }
-
-    pub(super) fn create(folder: &Path, subject: &Subject) -> Self {
         let meshes: Vec<ClipMesh> = subject.bodies.iter().map(|body| ClipMesh::new(&body.mesh)).collect();
+        check(&meshes, frames)?;
         let bounds = vec![Vec::new(); meshes.len()];
-        let path = folder.join("motion.glb");
-        Self { subject: subject.clone(), meshes, bounds, times: Vec::new(), file: None, path }
+        Ok(Self { subject, space, meshes, bounds, times: Vec::new(), file: None, path: file(folder) })
     }
 
     /// All that stands before the frames: the container's head, the document, the data that stays.
-    fn head(&self) -> Vec<u8> {
+    ///
+    /// # Errors
+    /// [`IoError::TooLargeForGlb`].
+    fn head(&self) -> Result<Vec<u8>, IoError> {
         let mut parts = Parts::default();
         let frames = self.times.len();
         // Frames lie behind one another in the last view, each with its bodies behind one another.
         let frame_bytes: usize = self.meshes.iter().map(|mesh| VECTOR * mesh.source.len()).sum();
-        let (mut meshes, mut materials, mut first_of_body) = (Vec::new(), Vec::new(), 0);
+        let (mut meshes, mut materials, mut first_of_body) = (Vec::new(), Materials::default(), 0);
         let mut targets: Vec<Vec<Value>> = Vec::new();
         for (index, mesh) in self.meshes.iter().enumerate() {
             let vectors = |bounds: [Vec3; 2]| {
@@ -94,11 +99,11 @@ impl Gltf {
             );
             first_of_body += VECTOR * mesh.source.len();
             let mut primitives = Vec::new();
-            for (part, range) in body.mesh.parts.iter().zip(&mesh.parts).filter(|(_, range)| !range.is_empty()) {
+            for (part, range) in mesh.parts.iter().filter(|(_, range)| !range.is_empty()) {
                 let mut primitive = json!({"attributes": attributes,
                     "indices": indices_into(&mut parts, &mesh.triangles[range.clone()], mesh.source.len())});
                 if !part.material.is_empty() || part.colour.is_some() {
-                    primitive["material"] = json!(material(&mut materials, &part.material, part.colour));
+                    primitive["material"] = json!(materials.number(part));
                 }
                 primitives.push(primitive);
             }
@@ -108,11 +113,11 @@ impl Gltf {
             meshes.push(json!({"name": body.name, "primitives": primitives, "weights": vec![0.0; frames],
                 "extras": {"targetNames": self.target_names()}}));
         }
-        self.document(parts, meshes, &targets, &materials, frame_bytes)
+        self.document(parts, meshes, &targets, &materials.list, frame_bytes)
     }
 
     fn target_names(&self) -> Vec<String> {
-        self.times.iter().map(|time| format!("{time} s")).collect()
+        self.times.iter().map(|&time| format!("{} s", time as f32)).collect()
     }
 
     /// Puts the animation and the frames behind what stays, and the container's head before it.
@@ -123,10 +128,10 @@ impl Gltf {
         targets: &[Vec<Value>],
         materials: &[Value],
         frame_bytes: usize,
-    ) -> Vec<u8> {
+    ) -> Result<Vec<u8>, IoError> {
         let frames = self.times.len();
         let start = self.times.first().copied().unwrap_or_default();
-        let times: Vec<f32> = self.times.iter().map(|time| time - start).collect();
+        let times: Vec<f32> = self.times.iter().map(|time| (time - start) as f32).collect();
         let input = parts.add_plain(
             times.iter().flat_map(|time| time.to_le_bytes()),
             &json!({"componentType": FLOAT, "count": frames, "type": "SCALAR",
@@ -179,9 +184,9 @@ impl Gltf {
         if !materials.is_empty() {
             document["materials"] = json!(materials);
         }
-        let mut head = container_head(&document, stays + frames * frame_bytes);
+        let mut head = container_head(&document, stays + frames * frame_bytes)?;
         head.extend(parts.bin);
-        head
+        Ok(head)
     }
 }
 
@@ -189,37 +194,78 @@ fn bounds_of(vectors: &[Vec3]) -> [Vec3; 2] {
     vectors.iter().map(|&v| [v; 2]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or_default()
 }
 
-/// The number of a material in the list, put there unless it is.
-fn material(materials: &mut Vec<Value>, name: &str, colour: Option<[f32; 4]>) -> usize {
-    let colour = colour.unwrap_or([1.0; 4]).map(|share| share.clamp(0.0, 1.0));
-    let mut wanted = json!({"pbrMetallicRoughness":
-        {"baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.55}});
-    if !name.is_empty() {
-        wanted["name"] = json!(name);
+/// Materials, no two alike.
+#[derive(Default)]
+struct Materials<'a> {
+    list: Vec<Value>,
+    numbers: HashMap<Look<'a>, usize>,
+}
+
+impl<'a> Materials<'a> {
+    /// The number of a part's material in the list, put there unless it is.
+    fn number(&mut self, part: &'a FilePart) -> usize {
+        let list = &mut self.list;
+        *self.numbers.entry(Look::of(part)).or_insert_with(|| {
+            let colour = part.colour.unwrap_or([1.0; 4]).map(|share| share.clamp(0.0, 1.0));
+            let mut material = json!({"pbrMetallicRoughness":
+                {"baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.55}});
+            if !part.material.is_empty() {
+                material["name"] = json!(part.material);
+            }
+            if colour[3] < 1.0 {
+                // Opacity counts for nothing otherwise.
+                material["alphaMode"] = json!("BLEND");
+            }
+            list.push(material);
+            list.len() - 1
+        })
     }
-    materials.iter().position(|known| *known == wanted).unwrap_or_else(|| {
-        materials.push(wanted);
-        materials.len() - 1
-    })
+}
+
+/// Whether a motion is short enough.
+///
+/// # Errors
+/// [`IoError::TooLong`] where it is not.
+fn check(meshes: &[ClipMesh], frames: &Planned) -> Result<(), IoError> {
+    let count = frames.end() - frames.start() + 1;
+    let bytes = meshes.iter().map(|mesh| mesh.source.len() * VECTOR).sum::<usize>() as u64;
+    let most = MOST_FRAMES.min(MOST_BYTES / bytes.max(1));
+    if count <= most { Ok(()) } else { Err(IoError::TooLong { format: "gltf", frames: count, most }) }
+}
+
+/// The clip.
+pub(super) fn file(folder: &Path) -> PathBuf {
+    folder.join("motion.glb")
 }
 
 impl MotionWriter for Gltf {
     fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
-        let mut bytes = Vec::new();
+        let (mut bytes, mut bounds) = (Vec::new(), Vec::new());
         for (index, mesh) in self.meshes.iter().enumerate() {
             let rest = &self.subject.bodies[index].mesh.points;
             // From where single precision puts the rest shape.
             let pairs = mesh.places(rest).zip(mesh.places(&frame.bodies[index].vertices));
-            let moved: Vec<Vec3> = pairs.map(|(rest, now)| (now - rest.as_vec3().as_dvec3()).as_vec3()).collect();
+            let moved = pairs.map(|(rest, now)| (self.space.back(now) - rest.as_vec3().as_dvec3()).as_vec3());
+            let moved: Vec<Vec3> = moved.collect();
+            if let Some(vertex) = moved.iter().position(|moved| !moved.is_finite()) {
+                let name = &self.subject.bodies[index].name;
+                let what = format!("frame {}, body {name:?}: displacement of vertex {vertex}", frame.number);
+                return Err(IoError::NotFinite { what, value: moved[vertex].to_string() }.within(&self.path));
+            }
             bytes.extend(moved.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes));
-            self.bounds[index].push(bounds_of(&moved));
+            bounds.push(bounds_of(&moved));
         }
-        self.times.push(frame.time as f32);
         let file = match &mut self.file {
             Some(file) => file,
             none => none.insert(Republished::create(self.path.clone())?),
         };
-        if file.add(&bytes)? { self.publish() } else { Ok(()) }
+        let is_due = file.add(&bytes)?;
+        // Told of once it is there.
+        for (all, bounds) in self.bounds.iter_mut().zip(bounds) {
+            all.push(bounds);
+        }
+        self.times.push(frame.time);
+        if is_due { self.publish() } else { Ok(()) }
     }
 
     fn finish(&mut self) -> Result<(), IoError> {
@@ -227,13 +273,14 @@ impl MotionWriter for Gltf {
     }
 
     fn written(&self) -> Vec<(String, PathBuf)> {
-        vec![(format!("glTF clip of {} frames", self.times.len()), self.path.clone())]
+        let told = (format!("glTF clip of {} frames", self.times.len()), self.path.clone());
+        if self.times.is_empty() { Vec::new() } else { vec![told] }
     }
 }
 
 impl Gltf {
     fn publish(&mut self) -> Result<(), IoError> {
-        let head = self.head();
+        let head = self.head()?;
         self.file.as_mut().map_or(Ok(()), |file| file.publish(&head, &[]))
     }
 }

@@ -1,7 +1,8 @@
 //! The vertices of a body as glTF has them: those of its file first, in their order, and behind them a copy of each at every
 //! seam, where one vertex has several texture coordinates. Polygons are cut into triangles.
 
-use crate::geometry::file_mesh::FileMesh;
+use super::looks::merged_parts;
+use crate::geometry::file_mesh::{FileMesh, FilePart, UvSet};
 use crate::io::model::triangulate;
 use glam::DVec3;
 use std::collections::HashMap;
@@ -11,51 +12,28 @@ use std::ops::Range;
 pub(super) struct ClipMesh {
     /// Vertex of the file of every vertex here.
     pub(super) source: Vec<u32>,
-    /// Texture coordinates a vertex, right and down, of every set.
+    /// Texture coordinates a vertex, right and down, of every set; the origin where there are none.
     pub(super) uv_sets: Vec<Vec<[f32; 2]>>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Faces of every part of the file, as ranges of the triangles.
-    pub(super) parts: Vec<Range<usize>>,
+    /// Parts of the file, of different names or looks, with their faces as ranges of the triangles.
+    pub(super) parts: Vec<(FilePart, Range<usize>)>,
 }
 
 impl ClipMesh {
     pub(super) fn new(mesh: &FileMesh) -> Self {
-        let mut source: Vec<u32> = (0..mesh.points.len() as u32).collect();
-        let mut uv_sets = vec![vec![None; source.len()]; mesh.uv_sets.len()];
-        // Vertices by what they have: the first that is met of a vertex of the file is the vertex itself.
-        let mut known: HashMap<(u32, Vec<Option<u32>>), u32> = HashMap::new();
-        let mut is_taken = vec![false; source.len()];
-        let corner = |corner: usize, source: &mut Vec<u32>, uv_sets: &mut Vec<Vec<Option<[f64; 2]>>>| {
-            let vertex = mesh.corners[corner];
-            let textures: Vec<Option<u32>> = mesh.uv_sets.iter().map(|set| set.of(corner)).collect();
-            let is_first = !std::mem::replace(&mut is_taken[vertex as usize], true);
-            let index = *known.entry((vertex, textures.clone())).or_insert_with(|| {
-                if is_first {
-                    return vertex;
-                }
-                source.push(vertex);
-                for set in uv_sets.iter_mut() {
-                    set.push(None);
-                }
-                source.len() as u32 - 1
-            });
-            for ((values, set), texture) in uv_sets.iter_mut().zip(&mesh.uv_sets).zip(textures) {
-                values[index as usize] = texture.map(|texture| set.values[texture as usize]);
-            }
-            index
-        };
-        let mut corner = corner;
+        let mut vertices = Vertices::new(mesh);
         let faces: Vec<Vec<u32>> =
-            mesh.faces().map(|face| face.map(|at| corner(at, &mut source, &mut uv_sets)).collect()).collect();
+            mesh.faces().map(|face| face.map(|corner| vertices.of_corner(mesh, corner)).collect()).collect();
+        let Vertices { source, uv_sets, .. } = vertices;
         let points: Vec<DVec3> = source.iter().map(|&vertex| mesh.points[vertex as usize]).collect();
         let (mut triangles, mut parts) = (Vec::new(), Vec::new());
-        for part in &mesh.parts {
+        for (part, runs) in merged_parts(mesh) {
             let first = triangles.len();
-            faces[part.faces.clone()].iter().for_each(|face| triangulate(face, &points, &mut triangles));
-            parts.push(first..triangles.len());
+            for face in runs.into_iter().flat_map(|run| &faces[run]) {
+                triangulate(face, &points, &mut triangles);
+            }
+            parts.push((part.clone(), first..triangles.len()));
         }
-        let down = |uv: Option<[f64; 2]>| uv.map_or([0.0; 2], |[u, v]| [u as f32, (1.0 - v) as f32]);
-        let uv_sets = uv_sets.into_iter().map(|set| set.into_iter().map(down).collect()).collect();
         Self { source, uv_sets, triangles, parts }
     }
 
@@ -65,24 +43,101 @@ impl ClipMesh {
     }
 }
 
+/// Vertices as they are found, corner by corner.
+struct Vertices {
+    source: Vec<u32>,
+    uv_sets: Vec<Vec<[f32; 2]>>,
+    /// Whether a vertex of the file has its coordinates.
+    is_taken: Vec<bool>,
+    /// Copies of a vertex of the file, by the bits of their coordinates in every set: what is told apart by its number in the
+    /// file alone is the same.
+    copies: HashMap<(u32, Vec<[u32; 2]>), u32>,
+}
+
+impl Vertices {
+    fn new(mesh: &FileMesh) -> Self {
+        let count = mesh.points.len();
+        Self {
+            source: (0..count as u32).collect(),
+            uv_sets: vec![vec![[0.0; 2]; count]; mesh.uv_sets.len()],
+            is_taken: vec![false; count],
+            copies: HashMap::new(),
+        }
+    }
+
+    /// The vertex of a corner: that of the file where it is the first, or of the same coordinates, or else a copy.
+    fn of_corner(&mut self, mesh: &FileMesh, corner: usize) -> u32 {
+        let vertex = mesh.corners[corner];
+        let uvs: Vec<[f32; 2]> = mesh.uv_sets.iter().map(|set| uv_of(set, corner)).collect();
+        let bits = |uv: [f32; 2]| uv.map(f32::to_bits);
+        let is_taken = &mut self.is_taken[vertex as usize];
+        let own = self.uv_sets.iter().map(|set| bits(set[vertex as usize]));
+        if *is_taken && !own.eq(uvs.iter().map(|&uv| bits(uv))) {
+            let (source, sets) = (&mut self.source, &mut self.uv_sets);
+            let key = (vertex, uvs.iter().map(|&uv| bits(uv)).collect());
+            return *self.copies.entry(key).or_insert_with(|| {
+                sets.iter_mut().zip(uvs).for_each(|(set, uv)| set.push(uv));
+                source.push(vertex);
+                source.len() as u32 - 1
+            });
+        }
+        *is_taken = true;
+        self.uv_sets.iter_mut().zip(uvs).for_each(|(set, uv)| set[vertex as usize] = uv);
+        vertex
+    }
+}
+
+/// Coordinates of a corner as they are written; zero is never negative.
+fn uv_of(set: &UvSet, corner: usize) -> [f32; 2] {
+    let written = |index: u32| {
+        let [u, v] = set.values[index as usize];
+        [u as f32 + 0.0, (1.0 - v) as f32 + 0.0]
+    };
+    set.of(corner).map_or([0.0; 2], written)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::file_mesh::UvSet;
 
-    #[test]
-    fn a_seam_makes_copies_behind_the_vertices_of_the_file() {
+    fn corner_with(values: Vec<[f64; 2]>, corners: Vec<u32>) -> FileMesh {
         let points = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y, DVec3::Z];
         let mut mesh = FileMesh { points, ..FileMesh::default() };
         mesh.add_face(&[0, 1, 2, 3]);
         mesh.add_face(&[0, 1, 4]);
+        mesh.uv_sets.push(UvSet { values, corners });
+        mesh
+    }
+
+    #[test]
+    fn a_seam_makes_copies_behind_the_vertices_of_the_file() {
         // The second face has coordinates of its own at vertex 1.
         let values = vec![[0.0, 0.0], [1.0, 0.25], [0.5, 0.5]];
-        mesh.uv_sets.push(UvSet { values, corners: vec![0, 1, 0, 0, 0, 2, 0] });
-        let clip = ClipMesh::new(&mesh);
+        let clip = ClipMesh::new(&corner_with(values, vec![0, 1, 0, 0, 0, 2, 0]));
         assert_eq!(clip.source, [0, 1, 2, 3, 4, 1]);
         assert_eq!((clip.uv_sets[0][1], clip.uv_sets[0][5]), ([1.0, 0.75], [0.5, 0.5]));
         assert_eq!((clip.triangles.len(), clip.triangles[2]), (3, [0, 5, 4]));
-        assert_eq!((clip.parts.len(), clip.parts[0].clone()), (1, 0..3));
+        assert_eq!((clip.parts.len(), clip.parts[0].1.clone()), (1, 0..3));
+    }
+
+    #[test]
+    fn coordinates_that_are_the_same_are_no_seam_whatever_their_numbers() {
+        let values = vec![[0.0, 0.0], [1.0, 0.25], [0.5, 0.5], [0.0, 1.0], [-0.0, 0.0], [1.0, 0.25], [0.5, 0.25]];
+        let clip = ClipMesh::new(&corner_with(values, (0..7).collect()));
+        assert_eq!(clip.source, [0, 1, 2, 3, 4]);
+        assert_eq!(clip.uv_sets[0], [[0.0, 1.0], [1.0, 0.75], [0.5, 0.5], [0.0, 0.0], [0.5, 0.75]]);
+    }
+
+    #[test]
+    fn parts_that_look_alike_are_one() {
+        let mut mesh = FileMesh { points: vec![DVec3::ZERO, DVec3::X, DVec3::Y], ..FileMesh::default() };
+        for k in 0..1000 {
+            let material = ["a", "b"][k % 2].to_owned();
+            mesh.begin_part(FilePart { material, ..FilePart::default() });
+            mesh.add_face(&[0, 1, 2]);
+        }
+        let clip = ClipMesh::new(&mesh);
+        let parts: Vec<_> = clip.parts.iter().map(|(part, range)| (&*part.material, range.clone())).collect();
+        assert_eq!(parts, [("a", 0..500), ("b", 500..1000)]);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::obj::write_frame;
 use super::ply::{write_mesh, write_particles};
-use super::writer::{MotionWriter, Planned};
+use super::writer::{MotionWriter, Planned, told};
 use crate::export::{Frame, Subject};
 use crate::io::{FrameFolder, IoError};
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ impl MotionWriter for ObjSequence {
     }
 
     fn written(&self) -> Vec<(String, PathBuf)> {
-        vec![(format!("{} OBJ files", self.frames.frames()), self.frames.folder().to_owned())]
+        told(&self.frames, format!("{} OBJ files", self.frames.frames()))
     }
 
     fn left_over(&self) -> usize {
@@ -60,7 +60,7 @@ impl MotionWriter for PlySequence {
 
     fn written(&self) -> Vec<(String, PathBuf)> {
         let count = self.meshes.frames();
-        vec![(format!("{count} PLY meshes and {count} PLY clouds of particles"), self.meshes.folder().to_owned())]
+        told(&self.meshes, format!("{count} PLY meshes and {count} PLY clouds of particles"))
     }
 
     fn left_over(&self) -> usize {

@@ -8,6 +8,7 @@ mod caches;
 mod formats;
 mod gltf;
 mod gltf_clip;
+mod looks;
 mod meshes;
 mod names;
 mod obj;

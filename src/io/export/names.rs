@@ -1,17 +1,22 @@
 //! Names of bodies as files and other programs take them: no two alike.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Names made of others by `clean`, those that are alike told apart by numbers behind them, whatever the case of their
 /// letters: not every file system knows it.
 pub(super) fn different<'a>(names: impl IntoIterator<Item = &'a str>, clean: impl Fn(&str) -> String) -> Vec<String> {
-    let mut taken = BTreeSet::new();
+    let (mut taken, mut next) = (BTreeSet::new(), BTreeMap::new());
     let mut found = Vec::new();
     for name in names {
-        let clean = clean(name);
-        let numbered = (2..).map(|number| format!("{clean}_{number}"));
-        let free = std::iter::once(clean.clone()).chain(numbered).find(|name| taken.insert(name.to_lowercase()));
-        found.extend(free);
+        let mut free = clean(name);
+        // Numbers go on where the last of the same name had to stop: thousands may be alike.
+        let number = next.entry(free.to_lowercase()).or_insert(2_usize);
+        let clean = free.clone();
+        while !taken.insert(free.to_lowercase()) {
+            free = format!("{clean}_{number}");
+            *number += 1;
+        }
+        found.push(free);
     }
     found
 }

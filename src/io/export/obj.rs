@@ -7,20 +7,41 @@ use glam::DVec3;
 use std::io::{self, Write};
 use std::ops::Range;
 
-/// Numbers of the next vertex and the next texture coordinates: a file counts them from 1, through all of its objects.
-struct Next {
+/// What holds from one object of a file to the next.
+struct Next<'a> {
+    /// Numbers of the next vertex and the next texture coordinates: a file counts them from 1.
     vertex: usize,
     texture: usize,
+    /// Group and material of what comes next; empty for none.
+    group: &'a str,
+    material: &'a str,
+}
+
+impl<'a> Next<'a> {
+    fn new() -> Self {
+        Self { vertex: 1, texture: 1, group: "", material: "" }
+    }
+
+    /// Says group and material where they are not those that hold.
+    fn change(&mut self, out: &mut dyn Write, group: &'a str, material: &'a str) -> io::Result<()> {
+        let or = |name: &str, none: &str| if name.is_empty() { none.to_owned() } else { word(name) };
+        if std::mem::replace(&mut self.group, group) != group {
+            writeln!(out, "g {}", or(group, "default"))?;
+        }
+        if std::mem::replace(&mut self.material, material) != material {
+            writeln!(out, "usemtl {}", or(material, "none"))?;
+        }
+        Ok(())
+    }
 }
 
 /// Writes a body where it was put, undeformed, to the last digit.
 pub(super) fn write_rest(out: &mut dyn Write, body: &BodySubject) -> io::Result<()> {
-    let mut next = Next { vertex: 1, texture: 1 };
     writeln!(out, "o {}", word(&body.name))?;
     for point in &body.mesh.points {
         writeln!(out, "v {} {} {}", point.x, point.y, point.z)?;
     }
-    write_faces(out, &body.mesh, &mut next)
+    write_faces(out, &body.mesh, &mut Next::new())
 }
 
 /// Writes the bodies of a frame, to nine places.
@@ -28,12 +49,13 @@ pub(super) fn write_frame(out: &mut dyn Write, subject: &Subject, bodies: &[Body
     let space = subject.space;
     let unit = if space.scale == 1.0 { "metres".to_owned() } else { format!("{} units a metre", space.scale) };
     writeln!(out, "# sinew, {time} s; {unit}, {:?} up", space.up)?;
-    let mut next = Next { vertex: 1, texture: 1 };
+    let mut next = Next::new();
     for (body, frame) in subject.bodies.iter().zip(bodies) {
         writeln!(out, "o {}", word(&body.name))?;
         write_vertices(out, &frame.vertices)?;
         write_faces(out, &body.mesh, &mut next)?;
         for (fibre, frame) in body.fibres.iter().zip(&frame.fibres) {
+            next.change(out, "", "")?;
             writeln!(out, "o {}.{}", word(&body.name), word(&fibre.id))?;
             write_vertices(out, &frame.vertices)?;
             let end = next.vertex + frame.vertices.len();
@@ -49,10 +71,11 @@ fn write_vertices(out: &mut dyn Write, vertices: &[DVec3]) -> io::Result<()> {
 }
 
 /// Writes faces over the vertices that were written last; vertices without any face as points.
-fn write_faces(out: &mut dyn Write, mesh: &FileMesh, next: &mut Next) -> io::Result<()> {
+fn write_faces<'a>(out: &mut dyn Write, mesh: &'a FileMesh, next: &mut Next<'a>) -> io::Result<()> {
     let first = next.vertex;
     next.vertex += mesh.points.len();
     if mesh.counts.is_empty() {
+        next.change(out, "", "")?;
         return write_element(out, "p", first..next.vertex);
     }
     let textures = mesh.uv_sets.first();
@@ -66,12 +89,7 @@ fn write_faces(out: &mut dyn Write, mesh: &FileMesh, next: &mut Next) -> io::Res
     let are_told = mesh.parts.len() > 1 || mesh.parts.iter().any(|part| !part.material.is_empty());
     for (face, corners) in mesh.faces().enumerate() {
         while let Some(part) = parts.next_if(|part| part.faces.start == face) {
-            if are_told && !part.name.is_empty() {
-                writeln!(out, "g {}", word(&part.name))?;
-            }
-            if !part.material.is_empty() {
-                writeln!(out, "usemtl {}", word(&part.material))?;
-            }
+            next.change(out, if are_told { &part.name } else { "" }, &part.material)?;
         }
         write!(out, "f")?;
         let textured = textures.filter(|set| corners.clone().all(|corner| set.of(corner).is_some()));

@@ -6,7 +6,7 @@
 
 use crate::io::{IoError, write_atomically};
 use std::fs::File;
-use std::io::{self, Seek, SeekFrom, Write};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// A file that is written anew from time to time.
@@ -14,6 +14,8 @@ pub(super) struct Republished {
     path: PathBuf,
     /// Frames so far, in a file without a name, which is gone with the program.
     aside: File,
+    /// Bytes of whole frames there.
+    length: u64,
     frames: usize,
     published: usize,
 }
@@ -26,7 +28,7 @@ impl Republished {
     pub(super) fn create(path: PathBuf) -> Result<Self, IoError> {
         let folder = path.parent().unwrap_or(Path::new("."));
         let aside = tempfile::tempfile_in(folder).map_err(|error| IoError::Write(error).within(&path))?;
-        Ok(Self { path, aside, frames: 0, published: 0 })
+        Ok(Self { path, aside, length: 0, frames: 0, published: 0 })
     }
 
     /// Where it is written.
@@ -40,8 +42,14 @@ impl Republished {
     /// The disk takes no more.
     pub(super) fn add(&mut self, frame: &[u8]) -> Result<bool, IoError> {
         self.aside.write_all(frame).map_err(|error| IoError::Write(error).within(&self.path))?;
+        self.length += frame.len() as u64;
         self.frames += 1;
         Ok(2 * self.frames >= 3 * self.published.max(1) || self.published == 0)
+    }
+
+    /// Number of frames that were added.
+    pub(super) fn frames(&self) -> usize {
+        self.frames
     }
 
     /// Whether there are frames that have not been published.
@@ -54,11 +62,11 @@ impl Republished {
     /// # Errors
     /// As [`write_atomically`].
     pub(super) fn publish(&mut self, head: &[u8], tail: &[u8]) -> Result<(), IoError> {
-        let aside = &mut self.aside;
+        let (aside, length) = (&mut self.aside, self.length);
         write_atomically(&self.path, |out| {
             out.write_all(head)?;
             aside.seek(SeekFrom::Start(0))?;
-            let copied = io::copy(&mut *aside, &mut &mut *out).map(drop);
+            let copied = io::copy(&mut (&mut *aside).take(length), &mut &mut *out).map(drop);
             aside.seek(SeekFrom::End(0))?;
             copied.and_then(|()| out.write_all(tail))
         })?;

@@ -1,6 +1,6 @@
 //! Particles as tables, a CSV file a frame: every digit of every number.
 
-use super::writer::{MotionWriter, Planned};
+use super::writer::{MotionWriter, Planned, told};
 use crate::export::{BodyFrame, Frame, Subject};
 use crate::io::{FrameFolder, IoError};
 use glam::DVec3;
@@ -66,7 +66,7 @@ impl MotionWriter for Tables {
     }
 
     fn written(&self) -> Vec<(String, PathBuf)> {
-        vec![(format!("{} tables of particles", self.frames.frames()), self.frames.folder().to_owned())]
+        told(&self.frames, format!("{} tables of particles", self.frames.frames()))
     }
 
     fn left_over(&self) -> usize {

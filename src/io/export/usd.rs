@@ -4,11 +4,12 @@
 //! another, nothing but the present frame is ever in memory here, and a run that ends early leaves a stage that ends early.
 //! Numbers of the frames are the stage's time codes. Places are single precision, as the schemas have them.
 
-use super::usd_shape::{PrimNames, prim_names, write_shape};
-use super::usd_text::{extent, quoted, write_list, write_vectors};
+use super::usd_shape::{PrimNames, Widths, prim_names, write_shape};
+use super::usd_text::{extent_of, quoted, write_list, write_vectors};
 use super::writer::{MotionWriter, Planned};
 use crate::export::{BodyFrame, Frame, Space, Subject};
 use crate::geometry::model::UpAxis;
+use crate::io::atomic::remove_old;
 use crate::io::{IoError, make_folder, write_atomically};
 use glam::DVec3;
 use std::io::{self, Write};
@@ -18,10 +19,21 @@ use std::path::{Path, PathBuf};
 const STAGE: &str = "motion.usda";
 const LAYERS: &str = "motion_layers";
 
+/// The layers of what stays.
+const SHAPE: &str = "shape.usda";
+const MANIFEST: &str = "manifest.usda";
+
+/// The stage, and the layers of what stays.
+pub(super) fn files(folder: &Path) -> Vec<PathBuf> {
+    let layers = folder.join(LAYERS);
+    vec![folder.join(STAGE), layers.join(SHAPE), layers.join(MANIFEST)]
+}
+
 /// A stage that is written.
 pub(super) struct Usd {
     folder: PathBuf,
     names: Vec<PrimNames>,
+    widths: Vec<Widths>,
     head: Head,
     first: u64,
     frames: u64,
@@ -36,17 +48,20 @@ impl Usd {
         let names = prim_names(subject);
         let layers = folder.join(LAYERS);
         make_folder(&layers)?;
-        write_atomically(&layers.join("shape.usda"), |out| write_shape(out, subject, &names))?;
-        write_atomically(&layers.join("manifest.usda"), |out| write_manifest(out, &names))?;
+        // The stage of an earlier run would show its frames on these shapes.
+        remove_old(&folder.join(STAGE))?;
+        write_atomically(&layers.join(SHAPE), |out| write_shape(out, subject, &names))?;
+        write_atomically(&layers.join(MANIFEST), |out| write_manifest(out, &names))?;
         let head = Head { name: subject.name.clone(), frame_seconds: subject.frame_seconds, space: subject.space };
-        Ok(Self { folder: folder.to_owned(), names, head, first: *frames.start(), frames: 0 })
+        let widths = subject.bodies.iter().map(Widths::of).collect();
+        Ok(Self { folder: folder.to_owned(), names, widths, head, first: *frames.start(), frames: 0 })
     }
 }
 
 impl MotionWriter for Usd {
     fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
         let clip = self.folder.join(LAYERS).join(format!("frame.{:06}.usda", frame.number));
-        write_atomically(&clip, |out| write_clip(out, &self.names, frame))?;
+        write_atomically(&clip, |out| write_clip(out, &self.names, &self.widths, frame))?;
         self.frames += 1;
         // The stage tells of a frame once it is there.
         let last = self.first + self.frames - 1;
@@ -54,7 +69,8 @@ impl MotionWriter for Usd {
     }
 
     fn written(&self) -> Vec<(String, PathBuf)> {
-        vec![(format!("USD stage of {} frames", self.frames), self.folder.join(STAGE))]
+        let told = (format!("USD stage of {} frames", self.frames), self.folder.join(STAGE));
+        if self.frames == 0 { Vec::new() } else { vec![told] }
     }
 }
 
@@ -74,10 +90,10 @@ impl Head {
         let unit = 1.0 / self.space.scale;
         writeln!(out, "#usda 1.0\n(\n    defaultPrim = \"Scene\"\n    doc = {}", quoted(&self.name))?;
         writeln!(out, "    endTimeCode = {last}\n    framesPerSecond = {rate}\n    metersPerUnit = {unit}")?;
-        writeln!(out, "    startTimeCode = {first}\n    subLayers = [\n        @./{LAYERS}/shape.usda@\n    ]")?;
+        writeln!(out, "    startTimeCode = {first}\n    subLayers = [\n        @./{LAYERS}/{SHAPE}@\n    ]")?;
         writeln!(out, "    timeCodesPerSecond = {rate}\n    upAxis = \"{up}\"\n)\n")?;
         writeln!(out, "over \"Scene\" (\n    clips = {{\n        dictionary default = {{")?;
-        writeln!(out, "            asset manifestAssetPath = @./{LAYERS}/manifest.usda@")?;
+        writeln!(out, "            asset manifestAssetPath = @./{LAYERS}/{MANIFEST}@")?;
         writeln!(out, "            string primPath = \"/Scene\"")?;
         writeln!(out, "            string templateAssetPath = \"./{LAYERS}/frame.######.usda\"")?;
         writeln!(out, "            double templateStartTime = {first}\n            double templateEndTime = {last}")?;
@@ -102,44 +118,44 @@ fn write_manifest(out: &mut dyn Write, names: &[PrimNames]) -> io::Result<()> {
 }
 
 /// What moves, in one frame.
-fn write_clip(out: &mut dyn Write, names: &[PrimNames], frame: &Frame) -> io::Result<()> {
+fn write_clip(out: &mut dyn Write, names: &[PrimNames], widths: &[Widths], frame: &Frame) -> io::Result<()> {
     writeln!(out, "#usda 1.0\n\nover \"Scene\"\n{{")?;
-    for (names, body) in names.iter().zip(&frame.bodies) {
-        write_body(out, names, body, frame.number)?;
+    for ((names, widths), body) in names.iter().zip(widths).zip(&frame.bodies) {
+        write_body(out, names, *widths, body, frame.number)?;
     }
     writeln!(out, "}}")
 }
 
-fn write_body(out: &mut dyn Write, names: &PrimNames, body: &BodyFrame, at: u64) -> io::Result<()> {
-    write_moving(out, &names.surface, &body.vertices, at, &mut |out| {
+fn write_body(out: &mut dyn Write, names: &PrimNames, widths: Widths, body: &BodyFrame, at: u64) -> io::Result<()> {
+    write_moving(out, (&names.surface, widths.surface), &body.vertices, at, &mut |out| {
         write!(out, "        vector3f[] velocities.timeSamples = {{\n            {at}: ")?;
         write_vectors(out, &body.velocities)?;
         writeln!(out, "\n        }}")
     })?;
     if let Some(name) = &names.fibres {
         let points: Vec<DVec3> = body.fibres.iter().flat_map(|fibre| fibre.vertices.iter().copied()).collect();
-        write_moving(out, name, &points, at, &mut |out| {
+        write_moving(out, (name, widths.fibres), &points, at, &mut |out| {
             write!(out, "        float[] primvars:tension.timeSamples = {{\n            {at}: ")?;
             write_list(out, body.fibres.iter().flat_map(|fibre| fibre.tensions.iter().map(|force| *force as f32)))?;
             writeln!(out, "\n        }}")
         })?;
     }
     if let Some(name) = &names.springs {
-        write_moving(out, name, &body.springs, at, &mut |_| Ok(()))?;
+        write_moving(out, (name, widths.springs), &body.springs, at, &mut |_| Ok(()))?;
     }
     Ok(())
 }
 
-/// A prim that moves, with what else it has.
+/// A prim that moves, by its name and the width of what is drawn at its points, with what else it has.
 fn write_moving(
     out: &mut dyn Write,
-    name: &str,
+    (name, width): (&str, f64),
     points: &[DVec3],
     at: u64,
     more: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
     write!(out, "    over \"{name}\"\n    {{\n        float3[] extent.timeSamples = {{\n            {at}: ")?;
-    write_vectors(out, &extent(points))?;
+    write_vectors(out, &extent_of(points, width))?;
     write!(out, "\n        }}\n        point3f[] points.timeSamples = {{\n            {at}: ")?;
     write_vectors(out, points)?;
     writeln!(out, "\n        }}")?;

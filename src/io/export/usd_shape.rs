@@ -1,9 +1,11 @@
 //! What stays over a motion as a layer of USD: which prims there are, faces, texture coordinates, materials, widths.
 
+use super::looks::{Look, merged_parts};
 use super::names::{different, identifier};
 use super::usd_text::{extent, quoted, write_list, write_vectors};
 use crate::export::{BodySubject, Subject};
-use crate::geometry::file_mesh::{FileMesh, UvSet};
+use crate::geometry::file_mesh::{FileMesh, FilePart, UvSet};
+use std::collections::HashMap;
 use std::io::{self, Write};
 
 /// Width of a spring, as a share of its body's diagonal.
@@ -20,6 +22,26 @@ pub(super) struct PrimNames {
     pub(super) fibres: Option<String>,
     /// None without any springs.
     pub(super) springs: Option<String>,
+}
+
+/// Greatest widths of what is drawn at the points of the prims of a body.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Widths {
+    /// Zero but for points.
+    pub(super) surface: f64,
+    pub(super) fibres: f64,
+    pub(super) springs: f64,
+}
+
+impl Widths {
+    pub(super) fn of(body: &BodySubject) -> Self {
+        let springs = f64::from(spring_width(body));
+        Self {
+            surface: if body.mesh.counts.is_empty() { springs } else { 0.0 },
+            fibres: body.fibres.iter().map(|fibre| fibre.width).fold(0.0, f64::max),
+            springs,
+        }
+    }
 }
 
 /// Names of the prims of all bodies, no two alike.
@@ -40,25 +62,23 @@ pub(super) fn prim_names(subject: &Subject) -> Vec<PrimNames> {
     bodies().enumerate().map(of).collect()
 }
 
-/// A material: its name in the file and its base colour.
-type Look = (String, Option<[f32; 4]>);
-
 /// Writes the layer.
 pub(super) fn write_shape(out: &mut dyn Write, subject: &Subject, names: &[PrimNames]) -> io::Result<()> {
-    let mut looks: Vec<Look> = Vec::new();
+    let (mut looks, mut numbers) = (Vec::new(), HashMap::new());
     for part in subject.bodies.iter().flat_map(|body| &body.mesh.parts).filter(|part| !part.material.is_empty()) {
-        let look = (part.material.clone(), part.colour);
-        if !looks.contains(&look) {
-            looks.push(look);
-        }
+        numbers.entry(Look::of(part)).or_insert_with(|| {
+            looks.push(part);
+            looks.len() - 1
+        });
     }
-    let look_names = different(looks.iter().map(|look| look.0.as_str()), identifier);
+    let look_names = different(looks.iter().map(|part| part.material.as_str()), identifier);
+    let path_of = |part: &FilePart| Some(&look_names[*numbers.get(&Look::of(part))?]);
     writeln!(out, "#usda 1.0\n(\n    defaultPrim = \"Scene\"\n)\n\ndef Xform \"Scene\"\n{{")?;
     for (body, names) in subject.bodies.iter().zip(names) {
         if body.mesh.counts.is_empty() {
             write_points(out, body, names)?;
         } else {
-            write_mesh(out, body, names, (&looks, &look_names))?;
+            write_mesh(out, body, names, &path_of)?;
         }
         if let Some(name) = &names.fibres {
             write_fibres(out, body, name)?;
@@ -69,8 +89,8 @@ pub(super) fn write_shape(out: &mut dyn Write, subject: &Subject, names: &[PrimN
     }
     if !looks.is_empty() {
         writeln!(out, "    def Scope \"{LOOKS}\"\n    {{")?;
-        for ((name, colour), id) in looks.iter().zip(&look_names) {
-            write_look(out, name, *colour, id)?;
+        for (part, id) in looks.iter().zip(&look_names) {
+            write_look(out, &part.material, part.colour, id)?;
         }
         writeln!(out, "    }}")?;
     }
@@ -95,11 +115,11 @@ fn write_points(out: &mut dyn Write, body: &BodySubject, names: &PrimNames) -> i
     writeln!(out, "    }}")
 }
 
-fn write_mesh(
+fn write_mesh<'a>(
     out: &mut dyn Write,
     body: &BodySubject,
     names: &PrimNames,
-    looks: (&[Look], &[String]),
+    look_of: &dyn Fn(&FilePart) -> Option<&'a String>,
 ) -> io::Result<()> {
     let mesh = &body.mesh;
     begin(out, "Mesh", &names.surface, &body.name, "    ")?;
@@ -114,7 +134,7 @@ fn write_mesh(
         let name = if number == 0 { "st".to_owned() } else { format!("st{number}") };
         write_uvs(out, &name, set)?;
     }
-    write_parts(out, mesh, looks)?;
+    write_parts(out, mesh, look_of)?;
     writeln!(out, "    }}")
 }
 
@@ -135,19 +155,24 @@ fn write_uvs(out: &mut dyn Write, name: &str, set: &UvSet) -> io::Result<()> {
 }
 
 /// The faces of every part that has a material, or of which there are several.
-fn write_parts(out: &mut dyn Write, mesh: &FileMesh, (looks, look_names): (&[Look], &[String])) -> io::Result<()> {
+fn write_parts<'a>(
+    out: &mut dyn Write,
+    mesh: &FileMesh,
+    look_of: &dyn Fn(&FilePart) -> Option<&'a String>,
+) -> io::Result<()> {
+    let parts = merged_parts(mesh);
     let has_material = mesh.parts.iter().any(|part| !part.material.is_empty());
-    if mesh.parts.len() < 2 && !has_material {
+    if parts.len() < 2 && !has_material {
         return Ok(());
     }
     if has_material {
         writeln!(out, "        uniform token subsetFamily:materialBind:familyType = \"nonOverlapping\"")?;
     }
-    let ids = different(mesh.parts.iter().map(|part| part.name.as_str()), |name| {
+    let ids = different(parts.iter().map(|(part, _)| part.name.as_str()), |name| {
         identifier(if name.is_empty() { "part" } else { name })
     });
-    for (part, id) in mesh.parts.iter().zip(ids) {
-        let look = looks.iter().position(|look| *look == (part.material.clone(), part.colour));
+    for ((part, runs), id) in parts.iter().zip(ids) {
+        let look = look_of(part);
         let schema = if look.is_some() { "prepend apiSchemas = [\"MaterialBindingAPI\"]\n            " } else { "" };
         let family = if look.is_some() { "materialBind" } else { "part" };
         writeln!(
@@ -158,9 +183,9 @@ fn write_parts(out: &mut dyn Write, mesh: &FileMesh, (looks, look_names): (&[Loo
         writeln!(out, "        {{\n            uniform token elementType = \"face\"")?;
         writeln!(out, "            uniform token familyName = \"{family}\"")?;
         write!(out, "            int[] indices = ")?;
-        write_list(out, part.faces.clone())?;
+        write_list(out, runs.iter().cloned().flatten())?;
         if let Some(look) = look {
-            write!(out, "\n            rel material:binding = </Scene/{LOOKS}/{}>", look_names[look])?;
+            write!(out, "\n            rel material:binding = </Scene/{LOOKS}/{look}>")?;
         }
         writeln!(out, "\n        }}")?;
     }

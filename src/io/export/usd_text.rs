@@ -41,6 +41,13 @@ pub(super) fn quoted(text: &str) -> String {
     quoted
 }
 
+/// The box around what is drawn this wide at points.
+pub(super) fn extent_of(points: &[DVec3], width: f64) -> [DVec3; 2] {
+    let [min, max] = extent(points);
+    let half = DVec3::splat(if points.is_empty() { 0.0 } else { 0.5 * width });
+    [min - half, max + half]
+}
+
 /// The least and the greatest corner of a box around points; a box without extent for none.
 pub(super) fn extent(points: &[DVec3]) -> [DVec3; 2] {
     let around = points.iter().map(|&point| [point; 2]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);

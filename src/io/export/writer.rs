@@ -1,12 +1,24 @@
 //! What every format does with the frames of a motion.
 
 use crate::export::Frame;
-use crate::io::IoError;
+use crate::io::frames::numbered_files;
+use crate::io::{FrameFolder, IoError};
 use std::ops::RangeInclusive;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The frames that are to be written, by their numbers.
 pub(super) type Planned = RangeInclusive<u64>;
+
+/// The files of a sequence, one a frame, as far as they are there already.
+pub(super) fn frame_files(folder: &Path, prefix: &str, extension: &str, frames: &Planned) -> Vec<PathBuf> {
+    let there = numbered_files(folder, prefix, extension).filter(|(number, _)| frames.contains(number));
+    there.map(|(_, path)| path).collect()
+}
+
+/// What is told of a sequence that has any files.
+pub(super) fn told(files: &FrameFolder, what: String) -> Vec<(String, PathBuf)> {
+    if files.frames() == 0 { Vec::new() } else { vec![(what, files.folder().to_owned())] }
+}
 
 /// Files of a motion in one format.
 pub(super) trait MotionWriter: Send {
@@ -24,7 +36,7 @@ pub(super) trait MotionWriter: Send {
         Ok(())
     }
 
-    /// What was written, as it is told, and where.
+    /// What was written, as it is told, and where; nothing before the first frame.
     fn written(&self) -> Vec<(String, PathBuf)>;
 
     /// How many files of an earlier, longer run lie behind the last of this one.

@@ -8,6 +8,9 @@ use std::path::Path;
 /// A model is taken as it is when its greatest extent lies in this range [m], and brought to a hand's size otherwise.
 const USUAL_EXTENT: (f64, f64) = (0.02, 5.0);
 const HAND: f64 = 0.12;
+/// Share of critical damping with which the floor is met: a model comes to rest there.
+const LANDING: f64 = 0.2;
+
 /// A model hangs this share of its height above the floor at the start.
 const DROP: f64 = 0.15;
 
@@ -76,7 +79,9 @@ fn without_pointer(error: IoError) -> IoError {
 fn model_scene(name: &str, shape: &MeshShape) -> Scene {
     let material = Material::new(1e5, 0.33, 1000.0).with_support_radius(0.01).with_damping(10.0, 0.0);
     let body = Body::from_mesh("model", shape.clone()).with_name(name).with_material(material);
-    Scene::new(name).with_floor(0.0).with_body(body)
+    let mut scene = Scene::new(name).with_floor(0.0).with_body(body);
+    scene.room.contact_damping = LANDING;
+    scene
 }
 
 #[cfg(test)]

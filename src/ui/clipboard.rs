@@ -46,7 +46,9 @@ pub(super) fn paste(text: &str, cx: &mut Context) {
         return;
     };
     let id = body.id.clone();
-    fibres.iter_mut().for_each(|fibre| settle(fibre, &drives, body));
+    for fibre in &mut fibres {
+        settle(fibre, &drives, body);
+    }
     let copies = fibre_ops::copies(fibres.iter(), &body.fibres);
     let by = Transform::translation(aside(&copies, cx));
     let sampling = cx.sampling();

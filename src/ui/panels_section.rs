@@ -79,11 +79,16 @@ fn show_panel(ui: &mut Ui, panel: &mut Panel) {
 
 /// Chooses how a panel moves. What it did before is kept, so that a look at another motion loses no drive and no heights.
 fn show_motions(ui: &mut Ui, panel: &mut Panel) {
-    let (kept_heights, kept_drive) = (ui.id().with(("heights", &panel.id)), ui.id().with(("drive", &panel.id)));
+    let id = ui.scope_id();
+    let (kept_heights, kept_drive) = (id.with(("heights", &panel.id)), id.with(("drive", &panel.id)));
     match &panel.motion {
         PanelMotion::Falls => {}
-        PanelMotion::Driven(keys) => ui.data_mut(|data| data.insert_temp(kept_heights, keys.clone())),
-        PanelMotion::Follows(follows) => ui.data_mut(|data| data.insert_temp(kept_drive, follows.clone())),
+        PanelMotion::Driven(keys) => {
+            ui.data_mut(|data| data.insert_temp(kept_heights, keys.clone()));
+        }
+        PanelMotion::Follows(follows) => {
+            ui.data_mut(|data| data.insert_temp(kept_drive, follows.clone()));
+        }
     }
     ui.horizontal(|ui| {
         let falls = panel.motion == PanelMotion::Falls;

@@ -140,7 +140,7 @@ fn what_acts_moves_to_the_same_bits_on_any_number_of_threads() {
             (0..2).for_each(|_| runner.advance_frame());
             let body = &runner.world().bodies()[0];
             let mut bits: Vec<u64> =
-                body.state().positions.iter().flat_map(|x| x.to_array()).map(f64::to_bits).collect();
+                body.state().positions.iter().flat_map(glam::DVec3::to_array).map(f64::to_bits).collect();
             bits.extend(body.energies(runner.world().time()).values().map(f64::to_bits));
             bits
         })

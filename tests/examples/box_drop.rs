@@ -20,7 +20,9 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     // 1. The document: what a scene file holds. Whatever is left out has a default.
     let material = Material::new(1e5, 0.33, 1000.0).with_damping(20.0, 0.0);
     let cube = Body::cuboid("cube", [2.0 * HALF; 3]).with_material(material).with_translation([0.0, HALF + DROP, 0.0]);
-    let scene = Scene::new("Box drop").with_floor(0.0).with_frame_rate(100.0).with_body(cube);
+    let mut scene = Scene::new("Box drop").with_floor(0.0).with_frame_rate(100.0).with_body(cube);
+    // A floor that does not give back all that falls on it.
+    scene.room.contact_damping = 0.2;
     scene.validate()?;
 
     // 2. The world: particles and forces. The scene names no model, so that its assets are empty.

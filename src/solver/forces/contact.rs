@@ -207,6 +207,9 @@ impl Force for Contact {
     }
 
     fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
+        if self.law.holding == 0.0 || self.law.friction == 0.0 {
+            return false;
+        }
         for index in 0..self.planes.len() {
             let plane = self.planes[index];
             let [left, rate] = self.allowance(index, time).unwrap_or_default();
@@ -228,6 +231,9 @@ impl Force for Contact {
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {
         let Some(before) = before.iter().find_map(|force| force.downcast_ref::<Self>()) else { return };
+        if self.law.holding == 0.0 {
+            return;
+        }
         for (plane, grip) in self.planes.iter().zip(&mut self.grips) {
             if let Some(index) = before.planes.iter().position(|known| known == plane) {
                 grip.clone_from(&before.grips[index]);

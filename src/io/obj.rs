@@ -57,7 +57,7 @@ fn write_vertices(
     Ok(())
 }
 
-fn write_element(out: &mut dyn Write, kind: &str, vertices: std::ops::Range<usize>) -> io::Result<()> {
+pub(super) fn write_element(out: &mut dyn Write, kind: &str, vertices: std::ops::Range<usize>) -> io::Result<()> {
     if vertices.is_empty() {
         return Ok(());
     }

@@ -3,9 +3,9 @@
 use super::names::word;
 use crate::export::{BodyFrame, BodySubject, Subject};
 use crate::geometry::file_mesh::FileMesh;
+use crate::io::obj::write_element;
 use glam::DVec3;
 use std::io::{self, Write};
-use std::ops::Range;
 
 /// What holds from one object of a file to the next.
 struct Next<'a> {
@@ -102,15 +102,4 @@ fn write_faces<'a>(out: &mut dyn Write, mesh: &'a FileMesh, next: &mut Next<'a>)
         writeln!(out)?;
     }
     Ok(())
-}
-
-fn write_element(out: &mut dyn Write, kind: &str, vertices: Range<usize>) -> io::Result<()> {
-    if vertices.is_empty() {
-        return Ok(());
-    }
-    write!(out, "{kind}")?;
-    for vertex in vertices {
-        write!(out, " {vertex}")?;
-    }
-    writeln!(out)
 }

@@ -13,6 +13,9 @@ const BLOWN_UP: f64 = 100.0;
 /// Share of the sizes of all energies that may be rounding.
 const ROUND_OFF: f64 = 1e-9;
 
+/// Share of the energy of a body that counts as at rest under which it is rounding.
+const NOTHING: f64 = 1e-12;
+
 /// A run that has gained more than this share of the energy that it was ever given is not stable.
 const GAINS: f64 = 1.0;
 
@@ -159,7 +162,9 @@ fn spendable(scene: &Scene, world: &World) -> f64 {
         let height = scene.room.floor.map_or(extent, |floor| (center.y - floor).max(extent));
         let energies = body.energies(0.0);
         let stored = energies.total() - energies.gravity - energies.pressure;
-        stored + state.mass() * gravity.length() * height
+        // A body at rest of which nothing is asked has nothing but the rounding of its places.
+        let nothing = NOTHING * state.len() as f64 * body.parts().rest_scale.energy;
+        stored + state.mass() * gravity.length() * height + nothing
     });
     let floor = scene.room.floor.unwrap_or(0.0);
     let panels = world.panels().iter().filter(|panel| panel.driven.is_none());

@@ -107,6 +107,27 @@ fn two_hundred_driven_and_free_runs_are_judged_rightly() {
 }
 
 #[test]
+fn a_body_of_which_nothing_is_asked_is_stable_up_to_its_step() {
+    // Turned, so that its places are rounded, and kept awake by a pin that goes nowhere.
+    let mut body = block([3, 4, 3], 1e5);
+    (body.placement.rotation.axis, body.placement.rotation.degrees) = ([1.0, 2.0, 3.0], 37.0);
+    body.regions = vec![layers("foot", Axis::Y, Side::Min, 1)];
+    body.pins = vec![pin("foot", &ALL, ramp([1.0, 0.0, 0.0], Distance::Metres(0.0), 10.0))];
+    let study = Study::new(&in_space(body), &Assets::default()).unwrap();
+    for (integrator, share, stable) in [
+        (IntegratorKind::LeapFrog, 0.5, true),
+        (IntegratorKind::Rk4, 0.9, true),
+        (IntegratorKind::TrBdf2, 10.0, true),
+        (IntegratorKind::LeapFrog, 1.5, false),
+    ] {
+        let mut trial = study.trial(integrator, share * study.stable_step(integrator).min(1e-3));
+        (0..400).for_each(|_| trial.step());
+        println!("{integrator:?} at {share}: {} J, gained {}", trial.energy(), trial.gained());
+        assert_eq!(trial.is_stable(), stable, "{integrator:?} at {share}: gained {}", trial.gained());
+    }
+}
+
+#[test]
 fn a_slow_drive_from_rest_is_no_blow_up_and_its_work_is_what_is_stored() {
     let mut body = block([3, 6, 3], 1e5);
     body.regions = vec![layers("foot", Axis::Y, Side::Min, 1), layers("top", Axis::Y, Side::Max, 1)];

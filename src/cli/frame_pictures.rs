@@ -1,39 +1,40 @@
-//! Pictures of a run's frames: one by one as PNG files, and all in one as a moving picture.
+//! Pictures of a run's frames: one by one as PNG files, and all in one as moving pictures.
 
 use super::motion::warn_of_left_over;
 use super::{CliError, Console, SceneRenderer, output};
-use crate::io::{AnimatedPng, FrameFolder, make_folder};
+use crate::io::{FrameFolder, MovingFormat, MovingPicture, PictureAs, make_folder};
 use crate::scene::Scene;
 use crate::solver::snapshot::Snapshot;
 use std::path::Path;
-
-/// The file of a moving picture.
-const ANIMATED: &str = "motion.apng";
 
 /// Where pictures go.
 pub(super) struct Pictures {
     renderer: SceneRenderer,
     single: Option<FrameFolder>,
-    animated: Option<AnimatedPng>,
+    moving: Vec<MovingPicture>,
 }
 
 impl Pictures {
-    /// PNG files in the folder `single`, the first of them of frame `first`, and a moving picture in the folder `animated`, in
-    /// which a frame lasts `seconds` [s].
+    /// PNG files in the folder `single`, the first of them of frame `first`, and moving pictures in a folder, in which a frame
+    /// lasts `seconds` [s].
     ///
     /// # Errors
     /// A folder that cannot be written.
     pub(super) fn create(
         renderer: SceneRenderer,
         single: Option<&Path>,
-        animated: Option<&Path>,
+        moving: Option<(&Path, &[MovingFormat])>,
         first: u64,
         seconds: f64,
     ) -> Result<Self, CliError> {
         let single = single.map(|folder| FrameFolder::numbered(folder, "frame", "png", first)).transpose()?;
-        animated.map_or(Ok(()), make_folder)?;
-        let animated = animated.map(|folder| AnimatedPng::new(folder.join(ANIMATED), seconds));
-        Ok(Self { renderer, single, animated })
+        let mut pictures = Self { renderer, single, moving: Vec::new() };
+        if let Some((folder, formats)) = moving.filter(|(_, formats)| !formats.is_empty()) {
+            make_folder(folder)?;
+            let all = formats.iter().map(|&format| MovingPicture::new(format, format.file(folder), seconds));
+            pictures.moving = all.collect();
+        }
+        Ok(pictures)
     }
 
     /// Takes the next picture.
@@ -41,11 +42,22 @@ impl Pictures {
     /// # Errors
     /// A picture that cannot be made, a file that cannot be written.
     pub(super) fn push(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<(), CliError> {
-        let picture = self.renderer.picture(scene, snapshot)?;
-        if let Some(single) = &mut self.single {
-            single.push(|out| out.write_all(&picture))?;
+        let wanted: Vec<PictureAs> = self.moving.iter_mut().map(MovingPicture::next_frame).collect();
+        if self.single.is_none() && wanted.iter().all(|as_what| *as_what == PictureAs::Nothing) {
+            return Ok(());
         }
-        self.animated.as_mut().map_or(Ok(()), |animated| animated.push(&picture))?;
+        let picture = self.renderer.picture(scene, snapshot)?;
+        let png = if self.single.is_some() || wanted.contains(&PictureAs::Png) { picture.png()? } else { Vec::new() };
+        if let Some(single) = &mut self.single {
+            single.push(|out| out.write_all(&png))?;
+        }
+        for (moving, as_what) in self.moving.iter_mut().zip(wanted) {
+            match as_what {
+                PictureAs::Png => moving.push(&png)?,
+                PictureAs::Gif(delay) => moving.push(&self.renderer.gif(&picture, delay)?)?,
+                PictureAs::Nothing => {}
+            }
+        }
         Ok(())
     }
 
@@ -56,8 +68,8 @@ impl Pictures {
             text += &output::wrote(&format!("{} pictures", single.frames()), single.folder());
             warn_of_left_over(single.folder(), single.left_over(), console);
         }
-        if let Some(animated) = self.animated.as_ref().filter(|animated| animated.pictures() > 0) {
-            text += &output::wrote(&format!("a moving picture of {} frames", animated.pictures()), animated.path());
+        for (what, path) in self.moving.iter().filter_map(MovingPicture::written) {
+            text += &output::wrote(&what, path);
         }
         text
     }

@@ -6,6 +6,7 @@ use crate::cli::error::printable;
 use crate::cli::finite::check_finite;
 use crate::export::{Motion, Space, Wanted};
 use crate::geometry::model::UpAxis;
+use crate::io::MovingFormat;
 use crate::io::export::{MotionFiles, MotionFormat};
 use crate::scene::{Assets, Scene};
 use crate::sim::Runner;
@@ -17,8 +18,8 @@ use std::str::FromStr;
 /// What goes into `--out`, and how.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
 pub(super) struct MotionOptions {
-    /// Formats of the files in --out, as in usd,pc2: usd, pc2, mdd, gltf, obj, ply, csv or apng (a moving picture); OBJ unless
-    /// given
+    /// Formats of the files in --out, as in usd,pc2: usd, pc2, mdd, gltf, obj, ply, csv, or a moving picture, apng or gif; OBJ
+    /// unless given
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     format: Vec<FormatName>,
     /// First and last frame for --out and --png, as in 10..60; all unless given. The run ends with the last unless --seconds
@@ -46,24 +47,22 @@ pub(super) enum Up {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FormatName {
     Motion(MotionFormat),
-    Apng,
+    Moving(MovingFormat),
 }
-
-/// The name of moving pictures.
-const APNG: &str = "apng";
 
 impl FromStr for FormatName {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let is_meant = |name: &str| name.eq_ignore_ascii_case(text.trim());
-        if is_meant(APNG) {
-            return Ok(Self::Apng);
-        }
-        let known = MotionFormat::ALL.iter().find(|(name, _)| is_meant(name));
-        known.map(|&(_, format)| Self::Motion(format)).ok_or_else(|| {
-            let names: Vec<&str> = MotionFormat::ALL.iter().map(|(name, _)| *name).collect();
-            format!("there is no format of that name; give one of {} or {APNG}", names.join(", "))
+        let motions = MotionFormat::ALL.map(|(name, format)| (name, Self::Motion(format)));
+        let moving = MovingFormat::ALL.map(|(name, format)| (name, Self::Moving(format)));
+        let all: Vec<(&str, Self)> = motions.into_iter().chain(moving).collect();
+        let known = all.iter().find(|(name, _)| name.eq_ignore_ascii_case(text.trim()));
+        known.map(|&(_, format)| format).ok_or_else(|| {
+            let (last, names) = all.split_last().map_or(("", Vec::new()), |(last, others)| {
+                (last.0, others.iter().map(|(name, _)| *name).collect())
+            });
+            format!("there is no format of that name; give one of {} or {last}", names.join(", "))
         })
     }
 }
@@ -124,21 +123,27 @@ impl MotionOptions {
         self.frames.map_or(0..=last, |range| range.first..=range.last)
     }
 
+    /// The formats of the shapes, each once.
     fn formats(&self) -> Vec<MotionFormat> {
-        let mut formats: Vec<MotionFormat> = Vec::new();
-        for name in &self.format {
-            if let FormatName::Motion(format) = name
-                && !formats.contains(format)
-            {
-                formats.push(*format);
-            }
+        if self.format.is_empty() {
+            return vec![MotionFormat::Obj];
         }
-        if self.format.is_empty() { vec![MotionFormat::Obj] } else { formats }
+        self.named(|name| if let FormatName::Motion(format) = name { Some(format) } else { None })
     }
 
-    /// Whether a moving picture goes into `--out`.
-    pub(super) fn wants_apng(&self) -> bool {
-        self.format.contains(&FormatName::Apng)
+    /// The formats of the moving pictures, each once.
+    pub(super) fn moving(&self) -> Vec<MovingFormat> {
+        self.named(|name| if let FormatName::Moving(format) = name { Some(format) } else { None })
+    }
+
+    fn named<T: PartialEq>(&self, of: impl Fn(FormatName) -> Option<T>) -> Vec<T> {
+        let mut formats = Vec::new();
+        for format in self.format.iter().filter_map(|&name| of(name)) {
+            if !formats.contains(&format) {
+                formats.push(format);
+            }
+        }
+        formats
     }
 
     fn space(&self) -> Space {

@@ -26,7 +26,28 @@ impl SceneRenderer {
     ///
     /// # Errors
     /// None.
-    pub(super) fn picture(&mut self, _scene: &Scene, _snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
+    pub(super) fn picture(&mut self, _scene: &Scene, _snapshot: &Snapshot) -> Result<ScenePicture, CliError> {
+        match *self {}
+    }
+
+    /// Never called.
+    ///
+    /// # Errors
+    /// None.
+    pub(super) fn gif(&mut self, _picture: &ScenePicture, _delay: u16) -> Result<Vec<u8>, CliError> {
+        match *self {}
+    }
+}
+
+/// There is none.
+pub(super) enum ScenePicture {}
+
+impl ScenePicture {
+    /// Never called.
+    ///
+    /// # Errors
+    /// None.
+    pub(super) fn png(&self) -> Result<Vec<u8>, CliError> {
         match *self {}
     }
 }

@@ -69,7 +69,7 @@ fn render(args: &Render, interruption: &Interruption, console: &mut Console) -> 
     let snapshot = runner.snapshot();
     check_finite(&snapshot)?;
     renderer.take_in(&scene, &snapshot);
-    output::write_bytes(&args.out, &renderer.picture(&scene, &snapshot)?)?;
+    output::write_bytes(&args.out, &renderer.picture(&scene, &snapshot)?.png()?)?;
     console.print(&output::wrote("picture", &args.out))?;
     Ok(if divergence.is_some() { Outcome::Diverged } else { Outcome::Done })
 }

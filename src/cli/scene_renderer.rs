@@ -3,7 +3,7 @@
 use super::CliError;
 use super::picture::{Look, ThemeName, Viewpoint};
 use crate::draw::{Bounds, Display, Subject, Theme, draw};
-use crate::render::{Camera, Facing, Offscreen};
+use crate::render::{Camera, Facing, GifPictures, Offscreen, Picture};
 use crate::scene::Scene;
 use crate::solver::snapshot::Snapshot;
 
@@ -15,6 +15,7 @@ pub(super) struct SceneRenderer {
     theme: Theme,
     aspect: f64,
     bounds: Option<Bounds>,
+    gifs: GifPictures,
 }
 
 impl SceneRenderer {
@@ -41,7 +42,7 @@ impl SceneRenderer {
         };
         let [width, height] = look.size.0.map(f64::from);
         let offscreen = Offscreen::new(look.size.0)?;
-        let mut renderer = Self { offscreen, camera, display, theme, aspect: width / height, bounds: None };
+        let mut renderer = Self { offscreen, camera, display, theme, aspect: width / height, bounds: None, gifs: GifPictures::default() };
         renderer.take_in(scene, start);
         Ok(renderer)
     }
@@ -58,12 +59,33 @@ impl SceneRenderer {
         }
     }
 
-    /// A picture as a PNG file.
+    /// A picture.
     ///
     /// # Errors
     /// [`CliError::Render`].
-    pub(super) fn picture(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
+    pub(super) fn picture(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<ScenePicture, CliError> {
         let list = draw(&Subject { scene, snapshot, ghost: None }, &self.display, &self.theme);
-        Ok(self.offscreen.draw(list, &self.camera)?.to_png()?)
+        Ok(ScenePicture(self.offscreen.draw(list, &self.camera)?))
+    }
+
+    /// A picture as a GIF file, to be shown for so long [s/100] after those that were made so before.
+    ///
+    /// # Errors
+    /// [`CliError::Render`].
+    pub(super) fn gif(&mut self, picture: &ScenePicture, delay: u16) -> Result<Vec<u8>, CliError> {
+        Ok(self.gifs.next(&picture.0, delay)?)
+    }
+}
+
+/// A picture of a scene.
+pub(super) struct ScenePicture(Picture);
+
+impl ScenePicture {
+    /// As a PNG file.
+    ///
+    /// # Errors
+    /// [`CliError::Render`].
+    pub(super) fn png(&self) -> Result<Vec<u8>, CliError> {
+        Ok(self.0.to_png()?)
     }
 }

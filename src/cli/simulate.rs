@@ -67,7 +67,7 @@ pub(super) fn run(args: &Simulate, interruption: &Interruption, console: &mut Co
 }
 
 fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
-    if args.png.is_none() && !args.motion.wants_apng() && args.look != Look::default() {
+    if args.png.is_none() && args.motion.moving().is_empty() && args.look != Look::default() {
         return Err(CliError::NoPicturesAsked);
     }
     let repeated = args.from.as_deref().map(Repeated::read).transpose()?;
@@ -185,15 +185,16 @@ impl FrameOutputs {
     ) -> Result<Self, CliError> {
         let frames = args.motion.range(last);
         // A driver may be missing: that is found out before a folder is made.
-        let renderer = (args.png.is_some() || args.motion.wants_apng())
+        let formats = args.motion.moving();
+        let renderer = (args.png.is_some() || !formats.is_empty())
             .then(|| SceneRenderer::open(&args.look, scene, &runner.snapshot()))
             .transpose()?;
         let series = args.series.as_ref().map(|_| TimeSeries::new(runner.world(), usize::MAX));
         let create = |out| MotionOutput::create(&args.motion, out, (scene, assets), inputs, runner, last);
         let shapes = args.out.as_deref().map_or(Ok(None), create)?;
-        let animated = args.out.as_deref().filter(|_| args.motion.wants_apng());
+        let moving = args.out.as_deref().map(|out| (out, formats.as_slice()));
         let seconds = runner.world().plan().frame_seconds;
-        let pictures = |renderer| Pictures::create(renderer, args.png.as_deref(), animated, *frames.start(), seconds);
+        let pictures = |renderer| Pictures::create(renderer, args.png.as_deref(), moving, *frames.start(), seconds);
         let pictures = renderer.map(pictures).transpose()?;
         Ok(Self { series, shapes, pictures, frames })
     }

@@ -10,6 +10,7 @@ mod error;
 pub(crate) mod export;
 mod finite;
 mod frames;
+mod gif;
 mod glb;
 mod json;
 #[cfg(feature = "gui")]
@@ -17,6 +18,7 @@ mod json_folder;
 mod json_out;
 mod lines;
 mod model;
+mod moving;
 mod obj;
 mod open;
 mod paths;
@@ -31,7 +33,6 @@ mod schema;
 mod stamp;
 mod trace;
 
-pub(crate) use apng::AnimatedPng;
 pub(crate) use assets::complete_assets;
 pub use assets::load_assets;
 #[cfg(feature = "gui")]
@@ -51,6 +52,7 @@ pub(crate) use model::is_model;
 pub use model::load_model;
 #[cfg(feature = "gui")]
 pub(crate) use model::read_model;
+pub(crate) use moving::{MovingFormat, MovingPicture, PictureAs};
 pub use obj::write_obj;
 pub use open::{OpenedModel, open_model};
 #[cfg(feature = "gui")]

@@ -32,6 +32,9 @@ pub enum RenderError {
     /// The picture cannot be encoded.
     #[error("the picture cannot be encoded ({0})")]
     Encoding(#[from] png::EncodingError),
+    /// The picture cannot be a part of a moving one.
+    #[error("the picture cannot be encoded as GIF ({0})")]
+    Gif(#[from] gif::EncodingError),
 }
 
 /// A picture: sRGB, opaque, rows from the top.

@@ -131,10 +131,12 @@ fn the_pictures_of_the_galleries_can_be_made_again() {
 #[test]
 fn a_run_leaves_a_moving_picture_of_the_frames_that_are_asked_for() {
     let desk = Desk::new(&pressed());
-    let run = "simulate scene.json --format apng --frames 2..5 --size 80x60 --out out";
+    let run = "simulate scene.json --format apng,gif --frames 2..5 --size 80x60 --out out";
     let Some(said) = drawn(&desk, run) else { return };
     assert!(said.out.contains("a moving picture of 4 frames written to out/motion.apng"), "{}", said.out);
-    assert_eq!(super::names(&desk.path("out")), ["motion.apng"]);
+    // A GIF is never faster than fifty pictures a second.
+    assert!(said.out.contains("a moving picture of 3 of 4 frames written to out/motion.gif"), "{}", said.out);
+    assert_eq!(super::names(&desk.path("out")), ["motion.apng", "motion.gif"]);
     let file = std::io::BufReader::new(fs::File::open(desk.path("out/motion.apng")).expect("it is there"));
     let mut reader = png::Decoder::new(file).read_info().expect("a head");
     assert_eq!(
@@ -146,4 +148,26 @@ fn a_run_leaves_a_moving_picture_of_the_frames_that_are_asked_for() {
         reader.next_frame(picture).expect("a picture");
     }
     assert!(pictures.windows(2).any(|pair| pair[0] != pair[1]));
+
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut reader = options.read_info(fs::File::open(desk.path("out/motion.gif")).expect("it is there")).expect("a head");
+    assert_eq!((reader.width(), reader.height(), reader.repeat()), (80, 60, gif::Repeat::Infinite));
+    let (mut canvas, mut shown) = (vec![[0; 3]; 80 * 60], 0);
+    // Frames 0, 2 and 3 of the four.
+    for number in [0, 2, 3] {
+        let frame = reader.read_next_frame().expect("a picture").expect("one more");
+        shown += frame.delay;
+        for (index, pixel) in frame.buffer.as_chunks::<4>().0.iter().enumerate().filter(|(_, pixel)| pixel[3] > 0) {
+            let (row, column) = (index / usize::from(frame.width), index % usize::from(frame.width));
+            let place = (row + usize::from(frame.top)) * 80 + column + usize::from(frame.left);
+            canvas[place] = [pixel[0], pixel[1], pixel[2]];
+        }
+        let pixels = canvas.iter().flatten().zip(&pictures[number]);
+        let off: Vec<u8> = pixels.map(|(a, b)| a.abs_diff(*b)).collect();
+        assert!(off.iter().all(|&off| off < 40), "{number}: {:?}", off.iter().max());
+        assert!(off.iter().map(|&off| usize::from(off)).sum::<usize>() < 2 * off.len(), "{number}");
+    }
+    assert!(reader.read_next_frame().expect("an end").is_none());
+    assert_eq!(shown, 6);
 }

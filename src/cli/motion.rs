@@ -59,9 +59,9 @@ impl FromStr for FormatName {
         let all: Vec<(&str, Self)> = motions.into_iter().chain(moving).collect();
         let known = all.iter().find(|(name, _)| name.eq_ignore_ascii_case(text.trim()));
         known.map(|&(_, format)| format).ok_or_else(|| {
-            let (last, names) = all.split_last().map_or(("", Vec::new()), |(last, others)| {
-                (last.0, others.iter().map(|(name, _)| *name).collect())
-            });
+            let (last, names) = all
+                .split_last()
+                .map_or(("", Vec::new()), |(last, others)| (last.0, others.iter().map(|(name, _)| *name).collect()));
             format!("there is no format of that name; give one of {} or {last}", names.join(", "))
         })
     }
@@ -178,6 +178,7 @@ impl MotionOutput {
         let each = formats.iter().map(|format| format.wanted());
         let wanted = each.fold(Wanted::default(), |all, one| Wanted {
             velocities: all.velocities || one.velocities,
+            normals: all.normals || one.normals,
             particles: all.particles || one.particles,
             tensions: all.tensions || one.tensions,
         });

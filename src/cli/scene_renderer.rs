@@ -42,7 +42,15 @@ impl SceneRenderer {
         };
         let [width, height] = look.size.0.map(f64::from);
         let offscreen = Offscreen::new(look.size.0)?;
-        let mut renderer = Self { offscreen, camera, display, theme, aspect: width / height, bounds: None, gifs: GifPictures::default() };
+        let mut renderer = Self {
+            offscreen,
+            camera,
+            display,
+            theme,
+            aspect: width / height,
+            bounds: None,
+            gifs: GifPictures::default(),
+        };
         renderer.take_in(scene, start);
         Ok(renderer)
     }

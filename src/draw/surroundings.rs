@@ -5,12 +5,10 @@ use super::options::Display;
 use super::{Bounds, Colour};
 use crate::geometry::lattice::Cuboid;
 use crate::geometry::mesh::{TriangleMesh, box_surface};
-use crate::scene::{Body, FibreSource, Scene, Shape, ViewStroke};
+use crate::scene::{Body, FibreSource, Panel, Scene, Shape, ViewStroke};
 use crate::solver::snapshot::Snapshot;
 use glam::{DQuat, DVec3, Vec3};
 
-/// Thickness of a panel as a share of its shorter side.
-const PANEL_THICKNESS: f64 = 0.06;
 /// A floor belongs into the picture when it is no further below than this many radii of what is above it.
 const FLOOR_REACH: f64 = 4.0;
 /// A room's walls reach this many radii around the bodies where nothing else ends them.
@@ -55,7 +53,7 @@ pub(super) fn ground(scene: &Scene, display: &Display) -> Ground {
 pub(super) fn panels(scene: &Scene, snapshot: &Snapshot, list: &mut DrawList) {
     for (index, (panel, &height)) in scene.panels.iter().zip(&snapshot.panels).enumerate() {
         let [width, depth] = panel.size;
-        let thickness = PANEL_THICKNESS * width.min(depth);
+        let thickness = Panel::THICKNESS * width.min(depth);
         let center = DVec3::new(panel.center[0], height + 0.5 * thickness, panel.center[1]);
         let shape = Cuboid { center, size: DVec3::new(width, thickness, depth) };
         let pick = list.register(PickId { body: 0, kind: PickKind::Panel, index: index as u32 }, 1);

@@ -4,9 +4,12 @@ use glam::DVec3;
 
 /// What is wanted of a frame beside places.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a thing of its own")]
 pub(crate) struct Wanted {
     /// Velocities of the surfaces' vertices.
     pub(crate) velocities: bool,
+    /// Normals of the surfaces that have any in their files.
+    pub(crate) normals: bool,
     /// Particles with their fields.
     pub(crate) particles: bool,
     /// What fibres carry.
@@ -20,7 +23,7 @@ pub(crate) struct Frame {
     pub(crate) number: u64,
     /// Simulated time [s].
     pub(crate) time: f64,
-    /// Bodies in the order of the scene.
+    /// Bodies in the order of the scene, and the panels behind them.
     pub(crate) bodies: Vec<BodyFrame>,
 }
 
@@ -31,6 +34,8 @@ pub(crate) struct BodyFrame {
     pub(crate) vertices: Vec<DVec3>,
     /// Their velocities [units/s]; empty unless wanted.
     pub(crate) velocities: Vec<DVec3>,
+    /// Normals, in the order of those of its mesh; empty unless wanted.
+    pub(crate) normals: Vec<DVec3>,
     /// Fibres in the order of the scene.
     pub(crate) fibres: Vec<FibreFrame>,
     /// Places of both ends of every spring.
@@ -91,6 +96,7 @@ impl Frame {
             let found = [
                 ("vertex", vectors(&body.vertices)),
                 ("velocity of vertex", vectors(&body.velocities)),
+                ("normal", vectors(&body.normals)),
                 ("vertex of a fibre", of_fibres(&|fibre| vectors(&fibre.vertices))),
                 ("tension of a fibre at its vertex", of_fibres(&|fibre| scalars(&fibre.tensions))),
                 ("end of a spring", vectors(&body.springs)),
@@ -120,9 +126,10 @@ mod tests {
     fn whatever_is_no_number_is_found_in_the_precision_that_is_written() {
         let at = |v: f64| vec![DVec3::ZERO, DVec3::new(0.0, v, 0.0)];
         let of = |v: f64| vec![0.0, v];
-        let puts: [(&str, Put); 11] = [
+        let puts: [(&str, Put); 12] = [
             ("vertex", |body, v, _| body.vertices = v),
             ("velocity of vertex", |body, v, _| body.velocities = v),
+            ("normal", |body, v, _| body.normals = v),
             ("vertex of a fibre", |body, v, _| body.fibres = vec![FibreFrame { vertices: v, ..FibreFrame::default() }]),
             ("tension of a fibre at its vertex", |body, _, s| {
                 body.fibres = vec![FibreFrame { tensions: s, ..FibreFrame::default() }];

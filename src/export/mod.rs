@@ -5,6 +5,8 @@ mod carrier;
 mod fibre_directions;
 mod frame;
 mod motion;
+mod normals;
+mod panel;
 mod space;
 mod subject;
 

@@ -3,6 +3,8 @@
 use super::carrier::Carrier;
 use super::fibre_directions::fibre_directions;
 use super::frame::{BodyFrame, FibreFrame, Frame, ParticleFrame, Wanted};
+use super::normals::Normals;
+use super::panel::{panel_frame, panel_subject};
 use super::space::Space;
 use super::subject::{BodySubject, FibreSubject, Subject};
 use crate::geometry::file_mesh::FileMesh;
@@ -17,6 +19,8 @@ use std::f64::consts::PI;
 pub(crate) struct Motion {
     subject: Subject,
     carriers: Vec<Carrier>,
+    /// Of every body; none of one that has no normals, or where none are wanted.
+    normals: Vec<Option<Normals>>,
     wanted: Wanted,
 }
 
@@ -28,9 +32,15 @@ impl Motion {
             let of = all.iter().copied().find(|of| of.id() == body.parts().id);
             body_subject(of, assets, body, space)
         });
-        let (bodies, carriers) = bodies.unzip();
+        let (mut bodies, carriers): (Vec<BodySubject>, Vec<Carrier>) = bodies.unzip();
+        let normals = bodies.iter_mut().map(|body| Normals::of(&mut body.mesh)).collect();
+        let named = |id: &str| scene.panels.iter().find(|panel| panel.id == id).map(|panel| panel.name.as_str());
+        for panel in world.panels() {
+            let name = named(&panel.id).filter(|name| !name.is_empty()).unwrap_or(&panel.id);
+            bodies.push(panel_subject(panel, name, space));
+        }
         let subject = Subject { name: scene.name.clone(), frame_seconds: world.plan().frame_seconds, space, bodies };
-        Self { subject, carriers, wanted }
+        Self { subject, carriers, normals, wanted }
     }
 
     /// What moves.
@@ -40,12 +50,15 @@ impl Motion {
 
     /// The world as it stands.
     pub(crate) fn frame(&self, world: &World) -> Frame {
-        let bodies = world.bodies().iter().zip(&self.carriers).map(|(body, carrier)| self.body(body, carrier));
-        Frame { number: world.frame(), time: world.time(), bodies: bodies.collect() }
+        let bodies = world.bodies().iter().enumerate().map(|(index, body)| self.body(index, body));
+        let Self { wanted, subject, .. } = self;
+        let panels = world.panels().iter().map(|panel| panel_frame(panel, subject.space, wanted.velocities));
+        Frame { number: world.frame(), time: world.time(), bodies: bodies.chain(panels).collect() }
     }
 
-    fn body(&self, body: &Body, carrier: &Carrier) -> BodyFrame {
-        let (Wanted { velocities, particles, tensions }, space) = (self.wanted, self.subject.space);
+    fn body(&self, index: usize, body: &Body) -> BodyFrame {
+        let (carrier, mesh) = (&self.carriers[index], &self.subject.bodies[index].mesh);
+        let (Wanted { velocities, normals, particles, tensions }, space) = (self.wanted, self.subject.space);
         let (state, parts) = (body.state(), body.parts());
         let positions = &state.positions;
         let carrying = carrying(body);
@@ -56,8 +69,11 @@ impl Motion {
             tensions: tensions.get(index).map_or_else(Vec::new, |edges| at_vertices(edges)),
         };
         let ends = parts.layers.iter().flat_map(|layers| layers.springs.ends().iter().flatten());
+        let vertices = space.places(carrier.places(positions, carrying));
+        let turning = self.normals[index].as_ref().filter(|_| normals);
         BodyFrame {
-            vertices: space.places(carrier.places(positions, carrying)),
+            normals: turning.map_or_else(Vec::new, |normals| normals.over(mesh, &vertices)),
+            vertices,
             velocities: if velocities { space.places(moving()) } else { Vec::new() },
             fibres: parts.fibres.iter().enumerate().map(fibre).collect(),
             springs: space.places(ends.map(|&end| positions[end as usize]).collect()),
@@ -86,6 +102,7 @@ fn body_subject(of: Option<AnyBody<'_>>, assets: &Assets, body: &Body, space: Sp
         let placement = of.placement();
         let (turn, shift) = (placement.rotation.quaternion(), DVec3::from_array(placement.translation));
         mesh.move_points(|point| space.place(turn * point + shift));
+        mesh.turn_normals(|normal| space.direction(turn * normal));
     }
     let width = width(of, body);
     let fibre = |line: &FibreLine| FibreSubject {

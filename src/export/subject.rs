@@ -12,11 +12,11 @@ pub(crate) struct Subject {
     pub(crate) frame_seconds: f64,
     /// Unit and axes in which everything stands.
     pub(crate) space: Space,
-    /// Bodies in the order of the scene.
+    /// Bodies in the order of the scene, and its panels behind them: surfaces alone.
     pub(crate) bodies: Vec<BodySubject>,
 }
 
-/// A body.
+/// A body, or a panel.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BodySubject {
     /// Name a person reads.

@@ -18,24 +18,31 @@ pub struct FileMesh {
     pub corners: Vec<u32>,
     /// Texture coordinates.
     pub uv_sets: Vec<UvSet>,
+    /// Normals of length one, of every corner; none where the file has none.
+    pub normals: Option<CornerValues<DVec3>>,
+    /// Linear red, green, blue and opacity of every vertex, without those of materials; empty where the file has none.
+    pub colours: Vec<[f32; 4]>,
     /// Runs of faces, one after the other, every face in one.
     pub parts: Vec<FilePart>,
 }
 
-/// One set of texture coordinates.
+/// What corners have, several of them often the same.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct UvSet {
-    /// Coordinates, right and up.
-    pub values: Vec<[f64; 2]>,
-    /// Index of the coordinates of every corner; [`UvSet::NONE`] for one that has none.
+pub struct CornerValues<T> {
+    /// What there is.
+    pub values: Vec<T>,
+    /// Index of what every corner has; [`CornerValues::NONE`] for one that has nothing.
     pub corners: Vec<u32>,
 }
 
-impl UvSet {
-    /// What stands for no coordinates.
+/// One set of texture coordinates, right and up.
+pub type UvSet = CornerValues<[f64; 2]>;
+
+impl<T> CornerValues<T> {
+    /// What stands for nothing.
     pub const NONE: u32 = u32::MAX;
 
-    /// Index of a corner's coordinates.
+    /// Index of what a corner has.
     pub fn of(&self, corner: usize) -> Option<u32> {
         self.corners.get(corner).copied().filter(|&index| (index as usize) < self.values.len())
     }
@@ -100,6 +107,49 @@ impl FileMesh {
         })
     }
 
+    /// Gives corners that have no normal that of their face, as it is lit then; where none has any there are none.
+    pub(crate) fn complete_normals(&mut self) {
+        let Some(mut normals) = self.normals.take() else { return };
+        normals.corners.resize(self.corners.len(), CornerValues::<DVec3>::NONE);
+        let is_given = |corner: usize| normals.of(corner).is_some();
+        let missing: Vec<usize> = (0..self.corners.len()).filter(|&corner| !is_given(corner)).collect();
+        if missing.len() == self.corners.len() {
+            return;
+        }
+        if !missing.is_empty() {
+            let faces: Vec<Range<usize>> = self.faces().collect();
+            let flat = face_normals(self, &self.points);
+            for corner in missing {
+                let face = faces.partition_point(|face| face.end <= corner);
+                normals.corners[corner] = normals.values.len() as u32;
+                normals.values.push(flat[face].normalize_or_zero());
+            }
+        }
+        self.normals = Some(normals);
+    }
+
+    /// Which normal every vertex has, one behind the last for those of no face; none where a vertex has several.
+    pub(crate) fn normals_of_vertices(&self) -> Option<Vec<u32>> {
+        let normals = self.normals.as_ref()?;
+        let nothing = normals.values.len() as u32;
+        let mut found = vec![nothing; self.points.len()];
+        for (&vertex, &normal) in self.corners.iter().zip(&normals.corners) {
+            let of_vertex = &mut found[vertex as usize];
+            if *of_vertex != normal && *of_vertex != nothing {
+                return None;
+            }
+            *of_vertex = normal;
+        }
+        Some(found)
+    }
+
+    /// Turns every normal.
+    pub(crate) fn turn_normals(&mut self, turn: impl Fn(DVec3) -> DVec3) {
+        for normal in self.normals.iter_mut().flat_map(|normals| &mut normals.values) {
+            *normal = turn(*normal);
+        }
+    }
+
     /// Puts every vertex elsewhere.
     pub(crate) fn move_points(&mut self, to: impl Fn(DVec3) -> DVec3) {
         for point in &mut self.points {
@@ -108,9 +158,36 @@ impl FileMesh {
     }
 }
 
+/// Normals of all faces of a mesh over `points`, twice as long as their areas.
+pub(crate) fn face_normals(mesh: &FileMesh, points: &[DVec3]) -> Vec<DVec3> {
+    let at = |corner: usize| points.get(mesh.corners[corner] as usize).copied().unwrap_or_default();
+    let of = |face: Range<usize>| {
+        // From a corner of its own: the further from the origin, the less would be left of a small face.
+        let origin = at(face.start);
+        let pairs = face.clone().zip(face.clone().skip(1).chain(face.clone().take(1)));
+        pairs.map(|(a, b)| (at(a) - origin).cross(at(b) - origin)).sum::<DVec3>()
+    };
+    mesh.faces().map(of).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn corners_without_a_normal_are_lit_as_their_face_is() {
+        let mut mesh =
+            FileMesh { points: vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y], ..FileMesh::default() };
+        mesh.add_face(&[0, 1, 2, 3]);
+        mesh.normals = Some(CornerValues { values: vec![DVec3::X], corners: vec![0] });
+        mesh.complete_normals();
+        let normals =
+            mesh.normals.as_ref().map(|n| n.corners.iter().map(|&c| n.values[c as usize]).collect::<Vec<_>>());
+        assert_eq!(normals, Some(vec![DVec3::X, DVec3::Z, DVec3::Z, DVec3::Z]));
+        mesh.normals = Some(CornerValues::default());
+        mesh.complete_normals();
+        assert_eq!(mesh.normals, None);
+    }
 
     #[test]
     fn faces_fall_into_the_parts_that_were_begun() {

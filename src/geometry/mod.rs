@@ -40,7 +40,7 @@ pub(crate) mod two_layers;
 pub(crate) mod weld;
 pub(crate) mod winding;
 
-pub use file_mesh::{FileMesh, FilePart, UvSet};
+pub use file_mesh::{CornerValues, FileMesh, FilePart, UvSet};
 pub use fill::{FillError, FillResolution, fill};
 pub use kernel::Kernel;
 pub use lattice::Cuboid;

@@ -99,7 +99,9 @@ impl Model {
             *normal = up.stand_up(normal.as_dvec3()).as_vec3();
         }
         if let Some(file) = &mut self.file {
-            Arc::make_mut(file).move_points(|point| scale * up.stand_up(point));
+            let file = Arc::make_mut(file);
+            file.move_points(|point| scale * up.stand_up(point));
+            file.turn_normals(|normal| up.stand_up(normal));
         }
     }
 

@@ -77,7 +77,8 @@ impl AnimatedGif {
     }
 
     fn add(&mut self, gif: &[u8]) -> io::Result<()> {
-        let (head, picture) = parts(gif).ok_or_else(|| io::Error::new(io::ErrorKind::InvalidData, "a picture is no GIF"))?;
+        let (head, picture) =
+            parts(gif).ok_or_else(|| io::Error::new(io::ErrorKind::InvalidData, "a picture is no GIF"))?;
         if let Some(file) = &mut self.file {
             for (at, bytes) in writes(self.end, picture) {
                 file.seek(SeekFrom::Start(at))?;
@@ -150,7 +151,9 @@ mod tests {
         animated.push(&picture(20)).unwrap();
         let two = std::fs::read(&path).unwrap();
         let (_, body) = parts(&two).unwrap();
-        assert!(two.starts_with(&one[..one.len() - 1]) && body.ends_with(&picture(20)[HEAD + 6..picture(20).len() - 1]));
+        assert!(
+            two.starts_with(&one[..one.len() - 1]) && body.ends_with(&picture(20)[HEAD + 6..picture(20).len() - 1])
+        );
         let put = |file: &mut Vec<u8>, at: u64, bytes: &[u8]| {
             file.resize(file.len().max(at as usize + bytes.len()), 0);
             file[at as usize..at as usize + bytes.len()].copy_from_slice(bytes);

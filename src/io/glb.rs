@@ -33,6 +33,9 @@ const INT: u32 = 5125;
 pub(super) const VERTICES: u32 = 34962;
 const FACES: u32 = 34963;
 
+/// What a primitive calls the part of a file that it is of, among what programs may add to it.
+pub(super) const PART: &str = "part";
+
 /// The binary part of a file, and what the document says of its pieces.
 #[derive(Default)]
 pub(super) struct Parts {

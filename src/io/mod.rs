@@ -6,6 +6,7 @@ mod assets;
 pub(crate) mod atomic;
 mod beside;
 mod collect;
+mod colours;
 mod error;
 pub(crate) mod export;
 mod finite;

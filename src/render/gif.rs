@@ -2,13 +2,11 @@
 
 use super::offscreen::{Picture, RenderError};
 use color_quant::NeuQuant;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
+use std::iter;
 
 /// Colours of a picture, and the number behind them, which stands for what was there before.
 const COLOURS: usize = 255;
-
-/// Of how many pixels one is looked at for the choice of colours.
-const SAMPLES: i32 = 10;
 
 /// Makes pictures out of pictures, one after another.
 #[derive(Clone, Debug, Default)]
@@ -28,8 +26,7 @@ impl GifPictures {
         let has_changed = |pixel: usize| last.is_none_or(|last| at(last, pixel) != at(picture, pixel));
         let [left, top, right, bottom] = changed_rectangle(picture.size, has_changed);
         let inside = (top..bottom).flat_map(|row| (left..right).map(move |column| (row * width + column) as usize));
-        let pixels: Vec<Option<[u8; 3]>> =
-            inside.map(|pixel| has_changed(pixel).then(|| at(picture, pixel))).collect();
+        let pixels: Vec<Option<[u8; 3]>> = inside.map(|pixel| has_changed(pixel).then(|| at(picture, pixel))).collect();
         let (indices, palette) = in_colours(&pixels);
         let [width, height] = [width, height].map(|extent| extent as u16);
         let [w, h] = [right - left, bottom - top].map(|extent| extent as u16);
@@ -71,26 +68,20 @@ fn changed_rectangle([width, height]: [u32; 2], has_changed: impl Fn(usize) -> b
 
 /// Numbers of colours, and the colours; what there is none of has the number behind them.
 fn in_colours(pixels: &[Option<[u8; 3]>]) -> (Vec<u8>, Vec<u8>) {
-    let (mut numbers, mut palette) = (HashMap::new(), Vec::new());
-    for &colour in pixels.iter().flatten() {
-        numbers.entry(colour).or_insert_with(|| {
-            palette.extend(colour);
-            palette.len() / 3 - 1
-        });
-        if numbers.len() > COLOURS {
-            break;
-        }
-    }
-    if numbers.len() > COLOURS {
+    let mut counts = BTreeMap::new();
+    pixels.iter().flatten().for_each(|&colour| *counts.entry(colour).or_insert(0_u32) += 1);
+    let (numbers, mut palette): (BTreeMap<[u8; 3], usize>, Vec<u8>) = if counts.len() <= COLOURS {
+        let numbered = counts.keys().zip(0..).map(|(&colour, number)| (colour, number));
+        (numbered.collect(), counts.keys().flatten().copied().collect())
+    } else {
         let opaque = |[r, g, b]: [u8; 3]| [r, g, b, u8::MAX];
-        let all: Vec<u8> = pixels.iter().flatten().flat_map(|&colour| opaque(colour)).collect();
-        let chosen = NeuQuant::new(SAMPLES, COLOURS, &all);
-        numbers.clear();
-        palette = chosen.color_map_rgb();
-        for &colour in pixels.iter().flatten() {
-            numbers.entry(colour).or_insert_with(|| chosen.index_of(&opaque(colour)));
-        }
-    }
+        // By the root of how many there are: a thin line counts for something beside all of the background.
+        let samples =
+            counts.iter().flat_map(|(&colour, &count)| iter::repeat_n(opaque(colour), count.isqrt() as usize));
+        let chosen = NeuQuant::new(1, COLOURS, samples.flatten().collect::<Vec<u8>>().as_slice());
+        let numbered = counts.keys().map(|&colour| (colour, chosen.index_of(&opaque(colour))));
+        (numbered.collect(), chosen.color_map_rgb())
+    };
     palette.resize(3 * (COLOURS + 1), 0);
     let number = |colour: &Option<[u8; 3]>| colour.map_or(COLOURS, |colour| numbers[&colour]) as u8;
     (pixels.iter().map(number).collect(), palette)

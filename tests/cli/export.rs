@@ -289,7 +289,7 @@ fn what_went_out_comes_in_again_as_it_was() {
     let places = |mesh: &FileMesh| mesh.points[..13].iter().map(glam::DVec3::to_array).collect::<Vec<_>>();
     assert!(distance(&places(&clip), &places(&rest)) < 1e-7 && clip.points.len() > 13);
     let parts: Vec<_> = clip.parts.iter().map(|part| (&*part.name, &*part.material, part.faces.len())).collect();
-    assert_eq!(parts, [("Red prism 1", "red paint", 12), ("Red prism 1", "none", 8)]);
+    assert_eq!(parts, [("sides", "red paint", 12), ("caps", "none", 8)]);
     let found = corners(&clip);
     for (place, uv) in corners(&rest) {
         let wanted = uv.unwrap_or_default();

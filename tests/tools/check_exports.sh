@@ -24,12 +24,17 @@ fi
 export NODE_PATH=$readers/node_modules SINEW_PYTHON=$readers/venv/bin/python
 
 if [ $# -eq 0 ]; then set -- scenes/leaf.json scenes/short_bar_mesh.json scenes/two_layer_mesh.json scenes/two_layer_2d.json; fi
-for scene in "$@"; do
+made=$(mktemp -d)
+"$SINEW_PYTHON" tests/tools/check_exports.py --make "$made"
+for scene in "$@" "$made/scene.json"; do
   out=$(mktemp -d)
   echo "$scene"
   "$binary" simulate "$scene" --seconds 0.2 --format usd,gltf,obj,ply --out "$out" >/dev/null 2>"$out/said" ||
     { cat "$out/said"; exit 1; }
-  "$SINEW_PYTHON" tests/tools/check_exports.py "$out"
+  model=()
+  if [ "$scene" = "$made/scene.json" ]; then model=("$made/prism.obj"); fi
+  "$SINEW_PYTHON" tests/tools/check_exports.py "$out" "${model[@]}"
   rm -rf "$out"
 done
+rm -rf "$made"
 if [ -n "${CARGO:-}" ]; then "$CARGO" test --test cli -- --nocapture export::readers; fi

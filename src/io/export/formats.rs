@@ -44,7 +44,12 @@ impl MotionFormat {
     /// What the format holds beside places.
     pub(crate) fn wanted(self) -> Wanted {
         let is = |of: &[Self]| of.contains(&self);
-        Wanted { velocities: is(&[Self::Usd]), particles: is(&[Self::Ply, Self::Csv]), tensions: is(&[Self::Usd]) }
+        Wanted {
+            velocities: is(&[Self::Usd, Self::Ply]),
+            normals: is(&[Self::Usd, Self::Gltf, Self::Obj, Self::Ply]),
+            particles: is(&[Self::Ply, Self::Csv]),
+            tensions: is(&[Self::Usd]),
+        }
     }
 }
 

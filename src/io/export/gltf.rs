@@ -10,7 +10,7 @@ use super::writer::{MotionWriter, Planned};
 use crate::export::{Frame, Space, Subject};
 use crate::geometry::file_mesh::FilePart;
 use crate::io::IoError;
-use crate::io::glb::{FLOAT, Parts, container_head, indices_into};
+use crate::io::glb::{FLOAT, PART, Parts, container_head, indices_into};
 use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -33,8 +33,8 @@ pub(super) struct Gltf {
     /// The unit and axes of the frames.
     space: Space,
     meshes: Vec<ClipMesh>,
-    /// Least and greatest displacement of every body in every frame.
-    bounds: Vec<Vec<[Vec3; 2]>>,
+    /// Least and greatest displacement of every body in every frame, of its vertices and of its normals.
+    bounds: Vec<Vec<[[Vec3; 2]; 2]>>,
     /// [s]
     times: Vec<f64>,
     file: Option<Republished>,
@@ -51,6 +51,7 @@ impl Gltf {
         subject.space = Space::default();
         for body in &mut subject.bodies {
             body.mesh.move_points(|point| space.back(point));
+            body.mesh.turn_normals(|normal| space.up.stand_up(normal));
         }
         let meshes: Vec<ClipMesh> = subject.bodies.iter().map(|body| ClipMesh::new(&body.mesh)).collect();
         check(&meshes, frames)?;
@@ -66,7 +67,7 @@ impl Gltf {
         let mut parts = Parts::default();
         let frames = self.times.len();
         // Frames lie behind one another in the last view, each with its bodies behind one another.
-        let frame_bytes: usize = self.meshes.iter().map(|mesh| VECTOR * mesh.source.len()).sum();
+        let frame_bytes: usize = self.meshes.iter().map(frame_bytes).sum();
         let (mut meshes, mut materials, mut first_of_body) = (Vec::new(), Materials::default(), 0);
         let mut targets: Vec<Vec<Value>> = Vec::new();
         for (index, mesh) in self.meshes.iter().enumerate() {
@@ -81,6 +82,18 @@ impl Gltf {
             let base: Vec<Vec3> = mesh.places(&body.mesh.points).map(DVec3::as_vec3).collect();
             let bytes = base.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes);
             let mut attributes = json!({"POSITION": parts.add_vertices(bytes, &vectors(bounds_of(&base)))});
+            if let Some(normals) = mesh.normals.as_ref().and(body.mesh.normals.as_ref()) {
+                let bytes =
+                    mesh.directions(&normals.values).flat_map(|n| n.as_vec3().to_array()).flat_map(f32::to_le_bytes);
+                let accessor = json!({"componentType": FLOAT, "count": mesh.source.len(), "type": "VEC3"});
+                attributes["NORMAL"] = json!(parts.add_vertices(bytes, &accessor));
+            }
+            if !body.mesh.colours.is_empty() {
+                let of_vertex = |&vertex: &u32| body.mesh.colours[vertex as usize].map(|share| share.clamp(0.0, 1.0));
+                let bytes = mesh.source.iter().flat_map(of_vertex).flat_map(f32::to_le_bytes);
+                let colours = json!({"componentType": FLOAT, "count": mesh.source.len(), "type": "VEC4"});
+                attributes["COLOR_0"] = json!(parts.add_vertices(bytes, &colours));
+            }
             for (number, set) in mesh.uv_sets.iter().enumerate() {
                 let bytes = set.iter().flatten().flat_map(|c| c.to_le_bytes());
                 let uvs = json!({"componentType": FLOAT, "count": set.len(), "type": "VEC2"});
@@ -90,20 +103,31 @@ impl Gltf {
                 self.bounds[index]
                     .iter()
                     .enumerate()
-                    .map(|(frame, &bounds)| {
-                        let mut accessor = vectors(bounds);
-                        accessor["byteOffset"] = json!(frame * frame_bytes + first_of_body);
-                        accessor
+                    .map(|(frame, bounds)| {
+                        let start = frame * frame_bytes + first_of_body;
+                        let block = |kind: usize| {
+                            let mut accessor = vectors(bounds[kind]);
+                            accessor["byteOffset"] = json!(start + kind * VECTOR * mesh.source.len());
+                            accessor
+                        };
+                        let mut target = json!({"POSITION": block(0)});
+                        if mesh.normals.is_some() {
+                            target["NORMAL"] = block(1);
+                        }
+                        target
                     })
                     .collect(),
             );
-            first_of_body += VECTOR * mesh.source.len();
+            first_of_body += self::frame_bytes(mesh);
             let mut primitives = Vec::new();
             for (part, range) in mesh.parts.iter().filter(|(_, range)| !range.is_empty()) {
                 let mut primitive = json!({"attributes": attributes,
                     "indices": indices_into(&mut parts, &mesh.triangles[range.clone()], mesh.source.len())});
                 if !part.material.is_empty() || part.colour.is_some() {
                     primitive["material"] = json!(materials.number(part));
+                }
+                if !part.name.is_empty() {
+                    primitive["extras"] = json!({PART: part.name});
                 }
                 primitives.push(primitive);
             }
@@ -151,10 +175,13 @@ impl Gltf {
         for (mesh, targets) in meshes.iter_mut().zip(targets) {
             let mut list = Vec::new();
             for target in targets {
-                let mut accessor = target.clone();
-                accessor["bufferView"] = json!(view);
-                list.push(json!({"POSITION": parts.accessors.len()}));
-                parts.accessors.push(accessor);
+                let mut numbered = target.clone();
+                for accessor in numbered.as_object_mut().into_iter().flat_map(serde_json::Map::values_mut) {
+                    accessor["bufferView"] = json!(view);
+                    let number = parts.accessors.len();
+                    parts.accessors.push(std::mem::replace(accessor, json!(number)));
+                }
+                list.push(numbered);
             }
             for primitive in mesh["primitives"].as_array_mut().into_iter().flatten() {
                 primitive["targets"] = json!(list);
@@ -188,6 +215,11 @@ impl Gltf {
         head.extend(parts.bin);
         Ok(head)
     }
+}
+
+/// Bytes of a body in a frame: its vertices, and behind them its normals, if it has any.
+fn frame_bytes(mesh: &ClipMesh) -> usize {
+    VECTOR * (mesh.source.len() + mesh.normals.as_ref().map_or(0, Vec::len))
 }
 
 fn bounds_of(vectors: &[Vec3]) -> [Vec3; 2] {
@@ -228,7 +260,7 @@ impl<'a> Materials<'a> {
 /// [`IoError::TooLong`] where it is not.
 fn check(meshes: &[ClipMesh], frames: &Planned) -> Result<(), IoError> {
     let count = frames.end() - frames.start() + 1;
-    let bytes = meshes.iter().map(|mesh| mesh.source.len() * VECTOR).sum::<usize>() as u64;
+    let bytes = meshes.iter().map(frame_bytes).sum::<usize>() as u64;
     let most = MOST_FRAMES.min(MOST_BYTES / bytes.max(1));
     if count <= most { Ok(()) } else { Err(IoError::TooLong { format: "gltf", frames: count, most }) }
 }
@@ -253,7 +285,12 @@ impl MotionWriter for Gltf {
                 return Err(IoError::NotFinite { what, value: moved[vertex].to_string() }.within(&self.path));
             }
             bytes.extend(moved.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes));
-            bounds.push(bounds_of(&moved));
+            let (up, now) = (self.space.up, &frame.bodies[index].normals);
+            let rest = self.subject.bodies[index].mesh.normals.as_ref().map_or(&[][..], |normals| &normals.values);
+            let pairs = mesh.directions(rest).zip(mesh.directions(now));
+            let turned: Vec<Vec3> = pairs.map(|(rest, now)| up.stand_up(now).as_vec3() - rest.as_vec3()).collect();
+            bytes.extend(turned.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes));
+            bounds.push([bounds_of(&moved), bounds_of(&turned)]);
         }
         let file = match &mut self.file {
             Some(file) => file,

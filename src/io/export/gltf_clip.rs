@@ -1,5 +1,5 @@
 //! The vertices of a body as glTF has them: those of its file first, in their order, and behind them a copy of each at every
-//! seam, where one vertex has several texture coordinates. Polygons are cut into triangles.
+//! seam, where one vertex has several texture coordinates or normals. Polygons are cut into triangles.
 
 use super::looks::merged_parts;
 use crate::geometry::file_mesh::{FileMesh, FilePart, UvSet};
@@ -14,6 +14,8 @@ pub(super) struct ClipMesh {
     pub(super) source: Vec<u32>,
     /// Texture coordinates a vertex, right and down, of every set; the origin where there are none.
     pub(super) uv_sets: Vec<Vec<[f32; 2]>>,
+    /// Which of the mesh's normals every vertex has, one behind the last for those of no face; none without any.
+    pub(super) normals: Option<Vec<u32>>,
     pub(super) triangles: Vec<[u32; 3]>,
     /// Parts of the file, of different names or looks, with their faces as ranges of the triangles.
     pub(super) parts: Vec<(FilePart, Range<usize>)>,
@@ -24,7 +26,8 @@ impl ClipMesh {
         let mut vertices = Vertices::new(mesh);
         let faces: Vec<Vec<u32>> =
             mesh.faces().map(|face| face.map(|corner| vertices.of_corner(mesh, corner)).collect()).collect();
-        let Vertices { source, uv_sets, .. } = vertices;
+        let Vertices { source, uv_sets, normals, .. } = vertices;
+        let normals = mesh.normals.is_some().then_some(normals);
         let points: Vec<DVec3> = source.iter().map(|&vertex| mesh.points[vertex as usize]).collect();
         let (mut triangles, mut parts) = (Vec::new(), Vec::new());
         for (part, runs) in merged_parts(mesh) {
@@ -34,7 +37,13 @@ impl ClipMesh {
             }
             parts.push((part.clone(), first..triangles.len()));
         }
-        Self { source, uv_sets, triangles, parts }
+        Self { source, uv_sets, normals, triangles, parts }
+    }
+
+    /// Normals of the vertices here, out of those of the mesh; upwards for those of no face, and nothing without any.
+    pub(super) fn directions<'a>(&'a self, of_mesh: &'a [DVec3]) -> impl Iterator<Item = DVec3> + 'a {
+        let direction = |&normal: &u32| of_mesh.get(normal as usize).copied().unwrap_or(DVec3::Y);
+        self.normals.iter().flatten().map(direction)
     }
 
     /// The vertices here, out of those of the file.
@@ -47,11 +56,13 @@ impl ClipMesh {
 struct Vertices {
     source: Vec<u32>,
     uv_sets: Vec<Vec<[f32; 2]>>,
+    /// Which normal each has; one behind the last until it has any.
+    normals: Vec<u32>,
     /// Whether a vertex of the file has its coordinates.
     is_taken: Vec<bool>,
-    /// Copies of a vertex of the file, by the bits of their coordinates in every set: what is told apart by its number in the
-    /// file alone is the same.
-    copies: HashMap<(u32, Vec<[u32; 2]>), u32>,
+    /// Copies of a vertex of the file, by their normals and by the bits of their coordinates in every set: what is told apart
+    /// by its number in the file alone is the same.
+    copies: HashMap<(u32, u32, Vec<[u32; 2]>), u32>,
 }
 
 impl Vertices {
@@ -60,6 +71,7 @@ impl Vertices {
         Self {
             source: (0..count as u32).collect(),
             uv_sets: vec![vec![[0.0; 2]; count]; mesh.uv_sets.len()],
+            normals: vec![mesh.normals.as_ref().map_or(0, |normals| normals.values.len() as u32); count],
             is_taken: vec![false; count],
             copies: HashMap::new(),
         }
@@ -69,19 +81,23 @@ impl Vertices {
     fn of_corner(&mut self, mesh: &FileMesh, corner: usize) -> u32 {
         let vertex = mesh.corners[corner];
         let uvs: Vec<[f32; 2]> = mesh.uv_sets.iter().map(|set| uv_of(set, corner)).collect();
+        let normal = mesh.normals.as_ref().and_then(|normals| normals.of(corner)).unwrap_or(0);
         let bits = |uv: [f32; 2]| uv.map(f32::to_bits);
         let is_taken = &mut self.is_taken[vertex as usize];
         let own = self.uv_sets.iter().map(|set| bits(set[vertex as usize]));
-        if *is_taken && !own.eq(uvs.iter().map(|&uv| bits(uv))) {
-            let (source, sets) = (&mut self.source, &mut self.uv_sets);
-            let key = (vertex, uvs.iter().map(|&uv| bits(uv)).collect());
+        let is_same = self.normals[vertex as usize] == normal && own.eq(uvs.iter().map(|&uv| bits(uv)));
+        if *is_taken && !is_same {
+            let (source, sets, normals) = (&mut self.source, &mut self.uv_sets, &mut self.normals);
+            let key = (vertex, normal, uvs.iter().map(|&uv| bits(uv)).collect());
             return *self.copies.entry(key).or_insert_with(|| {
                 sets.iter_mut().zip(uvs).for_each(|(set, uv)| set.push(uv));
+                normals.push(normal);
                 source.push(vertex);
                 source.len() as u32 - 1
             });
         }
         *is_taken = true;
+        self.normals[vertex as usize] = normal;
         self.uv_sets.iter_mut().zip(uvs).for_each(|(set, uv)| set[vertex as usize] = uv);
         vertex
     }

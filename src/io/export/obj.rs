@@ -1,17 +1,20 @@
-//! OBJ: bodies on the vertices of their files, polygons uncut, with texture coordinates, groups and materials; fibres as lines.
+//! OBJ: bodies on the vertices of their files, polygons uncut, with texture coordinates, normals, colours, groups and
+//! materials; fibres as lines.
 
 use super::names::word;
 use crate::export::{BodyFrame, BodySubject, Subject};
 use crate::geometry::file_mesh::FileMesh;
+use crate::io::colours::for_screen;
 use crate::io::obj::write_element;
 use glam::DVec3;
 use std::io::{self, Write};
 
 /// What holds from one object of a file to the next.
 struct Next<'a> {
-    /// Numbers of the next vertex and the next texture coordinates: a file counts them from 1.
+    /// Numbers of the next vertex, the next texture coordinates and the next normal: a file counts them from 1.
     vertex: usize,
     texture: usize,
+    normal: usize,
     /// Group and material of what comes next; empty for none.
     group: &'a str,
     material: &'a str,
@@ -19,7 +22,7 @@ struct Next<'a> {
 
 impl<'a> Next<'a> {
     fn new() -> Self {
-        Self { vertex: 1, texture: 1, group: "", material: "" }
+        Self { vertex: 1, texture: 1, normal: 1, group: "", material: "" }
     }
 
     /// Says group and material where they are not those that hold.
@@ -38,10 +41,13 @@ impl<'a> Next<'a> {
 /// Writes a body where it was put, undeformed, to the last digit.
 pub(super) fn write_rest(out: &mut dyn Write, body: &BodySubject) -> io::Result<()> {
     writeln!(out, "o {}", word(&body.name))?;
+    let mut colours = body.mesh.colours.iter();
     for point in &body.mesh.points {
-        writeln!(out, "v {} {} {}", point.x, point.y, point.z)?;
+        write!(out, "v {} {} {}", point.x, point.y, point.z)?;
+        end_vertex(out, colours.next())?;
     }
-    write_faces(out, &body.mesh, &mut Next::new())
+    let normals = body.mesh.normals.as_ref().map_or(&[][..], |normals| &normals.values);
+    write_faces(out, &body.mesh, normals, &mut Next::new())
 }
 
 /// Writes the bodies of a frame, to nine places.
@@ -52,12 +58,12 @@ pub(super) fn write_frame(out: &mut dyn Write, subject: &Subject, bodies: &[Body
     let mut next = Next::new();
     for (body, frame) in subject.bodies.iter().zip(bodies) {
         writeln!(out, "o {}", word(&body.name))?;
-        write_vertices(out, &frame.vertices)?;
-        write_faces(out, &body.mesh, &mut next)?;
+        write_vertices(out, &frame.vertices, &body.mesh.colours)?;
+        write_faces(out, &body.mesh, &frame.normals, &mut next)?;
         for (fibre, frame) in body.fibres.iter().zip(&frame.fibres) {
             next.change(out, "", "")?;
             writeln!(out, "o {}.{}", word(&body.name), word(&fibre.id))?;
-            write_vertices(out, &frame.vertices)?;
+            write_vertices(out, &frame.vertices, &[])?;
             let end = next.vertex + frame.vertices.len();
             write_element(out, "l", next.vertex..end)?;
             next.vertex = end;
@@ -66,12 +72,26 @@ pub(super) fn write_frame(out: &mut dyn Write, subject: &Subject, bodies: &[Body
     Ok(())
 }
 
-fn write_vertices(out: &mut dyn Write, vertices: &[DVec3]) -> io::Result<()> {
-    vertices.iter().try_for_each(|vertex| writeln!(out, "v {:.9} {:.9} {:.9}", vertex.x, vertex.y, vertex.z))
+/// Writes vertices; the first so many have colours.
+fn write_vertices(out: &mut dyn Write, vertices: &[DVec3], colours: &[[f32; 4]]) -> io::Result<()> {
+    let mut colours = colours.iter();
+    vertices.iter().try_for_each(|vertex| {
+        write!(out, "v {:.9} {:.9} {:.9}", vertex.x, vertex.y, vertex.z)?;
+        end_vertex(out, colours.next())
+    })
 }
 
-/// Writes faces over the vertices that were written last; vertices without any face as points.
-fn write_faces<'a>(out: &mut dyn Write, mesh: &'a FileMesh, next: &mut Next<'a>) -> io::Result<()> {
+/// Ends the line of a vertex, with its colour behind the place as many programs have it.
+fn end_vertex(out: &mut dyn Write, colour: Option<&[f32; 4]>) -> io::Result<()> {
+    match colour.map(|&colour| for_screen(colour)) {
+        Some([r, g, b]) => writeln!(out, " {r:.6} {g:.6} {b:.6}"),
+        None => writeln!(out),
+    }
+}
+
+/// Writes faces over the vertices that were written last, with normals in the order of those of the mesh, if there are any;
+/// vertices without any face as points.
+fn write_faces<'a>(out: &mut dyn Write, mesh: &'a FileMesh, normals: &[DVec3], next: &mut Next<'a>) -> io::Result<()> {
     let first = next.vertex;
     next.vertex += mesh.points.len();
     if mesh.counts.is_empty() {
@@ -84,6 +104,12 @@ fn write_faces<'a>(out: &mut dyn Write, mesh: &'a FileMesh, next: &mut Next<'a>)
         writeln!(out, "vt {u} {v}")?;
         next.texture += 1;
     }
+    let first_normal = next.normal;
+    for normal in normals {
+        writeln!(out, "vn {:.6} {:.6} {:.6}", normal.x, normal.y, normal.z)?;
+        next.normal += 1;
+    }
+    let lit = mesh.normals.as_ref().filter(|_| !normals.is_empty());
     let mut parts = mesh.parts.iter().peekable();
     // One part without a material is the object itself.
     let are_told = mesh.parts.len() > 1 || mesh.parts.iter().any(|part| !part.material.is_empty());
@@ -97,6 +123,10 @@ fn write_faces<'a>(out: &mut dyn Write, mesh: &'a FileMesh, next: &mut Next<'a>)
             write!(out, " {}", first + mesh.corners[corner] as usize)?;
             if let Some(texture) = textured.and_then(|set| set.of(corner)) {
                 write!(out, "/{}", first_texture + texture as usize)?;
+            }
+            if let Some(normal) = lit.and_then(|normals| normals.of(corner)) {
+                let no_texture = if textured.is_none() { "/" } else { "" };
+                write!(out, "{no_texture}/{}", first_normal + normal as usize)?;
             }
         }
         writeln!(out)?;

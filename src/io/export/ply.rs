@@ -1,6 +1,7 @@
 //! PLY, binary, single precision: a frame's bodies as one mesh, and its particles as points.
 
 use crate::export::{BodyFrame, Subject};
+use crate::io::colours::for_screen;
 use glam::DVec3;
 use std::io::{self, Write};
 
@@ -44,7 +45,8 @@ impl Length {
 }
 
 /// Writes the bodies of a frame as one mesh, one after another: `body` counts them from 0. Texture coordinates are the
-/// faces' `texcoord`, two numbers a corner.
+/// faces' `texcoord`, two numbers a corner; normals are there where every vertex has one. What a body has not of what another
+/// has is zero, and its colour white.
 pub(super) fn write_mesh(out: &mut dyn Write, subject: &Subject, bodies: &[BodyFrame], time: f64) -> io::Result<()> {
     let meshes = || subject.bodies.iter().map(|body| &body.mesh);
     let counts = || meshes().flat_map(|mesh| &mesh.counts);
@@ -53,16 +55,37 @@ pub(super) fn write_mesh(out: &mut dyn Write, subject: &Subject, bodies: &[BodyF
     let length = Length::of(if textured { 2 * longest } else { longest });
     write_head(out, time)?;
     let vertices: usize = bodies.iter().map(|body| body.vertices.len()).sum();
-    writeln!(out, "element vertex {vertices}\nproperty float x\nproperty float y\nproperty float z")?;
+    writeln!(out, "element vertex {vertices}")?;
+    let mut properties =
+        |kind: &str, names: &str| names.split(' ').try_for_each(|name| writeln!(out, "property {kind} {name}"));
+    properties("float", "x y z vx vy vz")?;
+    let are_lit = meshes().any(|mesh| mesh.normals_of_vertices().is_some());
+    if are_lit {
+        properties("float", "nx ny nz")?;
+    }
+    let are_coloured = meshes().any(|mesh| !mesh.colours.is_empty());
+    if are_coloured {
+        properties("uchar", "red green blue")?;
+    }
     writeln!(out, "property int body\nelement face {}", counts().count())?;
     writeln!(out, "property list {} int vertex_indices", length.name())?;
     if textured {
         writeln!(out, "property list {} float texcoord", length.name())?;
     }
     writeln!(out, "end_header")?;
-    for (index, body) in bodies.iter().enumerate() {
-        for &vertex in &body.vertices {
+    for (index, (body, mesh)) in bodies.iter().zip(meshes()).enumerate() {
+        let normals = mesh.normals_of_vertices();
+        for (k, &vertex) in body.vertices.iter().enumerate() {
             write_vector(out, vertex)?;
+            write_vector(out, body.velocities.get(k).copied().unwrap_or_default())?;
+            if are_lit {
+                let of_vertex = normals.as_ref().map(|normals| normals[k] as usize);
+                write_vector(out, of_vertex.and_then(|normal| body.normals.get(normal)).copied().unwrap_or_default())?;
+            }
+            if are_coloured {
+                let colour = mesh.colours.get(k).map_or([1.0; 3], |&colour| for_screen(colour));
+                out.write_all(&colour.map(|share| (255.0 * share).round().clamp(0.0, 255.0) as u8))?;
+            }
             out.write_all(&(index as u32).to_le_bytes())?;
         }
     }

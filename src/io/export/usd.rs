@@ -110,7 +110,8 @@ fn write_manifest(out: &mut dyn Write, names: &[PrimNames]) -> io::Result<()> {
         writeln!(out, "    }}")
     };
     for names in names {
-        declare(&names.surface, &["vector3f[] velocities"])?;
+        let normals = names.normals.as_ref().map(|_| "normal3f[] normals");
+        declare(&names.surface, &[&["vector3f[] velocities"][..], normals.as_slice()].concat())?;
         names.fibres.iter().try_for_each(|name| declare(name, &["float[] primvars:tension"]))?;
         names.springs.iter().try_for_each(|name| declare(name, &[]))?;
     }
@@ -130,6 +131,12 @@ fn write_body(out: &mut dyn Write, names: &PrimNames, widths: Widths, body: &Bod
     write_moving(out, (&names.surface, widths.surface), &body.vertices, at, &mut |out| {
         write!(out, "        vector3f[] velocities.timeSamples = {{\n            {at}: ")?;
         write_vectors(out, &body.velocities)?;
+        writeln!(out, "\n        }}")?;
+        let Some(normals) = &names.normals else { return Ok(()) };
+        let normal = |&index: &u32| body.normals.get(index as usize).copied().unwrap_or(DVec3::Y);
+        let normals: Vec<DVec3> = normals.list.iter().map(normal).collect();
+        write!(out, "        normal3f[] normals.timeSamples = {{\n            {at}: ")?;
+        write_vectors(out, &normals)?;
         writeln!(out, "\n        }}")
     })?;
     if let Some(name) = &names.fibres {

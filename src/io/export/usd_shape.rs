@@ -18,10 +18,29 @@ const LOOKS: &str = "Looks";
 #[derive(Clone, Debug)]
 pub(super) struct PrimNames {
     pub(super) surface: String,
+    /// None without any normals.
+    pub(super) normals: Option<NormalsAt>,
     /// None without any fibres.
     pub(super) fibres: Option<String>,
     /// None without any springs.
     pub(super) springs: Option<String>,
+}
+
+/// Where the normals of a body are.
+#[derive(Clone, Debug)]
+pub(super) struct NormalsAt {
+    /// Whether every vertex has one, which is a fraction of the data; or else every corner.
+    of_vertices: bool,
+    /// Which of them each has; one behind the last for vertices of no face.
+    pub(super) list: Vec<u32>,
+}
+
+impl NormalsAt {
+    fn of(mesh: &FileMesh) -> Option<Self> {
+        let of_corners =
+            || mesh.normals.as_ref().map(|normals| Self { of_vertices: false, list: normals.corners.clone() });
+        mesh.normals_of_vertices().map(|list| Self { of_vertices: true, list }).or_else(of_corners)
+    }
 }
 
 /// Greatest widths of what is drawn at the points of the prims of a body.
@@ -56,6 +75,7 @@ pub(super) fn prim_names(subject: &Subject) -> Vec<PrimNames> {
     let name = |kind: usize, index: usize| names[1 + kind * count + index].clone();
     let of = |(index, body): (usize, &BodySubject)| PrimNames {
         surface: name(0, index),
+        normals: NormalsAt::of(&body.mesh),
         fibres: (!body.fibres.is_empty()).then(|| name(1, index)),
         springs: (!body.springs.is_empty()).then(|| name(2, index)),
     };
@@ -127,15 +147,37 @@ fn write_mesh<'a>(
     write_list(out, &mesh.counts)?;
     write!(out, "\n        int[] faceVertexIndices = ")?;
     write_list(out, &mesh.corners)?;
-    write!(out, "\n        point3f[] points\n        vector3f[] velocities\n        point3f[] primvars:rest = ")?;
+    writeln!(out, "\n        point3f[] points\n        vector3f[] velocities")?;
+    if let Some(normals) = &names.normals {
+        let each = if normals.of_vertices { "vertex" } else { "faceVarying" };
+        writeln!(out, "        normal3f[] normals (\n            interpolation = \"{each}\"\n        )")?;
+    }
+    write!(out, "        point3f[] primvars:rest = ")?;
     write_vectors(out, &mesh.points)?;
     writeln!(out, " (\n            interpolation = \"vertex\"\n        )")?;
     for (number, set) in mesh.uv_sets.iter().enumerate() {
         let name = if number == 0 { "st".to_owned() } else { format!("st{number}") };
         write_uvs(out, &name, set)?;
     }
+    write_colours(out, &mesh.colours)?;
     write_parts(out, mesh, look_of)?;
     writeln!(out, "    }}")
+}
+
+/// Colours of the vertices.
+fn write_colours(out: &mut dyn Write, colours: &[[f32; 4]]) -> io::Result<()> {
+    if colours.is_empty() {
+        return Ok(());
+    }
+    write!(out, "        color3f[] primvars:displayColor = ")?;
+    write_list(out, colours.iter().map(|[r, g, b, _]| format!("({r}, {g}, {b})")))?;
+    writeln!(out, " (\n            interpolation = \"vertex\"\n        )")?;
+    if colours.iter().any(|colour| colour[3] < 1.0) {
+        write!(out, "        float[] primvars:displayOpacity = ")?;
+        write_list(out, colours.iter().map(|colour| colour[3]))?;
+        writeln!(out, " (\n            interpolation = \"vertex\"\n        )")?;
+    }
+    Ok(())
 }
 
 fn write_uvs(out: &mut dyn Write, name: &str, set: &UvSet) -> io::Result<()> {

@@ -3,6 +3,7 @@
 
 use super::limits::MAX_MODEL_BYTES;
 use super::text::{Lines, decoded, number, shown, without_mark, words};
+use crate::io::colours::linear;
 use crate::io::read::read_bytes;
 use std::collections::HashMap;
 use std::path::Path;
@@ -73,13 +74,4 @@ impl Materials {
             }
         }
     }
-}
-
-/// Colours of OBJ files are meant for the screen; light is computed with linear ones.
-pub(super) fn linear(colour: [f64; 3]) -> [f32; 4] {
-    let [r, g, b] = colour.map(|c| {
-        let c = if c.is_finite() { c } else { 1.0 };
-        (if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }) as f32
-    });
-    [r, g, b, 1.0]
 }

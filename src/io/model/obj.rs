@@ -4,13 +4,14 @@
 //! first line behind a byte order mark so that every index is off by one, and say of no fault in which line it is.
 
 use super::failure::Failure;
-use super::mtl::{Materials, linear};
+use super::mtl::Materials;
 use super::notes::note;
 use super::obj_piece::{Corner, Piece, Vertices};
 use super::text::{Lines, decoded, number, shown, without_mark, words};
-use crate::geometry::file_mesh::{FileMesh, FilePart, UvSet};
+use crate::geometry::file_mesh::{CornerValues, FileMesh, FilePart, UvSet};
 use crate::geometry::model::Model;
-use glam::DVec3;
+use crate::io::colours::linear;
+use glam::{DVec3, Vec3};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -152,6 +153,7 @@ struct Reader<'a> {
     /// Name of the present material, known or not.
     material_name: String,
     textures: Vec<u32>,
+    normals: Vec<u32>,
 }
 
 impl<'a> Reader<'a> {
@@ -169,6 +171,7 @@ impl<'a> Reader<'a> {
             file: FileMesh::default(),
             material_name: String::new(),
             textures: Vec::new(),
+            normals: Vec::new(),
         }
     }
 
@@ -213,9 +216,13 @@ impl<'a> Reader<'a> {
             return Err(line.fail(format_args!("a face has three corners at least, not {}", self.corners.len())));
         }
         self.piece.add_face(&self.corners, self.vertices);
-        let Self { corners, file, vertices, textures, .. } = self;
+        let Self { corners, file, vertices, textures, normals, .. } = self;
         let is_there = |index: &u32| vertices.textures.get(*index as usize).is_some_and(Option::is_some);
         textures.extend(corners.iter().map(|corner| corner.texture.filter(is_there).unwrap_or(UvSet::NONE)));
+        // One without length is none.
+        let is_normal =
+            |index: &u32| vertices.normals.get(*index as usize).is_some_and(|n| n.is_some_and(|n| n != Vec3::ZERO));
+        normals.extend(corners.iter().map(|corner| corner.normal.filter(is_normal).unwrap_or(UvSet::NONE)));
         let corners: Vec<u32> = corners.iter().map(|corner| corner.vertex).collect();
         file.add_face(&corners);
         Ok(())
@@ -275,6 +282,10 @@ impl<'a> Reader<'a> {
             let values = self.vertices.textures.iter().map(|uv| uv.unwrap_or_default()).collect();
             self.file.uv_sets.push(UvSet { values, corners: self.textures });
         }
+        let values = self.vertices.normals.iter().map(|normal| normal.unwrap_or_default().as_dvec3()).collect();
+        self.file.normals = Some(CornerValues { values, corners: self.normals });
+        self.file.complete_normals();
+        self.file.colours = self.vertices.all_colours();
         self.model.file = Some(Arc::new(self.file));
         self.model.notes.extend(self.materials.notes.into_iter().map(note));
         self.model

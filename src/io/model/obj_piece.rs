@@ -41,6 +41,12 @@ impl Vertices {
         if self.lost.is_empty() { None } else { self.lost.get(&vertex).copied() }
     }
 
+    /// A colour of every vertex, white for one that has none; nothing at all where none has any.
+    pub(super) fn all_colours(&self) -> Vec<[f32; 4]> {
+        let count = if self.colours.is_empty() { 0 } else { self.positions.len() };
+        (0..count as u32).map(|vertex| self.colour(vertex).unwrap_or(WHITE)).collect()
+    }
+
     fn colour(&self, vertex: u32) -> Option<[f32; 4]> {
         self.colours.get(vertex as usize).copied().flatten()
     }

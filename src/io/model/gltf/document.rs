@@ -74,6 +74,7 @@ pub(super) struct Primitive {
     pub(super) mode: Option<u32>,
     pub(super) targets: Vec<BTreeMap<String, usize>>,
     pub(super) extensions: Map<String, Value>,
+    pub(super) extras: Value,
 }
 
 #[derive(Debug, Default, Deserialize)]

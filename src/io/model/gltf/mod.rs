@@ -43,6 +43,7 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
         None => (0..document.meshes.len())
             .try_for_each(|mesh| reader.add_mesh(mesh, &[], &Pose::Placed(DMat4::IDENTITY)))?,
     }
+    reader.file.complete_normals();
     Ok(Model { file: Some(Arc::new(reader.file)), ..reader.model })
 }
 

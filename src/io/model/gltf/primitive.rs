@@ -5,6 +5,7 @@ use super::accessor::{Accessors, Rows, Whole};
 use super::buffers::compressed;
 use super::document::{Material, Mesh, Primitive};
 use crate::geometry::model::MeshData;
+use crate::io::glb::PART;
 use glam::{DMat3, DMat4, DVec3, Vec3};
 
 /// Where vertices go.
@@ -33,6 +34,10 @@ pub(super) struct Drawn {
     pub(super) uv_sets: Vec<Vec<[f64; 2]>>,
     /// Name and base colour of its material; none without one.
     pub(super) material: Option<(String, [f32; 4])>,
+    /// Colours of the vertices themselves; empty where they have none.
+    pub(super) own_colours: Vec<[f32; 4]>,
+    /// Name of the part that it is; empty for one that has none but that of the mesh.
+    pub(super) part: String,
 }
 
 impl Piece<'_, '_> {
@@ -70,14 +75,20 @@ impl Piece<'_, '_> {
         });
         let normals: Vec<Vec3> = normals.collect();
         self.check(&triangles, &positions)?;
-        let colours = self.colours(positions.len())?;
+        let own_colours = self.own_colours()?;
+        let base = self.material().map_or([1.0; 4], base_colour);
+        let tinted = |colour: &[f32; 4]| [0, 1, 2, 3].map(|k| colour[k] * base[k]);
+        let colours =
+            if own_colours.is_empty() { vec![base; positions.len()] } else { own_colours.iter().map(tinted).collect() };
         let name = self.mesh.name.clone().unwrap_or_default();
         if triangles.is_empty() {
             return Ok(None);
         }
         let uv_sets = self.uv_sets(positions.len());
         let material = self.material().map(|material| (material.name.clone(), base_colour(material)));
-        Ok(Some(Drawn { mesh: MeshData { name, positions, normals, colours, triangles }, uv_sets, material }))
+        let part = self.primitive.extras[PART].as_str().unwrap_or_default().to_owned();
+        let mesh = MeshData { name, positions, normals, colours, triangles };
+        Ok(Some(Drawn { mesh, uv_sets, material, own_colours, part }))
     }
 
     /// Texture coordinates, whose second one points down in the format. Those that cannot be read are none: a shape does
@@ -195,13 +206,15 @@ impl Piece<'_, '_> {
         Ok(())
     }
 
-    /// Colours of the vertices, tinted by the material.
-    fn colours(&self, vertices: usize) -> Result<Vec<[f32; 4]>, Failure> {
-        let base = self.material().map_or([1.0; 4], base_colour);
-        let Some(&index) = self.primitive.attributes.get("COLOR_0") else { return Ok(vec![base; vertices]) };
+    /// Colours of the vertices; empty where they have none.
+    fn own_colours(&self) -> Result<Vec<[f32; 4]>, Failure> {
+        let Some(&index) = self.primitive.attributes.get("COLOR_0") else { return Ok(Vec::new()) };
         let purpose = format!("COLOR_0 of {}", self.name);
         let rows = self.accessors.read(index, &["VEC3", "VEC4"], Whole::Shares, &purpose)?;
-        let colour = |row: &[f64]| [0, 1, 2, 3].map(|k| row.get(k).map_or(1.0, |&share| share as f32) * base[k]);
+        // What is no number tints nothing.
+        let share =
+            |row: &[f64], k: usize| row.get(k).filter(|share| share.is_finite()).map_or(1.0, |&share| share as f32);
+        let colour = |row: &[f64]| [0, 1, 2, 3].map(|k| share(row, k));
         Ok(rows.rows().map(colour).collect())
     }
 }

@@ -11,8 +11,9 @@ use self::values::{Place, Values};
 use super::failure::Failure;
 use super::polygon::triangulate;
 use super::text::without_mark;
-use crate::geometry::file_mesh::{FileMesh, UvSet};
+use crate::geometry::file_mesh::{CornerValues, FileMesh, UvSet};
 use crate::geometry::model::{MeshData, Model};
+use crate::io::colours::linear;
 use glam::{DVec3, Vec3};
 use std::ops::Range;
 use std::sync::Arc;
@@ -41,7 +42,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Model, Failure> {
     let textures = std::mem::take(&mut vertices.textures);
     let mut piece = vertices.into_mesh();
     piece.triangles = faces.triangles(&piece.positions)?;
-    let mut model = Model { file: Some(Arc::new(faces.as_listed(&piece.positions, textures))), ..Model::default() };
+    let mut listed = faces.as_listed(&piece.positions, textures);
+    let values: Vec<DVec3> = piece.normals.iter().map(|normal| normal.as_dvec3()).collect();
+    let of_vertex = |&vertex: &u32| {
+        values.get(vertex as usize).filter(|normal| **normal != DVec3::ZERO).map_or(UvSet::NONE, |_| vertex)
+    };
+    let corners = listed.corners.iter().map(of_vertex).collect();
+    listed.normals = Some(CornerValues { values, corners });
+    listed.complete_normals();
+    listed.colours.clone_from(&piece.colours);
+    let mut model = Model { file: Some(Arc::new(listed)), ..Model::default() };
     model.add(piece);
     Ok(model)
 }
@@ -121,7 +131,7 @@ impl Vertices {
                 self.normals.push(DVec3::new(nx, ny, nz).as_vec3().normalize_or_zero());
             }
             if has(6..9) {
-                self.colours.push(linear([red, green, blue]));
+                self.colours.push(linear([red, green, blue].map(|share| share.clamp(0.0, 1.0))));
             }
             if has(9..11) {
                 self.textures.push([s, t]);
@@ -144,13 +154,6 @@ fn share(value: f64, scalar: Scalar) -> f32 {
         Scalar::U16 => value / 65535.0,
         _ => value / 255.0,
     }
-}
-
-/// Colours are meant for the screen; light is computed with linear ones.
-fn linear(colour: [f64; 3]) -> [f32; 4] {
-    let linear = |share: f32| if share.is_finite() { share.clamp(0.0, 1.0).powf(2.2) } else { 1.0 };
-    let [r, g, b] = colour.map(|share| linear(share as f32));
-    [r, g, b, 1.0]
 }
 
 /// Faces as they are listed; vertices may come behind them.

@@ -73,7 +73,8 @@
 //!   paces it for a window and keeps as much of the last motion as fits its memory, to be shown again and gone on
 //!   from bit for bit; time series; the comparison of integrators, by numbers and side by side.
 //! - `export`: a motion as other programs take it, as plain data: surfaces on the vertices of the files that they are from,
-//!   fibres with what they carry, particles with their fields. Formats are [`io`]'s.
+//!   with normals and colours of these, panels as boxes, fibres with what they carry, particles with their fields. Formats are
+//!   [`io`]'s.
 //! - [`io`]: the only module that reads and writes files. Scene JSON and its schema, models, motions for other programs,
 //!   fibres as lines, scenes collected with their models, atomic writes, recovery, folders of what the program keeps for a
 //!   person, traces of what took how long. (The window's toolkit keeps the window's settings.)
@@ -116,8 +117,8 @@
 //! | how a frame is divided into steps | `bake::step_plan`, carried out by [`solver::World::advance_frame`] |
 //! | what a file may hold, and the errors | `scene::validate` |
 //! | what a file holds of a mesh, vertex by vertex | [`geometry::FileMesh`], kept by the readers in `io::model` |
-//! | how its vertices ride on the particles | `export::carrier` |
-//! | a format that a motion is written in | `io::export` |
+//! | how its vertices ride on the particles, how its normals turn | `export::carrier`, `export::normals` |
+//! | a format that a motion is written in | `io::export`; of moving pictures: `io::moving` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
 //!
@@ -156,7 +157,8 @@
 //! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved. One that is new to a motion
 //!   takes hold of the region where it finds it. *Pinned point*: what a drag has left where it pulls.
 //! - *measure*: a quantity read off a body, such as the twist of one region against another. *Probe*: a measure in a world.
-//! - *file's mesh*: a model as its file has it, every vertex in its order, polygons uncut; motions are written on it.
+//! - *file's mesh*: a model as its file has it, every vertex in its order, polygons uncut, with texture coordinates, normals,
+//!   colours and parts; motions are written on it. *Part*: a run of its faces of one name and material.
 //! - *model frame*: the frame in which a body is described. *Placement*: where it stands in the world.
 //! - *view*: front, side or top. *Stroke*: what was drawn in one. *Lift*: to make a curve of two strokes.
 //! - *drive*: a number that changes in time. *Activation*: what a drive does to a fibre, which *acts* then. *Wind*: air or

@@ -81,6 +81,8 @@
 //!   themes. Knows no graphics interface.
 //! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,
 //!   pictures without a window. Its shaders are beside it as WGSL files.
+//! - `transfer`: motions out and lines in, as the command line and the window do it alike: frames of a run in formats for a
+//!   program, pictures of them, fibres as lines and back.
 //! - [`cli`]: the command line, a file or a folder for each command.
 //! - `ui` (feature `gui`): the window. Reads the document and the newest snapshot; what a person does leaves as a
 //!   [`edit::Command`] or a [`sim::SimCommand`].
@@ -93,7 +95,7 @@
 //! What a module may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
 //! geometry; solver geometry; bake scene, sketch, geometry and solver; export scene, geometry and solver; io scene, geometry,
 //! export and the solver's snapshot;
-//! sim scene, bake and solver; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
+//! sim scene, bake and solver; transfer scene, geometry, edit, solver, sim, export, io, draw and render; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
 //! ui; ui all but cli; any but geometry and solver may import text; and test_support may import all. A test holds the code to this.
 //!
 //! # Where to find
@@ -294,5 +296,6 @@ pub mod solver;
 pub mod test_support;
 #[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "most numbers are written in the window"))]
 mod text;
+mod transfer;
 #[cfg(feature = "gui")]
 pub mod ui;

@@ -2,7 +2,7 @@
 
 use super::error::printable;
 use super::motion::Up;
-use super::output::{Inputs, check, wrote};
+use super::output::{self, check, wrote};
 use super::prepare::{Sets, folder_of, load, put_together};
 use super::{CliError, Console, Outcome};
 use crate::edit::fibre_ops::{LEAST_VERTICES, NEW_VOLUME_FRACTION, STIFFER, Sampling, rigidity_of, vertices};
@@ -70,7 +70,7 @@ pub(super) fn run(args: &Fibres, console: &mut Console) -> Result<Outcome, CliEr
     let mut scene = loaded.scene;
     let bodies: Vec<Site> =
         scene.bodies.iter().zip(baked.world.bodies()).map(|(body, of)| Site::new(body, of, args)).collect();
-    let inputs = Inputs::of(Some(&args.scene), &scene);
+    let inputs = output::inputs(Some(&args.scene), &scene);
     let mut text = String::new();
     if let Some(path) = &args.to {
         check(&inputs, &[("--to", Some(path))])?;

@@ -18,6 +18,8 @@ pub(crate) struct Motion {
     subject: Subject,
     carriers: Vec<Carrier>,
     wanted: Wanted,
+    /// From one frame that is taken to the next.
+    step: u64,
 }
 
 impl Motion {
@@ -30,7 +32,14 @@ impl Motion {
         });
         let (bodies, carriers) = bodies.unzip();
         let subject = Subject { name: scene.name.clone(), frame_seconds: world.plan().frame_seconds, space, bodies };
-        Self { subject, carriers, wanted }
+        Self { subject, carriers, wanted, step: 1 }
+    }
+
+    /// Of which only every so many frames are taken: each lasts as many times as long, and they are counted without the rest.
+    pub(crate) fn every(mut self, step: u64) -> Self {
+        self.subject.frame_seconds *= step as f64;
+        self.step = step;
+        self
     }
 
     /// What moves.
@@ -41,7 +50,7 @@ impl Motion {
     /// The world as it stands.
     pub(crate) fn frame(&self, world: &World) -> Frame {
         let bodies = world.bodies().iter().zip(&self.carriers).map(|(body, carrier)| self.body(body, carrier));
-        Frame { number: world.frame(), time: world.time(), bodies: bodies.collect() }
+        Frame { number: world.frame() / self.step, time: world.time(), bodies: bodies.collect() }
     }
 
     fn body(&self, body: &Body, carrier: &Carrier) -> BodyFrame {

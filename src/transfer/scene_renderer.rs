@@ -1,14 +1,13 @@
 //! The making of pictures.
 
-use super::CliError;
-use super::picture::{Look, ThemeName, Viewpoint};
+use super::{Look, TransferError, Viewpoint};
 use crate::draw::{Bounds, Display, Subject, Theme, draw};
 use crate::render::{Camera, Facing, Offscreen};
 use crate::scene::Scene;
 use crate::solver::snapshot::Snapshot;
 
 /// Makes pictures of a scene, all from the same point of view.
-pub(super) struct SceneRenderer {
+pub(crate) struct SceneRenderer {
     offscreen: Offscreen,
     camera: Camera,
     display: Display,
@@ -21,33 +20,30 @@ impl SceneRenderer {
     /// Opens a driver, and looks at the scene as it starts.
     ///
     /// # Errors
-    /// [`CliError::Render`] where there is no driver, or none for pictures of this size.
-    pub(super) fn open(look: &Look, scene: &Scene, start: &Snapshot) -> Result<Self, CliError> {
+    /// [`TransferError::Render`] where there is no driver, or none for pictures of this size.
+    pub(crate) fn open(look: &Look, scene: &Scene, start: &Snapshot) -> Result<Self, TransferError> {
         let camera = match look.view {
             Viewpoint::Front => Camera::facing(Facing::Front),
             Viewpoint::Side => Camera::facing(Facing::Side),
             Viewpoint::Top => Camera::facing(Facing::Top),
             Viewpoint::Persp => Camera::perspective(),
+            #[cfg(feature = "gui")]
+            Viewpoint::Placed(camera) => camera,
         };
-        let display = match (look.x_ray, look.particles) {
-            (true, _) => Display::x_ray(),
-            (_, true) => Display::particles(),
-            _ => Display::default(),
-        };
-        let display = Display { slice: look.slice.map(|slice| slice.0), ..display };
-        let theme = match look.theme {
-            ThemeName::Light => Theme::light(),
-            ThemeName::Dark => Theme::dark(),
-        };
-        let [width, height] = look.size.0.map(f64::from);
-        let offscreen = Offscreen::new(look.size.0)?;
+        let [width, height] = look.size.map(f64::from);
+        let offscreen = Offscreen::new(look.size)?;
+        let (display, theme) = (look.display.clone(), look.theme);
         let mut renderer = Self { offscreen, camera, display, theme, aspect: width / height, bounds: None };
+        #[cfg(feature = "gui")]
+        if matches!(look.view, Viewpoint::Placed(_)) {
+            return Ok(renderer);
+        }
         renderer.take_in(scene, start);
         Ok(renderer)
     }
 
     /// Steps back far enough to see this state too, beside all that was to be seen before.
-    pub(super) fn take_in(&mut self, scene: &Scene, snapshot: &Snapshot) {
+    pub(crate) fn take_in(&mut self, scene: &Scene, snapshot: &Snapshot) {
         let list = draw(&Subject { scene, snapshot, ghost: None }, &self.display, &self.theme);
         self.bounds = match (self.bounds, list.bounds) {
             (Some(a), Some(b)) => Some(a.union(b)),
@@ -61,8 +57,8 @@ impl SceneRenderer {
     /// A picture as a PNG file.
     ///
     /// # Errors
-    /// [`CliError::Render`].
-    pub(super) fn picture(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<Vec<u8>, CliError> {
+    /// [`TransferError::Render`].
+    pub(crate) fn picture(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<Vec<u8>, TransferError> {
         let list = draw(&Subject { scene, snapshot, ghost: None }, &self.display, &self.theme);
         Ok(self.offscreen.draw(list, &self.camera)?.to_png()?)
     }

@@ -50,7 +50,7 @@ impl Motion {
     /// The world as it stands.
     pub(crate) fn frame(&self, world: &World) -> Frame {
         let bodies = world.bodies().iter().zip(&self.carriers).map(|(body, carrier)| self.body(body, carrier));
-        Frame { number: world.frame() / self.step, time: world.time(), bodies: bodies.collect() }
+        Frame { number: world.number() / self.step, time: world.time(), bodies: bodies.collect() }
     }
 
     fn body(&self, body: &Body, carrier: &Carrier) -> BodyFrame {

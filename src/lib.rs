@@ -119,7 +119,9 @@
 //! | what a file may hold, and the errors | `scene::validate` |
 //! | what a file holds of a mesh, vertex by vertex | [`geometry::FileMesh`], kept by the readers in `io::model` |
 //! | how its vertices ride on the particles | `export::carrier` |
-//! | a format that a motion is written in | `io::export` |
+//! | a format that a motion is written in | `io::export`; who is offered it: the table in `transfer::format` |
+//! | which frames of a run are written, and for which program | `transfer::run_files`, `transfer::program` |
+//! | what the window writes beside itself | `ui::transfer`; from the recording: `sim::taken` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
 //!
@@ -185,6 +187,7 @@
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of
 //!   the last frames, many more of them.
+//! - *taken motion*: a scene as it was put together and the frames that are kept of it, shared with who writes them to files.
 //! - *checkpoint*: all that a world goes on from, bit for bit.
 //! - *ghost*: the scene without its fibres, or before the last edit, run in step beside it.
 //! - *study*, *trial*: a scene under several integrators and steps, put together once; under one.

@@ -208,6 +208,9 @@ impl From<TransferError> for CliError {
         match error {
             TransferError::Io(error) => Self::Io(error),
             TransferError::SameFile { path, first, second } => Self::SameFile { path, first, second },
+            TransferError::Fibre { which, problem } => Self::Fibre { which, problem },
+            TransferError::NoBody { name, bodies } => Self::NoBody { name, bodies },
+            TransferError::SeveralBodies { name, ids } => Self::SeveralBodies { name, ids },
             TransferError::NotFinite { body, seconds } => Self::NotFinite { body, seconds },
             #[cfg(feature = "render")]
             TransferError::Render(error) => Self::Render(error),

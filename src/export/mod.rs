@@ -5,10 +5,14 @@ mod carrier;
 mod fibre_directions;
 mod frame;
 mod motion;
+#[cfg(feature = "gui")]
+mod sizes;
 mod space;
 mod subject;
 
 pub(crate) use frame::{BodyFrame, Frame, Wanted};
 pub(crate) use motion::Motion;
+#[cfg(feature = "gui")]
+pub(crate) use sizes::{BodySize, sizes};
 pub(crate) use space::Space;
 pub(crate) use subject::{BodySubject, Subject};

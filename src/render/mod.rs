@@ -42,6 +42,8 @@ pub(crate) use blit::Blit;
 pub use camera::{Camera, Facing, Projected, Projection, Ray};
 pub use content::Content;
 pub use device::NoDriver;
+#[cfg(feature = "gui")]
+pub(crate) use offscreen::read_back;
 pub use offscreen::{Offscreen, Picture, RenderError};
 pub use renderer::Options;
 pub(crate) use renderer::Renderer;

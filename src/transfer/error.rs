@@ -21,6 +21,30 @@ pub(crate) enum TransferError {
         /// What would be written.
         second: &'static str,
     },
+    /// A fibre that cannot be written or read.
+    #[error("{which}: {problem}")]
+    Fibre {
+        /// The fibre and where it stands.
+        which: String,
+        /// What is wrong with it, and what to do.
+        problem: String,
+    },
+    /// A body that the scene does not have.
+    #[error("no fibre solid is called {name:?}; the scene has {bodies}")]
+    NoBody {
+        /// What was asked for.
+        name: String,
+        /// Names of those that there are.
+        bodies: String,
+    },
+    /// A title that several bodies have.
+    #[error("several fibre solids are called {:?}: {ids}", one_line(name))]
+    SeveralBodies {
+        /// What was asked for.
+        name: String,
+        /// Their identifiers.
+        ids: String,
+    },
     /// A body in a state that can be neither drawn nor written.
     #[error(
         "body \"{}\": at {seconds:.6} s a point of it is no longer a finite number, so that it can be neither drawn nor \

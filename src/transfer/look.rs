@@ -1,6 +1,7 @@
 //! How pictures of a run look.
 
 use crate::draw::{Display, Theme};
+use crate::solver::snapshot::FieldKind;
 
 /// What pictures show, from where, how large.
 #[derive(Clone, Debug)]
@@ -14,6 +15,10 @@ pub(crate) struct Look {
     pub(crate) display: Display,
     /// In which colours.
     pub(crate) theme: Theme,
+    /// By which field solids are coloured.
+    pub(crate) field: Option<FieldKind>,
+    /// Whether fibres are coloured by what they carry.
+    pub(crate) tension: bool,
 }
 
 /// Points of view.

@@ -10,10 +10,14 @@ mod finite;
 mod format;
 mod frames;
 mod inputs;
+mod lines;
 mod look;
+mod moving;
 #[cfg(not(feature = "render"))]
 mod no_scene_renderer;
 mod pictures;
+#[cfg(feature = "gui")]
+mod preview;
 mod program;
 mod run_files;
 #[cfg(feature = "render")]
@@ -26,9 +30,16 @@ pub(crate) use finite::check_finite;
 pub(crate) use format::Format;
 pub(crate) use frames::FrameChoice;
 pub(crate) use inputs::Inputs;
+pub(crate) use lines::{LineSites, LineSpace};
 pub(crate) use look::{Look, Viewpoint};
+#[cfg(feature = "gui")]
+pub(crate) use moving::MovingFormat;
 #[cfg(not(feature = "render"))]
 pub(crate) use no_scene_renderer::SceneRenderer;
+#[cfg(feature = "gui")]
+pub(crate) use pictures::Pictures;
+#[cfg(feature = "gui")]
+pub(crate) use preview::{FormatPreview, preview, replaced};
 pub(crate) use program::Program;
 pub(crate) use run_files::{Order, RunFiles};
 #[cfg(feature = "render")]

@@ -2,6 +2,7 @@
 
 use super::{Look, TransferError};
 use crate::scene::Scene;
+use crate::sim::Runner;
 use crate::solver::snapshot::Snapshot;
 
 /// Makes no pictures: the program was built without them.
@@ -18,6 +19,14 @@ impl SceneRenderer {
 
     /// Never called.
     pub(crate) fn take_in(&mut self, _scene: &Scene, _snapshot: &Snapshot) {
+        match *self {}
+    }
+
+    /// Never called.
+    ///
+    /// # Errors
+    /// None.
+    pub(crate) fn seen(&mut self, _runner: &Runner) -> Result<Snapshot, TransferError> {
         match *self {}
     }
 

@@ -1,81 +1,89 @@
-//! Pictures of a run's frames: one by one as PNG files, and all in one as a moving picture.
+//! Pictures of a run's frames: one by one as PNG files, and all in one as moving pictures.
 
+use super::moving::{MovingFormat, MovingPicture};
 use super::{SceneRenderer, TransferError, Written};
-use crate::io::{AnimatedPng, FrameFolder, make_folder};
+use crate::io::{FrameFolder, make_folder};
 use crate::scene::Scene;
+use crate::sim::Runner;
 use crate::solver::snapshot::Snapshot;
 use std::path::Path;
-
-/// A format of moving pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum MovingPicture {
-    /// Animated PNG.
-    Apng,
-}
-
-impl MovingPicture {
-    /// All of them, by their names.
-    pub(crate) const ALL: [(&'static str, Self); 1] = [("apng", Self::Apng)];
-
-    /// The file that it is written to unless another one is named.
-    pub(crate) fn file(self) -> &'static str {
-        match self {
-            Self::Apng => "motion.apng",
-        }
-    }
-}
+#[cfg(feature = "gui")]
+use std::path::PathBuf;
 
 /// Where pictures go.
 pub(crate) struct Pictures {
     renderer: SceneRenderer,
     single: Option<FrameFolder>,
-    animated: Vec<AnimatedPng>,
+    moving: Vec<MovingPicture>,
 }
 
 impl Pictures {
-    /// PNG files in the folder `single`, the first of them of frame `first`, and moving pictures in the folder `animated`, in
-    /// which a frame lasts `seconds` [s].
+    /// PNG files in the folder `single`, the first of them of frame `first`, and moving pictures in a folder, in which a frame
+    /// lasts `seconds` [s].
     ///
     /// # Errors
     /// A folder that cannot be written.
     pub(super) fn create(
         renderer: SceneRenderer,
         (single, first): (Option<&Path>, u64),
-        (animated, formats): (Option<&Path>, &[MovingPicture]),
+        (moving, formats): (Option<&Path>, &[MovingFormat]),
         seconds: f64,
     ) -> Result<Self, TransferError> {
         let single = single.map(|folder| FrameFolder::numbered(folder, "frame", "png", first)).transpose()?;
-        animated.map_or(Ok(()), make_folder)?;
-        let file = |folder: &Path| {
-            formats.iter().map(|format| AnimatedPng::new(folder.join(format.file()), seconds)).collect()
-        };
-        Ok(Self { renderer, single, animated: animated.map_or_else(Vec::new, file) })
+        let mut pictures = Self { renderer, single, moving: Vec::new() };
+        if let Some(folder) = moving {
+            make_folder(folder)?;
+            let all = formats.iter().map(|&format| MovingPicture::new(format, format.file(folder), seconds));
+            pictures.moving = all.collect();
+        }
+        Ok(pictures)
     }
 
-    /// Takes the next picture.
+    /// One moving picture, in the format by which its name ends, or else the first that there is.
+    #[cfg(feature = "gui")]
+    pub(crate) fn moving(renderer: SceneRenderer, path: PathBuf, seconds: f64) -> Self {
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let named = MovingFormat::ALL.iter().find(|(name, _)| name.eq_ignore_ascii_case(ending));
+        let (_, format) = *named.unwrap_or(&MovingFormat::ALL[0]);
+        Self { renderer, single: None, moving: vec![MovingPicture::new(format, path, seconds)] }
+    }
+
+    /// Turns the camera about what it looks at [rad].
+    #[cfg(feature = "gui")]
+    pub(crate) fn turn(&mut self, by: f64) {
+        self.renderer.turn(by);
+    }
+
+    /// Takes a picture of a run as it stands.
     ///
     /// # Errors
     /// A picture that cannot be made, a file that cannot be written.
-    pub(super) fn push(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<(), TransferError> {
+    pub(crate) fn push(&mut self, scene: &Scene, runner: &Runner) -> Result<(), TransferError> {
+        let snapshot = self.renderer.seen(runner)?;
+        self.push_state(scene, &snapshot)
+    }
+
+    /// Takes a picture of a state.
+    ///
+    /// # Errors
+    /// As [`Pictures::push`].
+    pub(crate) fn push_state(&mut self, scene: &Scene, snapshot: &Snapshot) -> Result<(), TransferError> {
         let picture = self.renderer.picture(scene, snapshot)?;
         if let Some(single) = &mut self.single {
             single.push(|out| out.write_all(&picture))?;
         }
-        Ok(self.animated.iter_mut().try_for_each(|animated| animated.push(&picture))?)
+        Ok(self.moving.iter_mut().try_for_each(|moving| moving.push(&picture))?)
     }
 
     /// What was written.
-    pub(super) fn written(&self) -> Vec<Written> {
+    pub(crate) fn written(&self) -> Vec<Written> {
         let single = self.single.as_ref().filter(|single| single.frames() > 0).map(|single| Written {
             what: format!("{} pictures", single.frames()),
             path: single.folder().to_owned(),
             left_over: single.left_over(),
         });
-        let animated = self.animated.iter().filter(|animated| animated.pictures() > 0).map(|animated| Written {
-            what: format!("a moving picture of {} frames", animated.pictures()),
-            path: animated.path().to_owned(),
-            left_over: 0,
-        });
-        single.into_iter().chain(animated).collect()
+        let moving = self.moving.iter().filter_map(MovingPicture::written);
+        let moving = moving.map(|(what, path)| Written { what, path: path.to_owned(), left_over: 0 });
+        single.into_iter().chain(moving).collect()
     }
 }

@@ -2,7 +2,7 @@
 
 use super::pictures::Pictures;
 use super::shapes::Shapes;
-use super::{Format, FrameChoice, Inputs, Look, SceneRenderer, TransferError, Written, check_finite};
+use super::{Format, FrameChoice, Inputs, Look, SceneRenderer, TransferError, Written};
 use crate::export::Space;
 use crate::io::export::MotionFormat;
 use crate::scene::{Assets, Scene};
@@ -77,16 +77,14 @@ impl RunFiles {
     /// # Errors
     /// A file that cannot be written, a place that is no numbers, a picture that cannot be made.
     pub(crate) fn push(&mut self, scene: &Scene, runner: &Runner) -> Result<(), TransferError> {
-        if !self.frames.takes(runner.world().frame()) {
+        if !self.frames.takes(runner.world().number()) {
             return Ok(());
         }
         if let Some(shapes) = &mut self.shapes {
             shapes.push(runner)?;
         }
         if let Some(pictures) = &mut self.pictures {
-            let snapshot = runner.snapshot();
-            check_finite(&snapshot)?;
-            pictures.push(scene, &snapshot)?;
+            pictures.push(scene, runner)?;
         }
         Ok(())
     }

@@ -1,10 +1,11 @@
 //! The making of pictures.
 
-use super::{Look, TransferError, Viewpoint};
+use super::{Look, TransferError, Viewpoint, check_finite};
 use crate::draw::{Bounds, Display, Subject, Theme, draw};
 use crate::render::{Camera, Facing, Offscreen};
 use crate::scene::Scene;
-use crate::solver::snapshot::Snapshot;
+use crate::sim::Runner;
+use crate::solver::snapshot::{FieldKind, FieldSnapshot, Snapshot, TensionSnapshot};
 
 /// Makes pictures of a scene, all from the same point of view.
 pub(crate) struct SceneRenderer {
@@ -14,6 +15,10 @@ pub(crate) struct SceneRenderer {
     theme: Theme,
     aspect: f64,
     bounds: Option<Bounds>,
+    /// By which field solids are coloured, and the upper end of its range so far.
+    field: Option<(FieldKind, f64)>,
+    /// The end of the range of tensions so far [N], where fibres are coloured by them.
+    tension: Option<f64>,
 }
 
 impl SceneRenderer {
@@ -33,7 +38,16 @@ impl SceneRenderer {
         let [width, height] = look.size.map(f64::from);
         let offscreen = Offscreen::new(look.size)?;
         let (display, theme) = (look.display.clone(), look.theme);
-        let mut renderer = Self { offscreen, camera, display, theme, aspect: width / height, bounds: None };
+        let mut renderer = Self {
+            offscreen,
+            camera,
+            display,
+            theme,
+            aspect: width / height,
+            bounds: None,
+            field: look.field.map(|field| (field, 0.0)),
+            tension: look.tension.then_some(0.0),
+        };
         #[cfg(feature = "gui")]
         if matches!(look.view, Viewpoint::Placed(_)) {
             return Ok(renderer);
@@ -52,6 +66,35 @@ impl SceneRenderer {
         if let Some(bounds) = &self.bounds {
             self.camera.frame(bounds, self.aspect);
         }
+    }
+
+    /// A run as it stands, with the colours that were asked for. Their ranges widen as they must, so that a colour hardly changes
+    /// its meaning from one picture to the next.
+    ///
+    /// # Errors
+    /// [`TransferError::NotFinite`].
+    pub(crate) fn seen(&mut self, runner: &Runner) -> Result<Snapshot, TransferError> {
+        let mut snapshot = runner.particles();
+        check_finite(&snapshot)?;
+        if let Some((kind, end)) = &mut self.field {
+            let mut field = FieldSnapshot::of(runner.world(), *kind);
+            *end = end.max(field.range[1]);
+            field.range[1] = *end;
+            snapshot.field = Some(field);
+        }
+        if let Some(end) = &mut self.tension {
+            let mut tension = TensionSnapshot::of(runner.world());
+            *end = end.max(tension.range);
+            tension.range = *end;
+            snapshot.tension = Some(tension);
+        }
+        Ok(snapshot)
+    }
+
+    /// Turns the camera about what it looks at [rad].
+    #[cfg(feature = "gui")]
+    pub(crate) fn turn(&mut self, by: f64) {
+        self.camera.yaw += by;
     }
 
     /// A picture as a PNG file.

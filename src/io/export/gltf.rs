@@ -227,8 +227,16 @@ impl<'a> Materials<'a> {
 /// # Errors
 /// [`IoError::TooLong`] where it is not.
 fn check(meshes: &[ClipMesh], frames: &Planned) -> Result<(), IoError> {
+    check_length(meshes.iter().map(|mesh| mesh.source.len()).sum(), frames)
+}
+
+/// Whether frames of so many vertices are few enough.
+///
+/// # Errors
+/// [`IoError::TooLong`].
+pub(super) fn check_length(vertices: usize, frames: &Planned) -> Result<(), IoError> {
     let count = frames.end() - frames.start() + 1;
-    let bytes = meshes.iter().map(|mesh| mesh.source.len() * VECTOR).sum::<usize>() as u64;
+    let bytes = (vertices * VECTOR) as u64;
     let most = MOST_FRAMES.min(MOST_BYTES / bytes.max(1));
     if count <= most { Ok(()) } else { Err(IoError::TooLong { format: "gltf", frames: count, most }) }
 }

@@ -82,6 +82,8 @@
 //!   themes. Knows no graphics interface.
 //! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,
 //!   pictures without a window. Its shaders are beside it as WGSL files.
+//! - `transfer`: motions out and lines in, as the command line and the window do it alike: frames of a run in formats for a
+//!   program, pictures of them, fibres as lines and back.
 //! - [`cli`]: the command line, a file or a folder for each command.
 //! - `ui` (feature `gui`): the window. Reads the document and the newest snapshot; what a person does leaves as a
 //!   [`edit::Command`] or a [`sim::SimCommand`].
@@ -94,7 +96,7 @@
 //! What a module may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
 //! geometry; solver geometry; bake scene, sketch, geometry and solver; export scene, geometry and solver; io scene, geometry,
 //! export and the solver's snapshot;
-//! sim scene, bake and solver; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
+//! sim scene, bake and solver; transfer scene, geometry, edit, solver, sim, export, io, draw and render; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
 //! ui; ui all but cli; any but geometry and solver may import text; and test_support may import all. A test holds the code to this.
 //!
 //! # Where to find
@@ -118,7 +120,9 @@
 //! | what a file may hold, and the errors | `scene::validate` |
 //! | what a file holds of a mesh, vertex by vertex | [`geometry::FileMesh`], kept by the readers in `io::model` |
 //! | how its vertices ride on the particles, how its normals turn | `export::carrier`, `export::normals` |
-//! | a format that a motion is written in | `io::export`; of moving pictures: `io::moving` |
+//! | a format that a motion is written in | `io::export`; of moving pictures: `io::moving`; who is offered it: the table in `transfer::format` |
+//! | which frames of a run are written, and for which program | `transfer::run_files`, `transfer::program` |
+//! | what the window writes beside itself | `ui::transfer`; from the recording: `sim::taken` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
 //!
@@ -185,6 +189,7 @@
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of
 //!   the last frames, many more of them.
+//! - *taken motion*: a scene as it was put together and the frames that are kept of it, shared with who writes them to files.
 //! - *checkpoint*: all that a world goes on from, bit for bit.
 //! - *ghost*: the scene without its fibres, or before the last edit, run in step beside it.
 //! - *study*, *trial*: a scene under several integrators and steps, put together once; under one.
@@ -296,5 +301,6 @@ pub mod solver;
 pub mod test_support;
 #[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "most numbers are written in the window"))]
 mod text;
+mod transfer;
 #[cfg(feature = "gui")]
 pub mod ui;

@@ -3,7 +3,7 @@
 use super::error::printable;
 use super::interruption::Interruption;
 use super::order_plot::{PlotLine, order_plot};
-use super::output::{self, Inputs};
+use super::output;
 use super::prepare::{Loaded, Sets, Threads, load, put_together, tell};
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome};
@@ -114,7 +114,10 @@ fn compare(args: &Compare, interruption: &Interruption, console: &mut Console) -
     let baked = put_together(&mut loaded, path, console)?;
     tell(loaded.made(), console);
     let Loaded { scene, .. } = loaded;
-    output::check(&Inputs::of(path, &scene), &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
+    output::check(
+        &output::inputs(path, &scene),
+        &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())],
+    )?;
 
     let seconds = args.seconds.unwrap_or(scene.time.duration);
     let pairs: Vec<(IntegratorKind, f64)> =

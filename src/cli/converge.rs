@@ -3,7 +3,7 @@
 use super::drive::{RunEnd, drive};
 use super::error::printable;
 use super::interruption::Interruption;
-use super::output::{self, Inputs};
+use super::output;
 use super::prepare::{Sets, Span, Threads, load, put_together, tell};
 use super::svg::{Canvas, Scale};
 use super::table::{Align, Table};
@@ -88,7 +88,7 @@ fn converge(args: &Converge, interruption: &Interruption, console: &mut Console)
     tell(loaded.made(), console);
     let base = loaded.scene.clone();
     let index = chosen(args, &base)?;
-    let inputs = Inputs::of(Some(&args.scene), &base);
+    let inputs = output::inputs(Some(&args.scene), &base);
     output::check(&inputs, &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
     if base.measures.is_empty() {
         return Err(CliError::NothingMeasured { scene: printable(&args.scene) });

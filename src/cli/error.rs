@@ -3,6 +3,7 @@
 use crate::bake::BakeError;
 use crate::io::IoError;
 use crate::scene::{SceneError, one_line};
+use crate::transfer::TransferError;
 use rayon::ThreadPoolBuildError;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -62,7 +63,9 @@ pub enum CliError {
     #[error("--view, --size, --x-ray, --particles and --theme say how pictures look; give --png DIR to make some")]
     NoPicturesAsked,
     /// Options of files where none are written.
-    #[error("--format, --frames, --scale and --up say what is written of a run; give --out DIR for its files to go to")]
+    #[error(
+        "--format, --frames, --step, --for, --scale and --up say what is written of a run; give --out DIR for its files to go to"
+    )]
     NoFilesAsked,
     /// Frames that a run does not have.
     #[error(
@@ -198,6 +201,23 @@ pub enum CliError {
     /// Standard output takes nothing.
     #[error("standard output cannot be written to ({0}); check where it goes")]
     Output(#[source] io::Error),
+}
+
+impl From<TransferError> for CliError {
+    fn from(error: TransferError) -> Self {
+        match error {
+            TransferError::Io(error) => Self::Io(error),
+            TransferError::SameFile { path, first, second } => Self::SameFile { path, first, second },
+            TransferError::Fibre { which, problem } => Self::Fibre { which, problem },
+            TransferError::NoBody { name, bodies } => Self::NoBody { name, bodies },
+            TransferError::SeveralBodies { name, ids } => Self::SeveralBodies { name, ids },
+            TransferError::NotFinite { body, seconds } => Self::NotFinite { body, seconds },
+            #[cfg(feature = "render")]
+            TransferError::Render(error) => Self::Render(error),
+            #[cfg(not(feature = "render"))]
+            TransferError::NoPictures => Self::NoPictures,
+        }
+    }
 }
 
 #[cfg(feature = "render")]

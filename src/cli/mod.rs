@@ -16,13 +16,10 @@ mod drive;
 mod error;
 mod fibres;
 mod finite;
-mod frame_pictures;
 mod interruption;
 mod make_models;
 pub(crate) mod make_pictures;
 mod motion;
-#[cfg(not(feature = "render"))]
-mod no_scene_renderer;
 mod order_plot;
 mod outcome;
 mod output;
@@ -31,8 +28,6 @@ mod picture;
 mod prepare;
 mod render;
 mod repeat;
-#[cfg(feature = "render")]
-mod scene_renderer;
 mod schema;
 mod simulate;
 mod summary;
@@ -41,11 +36,6 @@ mod sweep;
 mod table;
 mod table1;
 mod trace;
-
-#[cfg(not(feature = "render"))]
-use no_scene_renderer::SceneRenderer;
-#[cfg(feature = "render")]
-use scene_renderer::SceneRenderer;
 
 pub use console::Console;
 pub use error::CliError;

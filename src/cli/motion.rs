@@ -1,17 +1,13 @@
 //! How the shapes of a run are written: in which formats, which frames, in what unit.
 
-use super::output::{self, Inputs};
+use super::output;
 use super::{CliError, Console};
 use crate::cli::error::printable;
-use crate::cli::finite::check_finite;
-use crate::export::{Motion, Space, Wanted};
+use crate::export::Space;
 use crate::geometry::model::UpAxis;
-use crate::io::MovingFormat;
-use crate::io::export::{MotionFiles, MotionFormat};
-use crate::scene::{Assets, Scene};
-use crate::sim::Runner;
+use crate::io::export::MotionFormat;
+use crate::transfer::{Format, FrameChoice, Program, Written};
 use clap::{Args, ValueEnum};
-use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -26,6 +22,13 @@ pub(super) struct MotionOptions {
     /// is given
     #[arg(long, value_name = "A..B")]
     pub(super) frames: Option<FrameRange>,
+    /// Write every so many frames only, counted anew: what is written lasts as long
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    step: Option<u32>,
+    /// Unit and axes of a program: blender (metres, Z up), houdini (metres, Y up), maya (centimetres, Y up) or unreal
+    /// (centimetres, Z up); --scale and --up go before it
+    #[arg(long = "for", value_name = "PROGRAM")]
+    program: Option<ProgramName>,
     /// Units to a metre in --out: 100 for a program that takes its units for centimetres; glTF is always in metres
     #[arg(long, value_name = "N", value_parser = scale, allow_negative_numbers = true)]
     scale: Option<f64>,
@@ -43,26 +46,44 @@ pub(super) enum Up {
     Z,
 }
 
+impl Up {
+    /// The axis.
+    pub(super) fn axis(self) -> UpAxis {
+        match self {
+            Self::Y => UpAxis::Y,
+            Self::Z => UpAxis::Z,
+        }
+    }
+}
+
 /// A format by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum FormatName {
-    Motion(MotionFormat),
-    Moving(MovingFormat),
-}
+struct FormatName(Format);
 
 impl FromStr for FormatName {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let motions = MotionFormat::ALL.map(|(name, format)| (name, Self::Motion(format)));
-        let moving = MovingFormat::ALL.map(|(name, format)| (name, Self::Moving(format)));
-        let all: Vec<(&str, Self)> = motions.into_iter().chain(moving).collect();
-        let known = all.iter().find(|(name, _)| name.eq_ignore_ascii_case(text.trim()));
-        known.map(|&(_, format)| format).ok_or_else(|| {
-            let (last, names) = all
-                .split_last()
-                .map_or(("", Vec::new()), |(last, others)| (last.0, others.iter().map(|(name, _)| *name).collect()));
-            format!("there is no format of that name; give one of {} or {last}", names.join(", "))
+        Format::named(text).map(Self).ok_or_else(|| {
+            let names: Vec<&str> = Format::all().map(|(name, _)| name).collect();
+            let (last, others) = names.split_last().unwrap_or((&"", &[]));
+            format!("there is no format of that name; give one of {} or {last}", others.join(", "))
+        })
+    }
+}
+
+/// A program by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct ProgramName(Program);
+
+impl FromStr for ProgramName {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let known = Program::ALL.iter().find(|(name, _)| name.eq_ignore_ascii_case(text.trim()));
+        known.map(|&(_, program)| Self(program)).ok_or_else(|| {
+            let names = Program::ALL.map(|(name, _)| name.to_lowercase());
+            format!("its unit and axes are not known; give one of {}, or --scale and --up", names.join(", "))
         })
     }
 }
@@ -101,7 +122,7 @@ impl MotionOptions {
     /// # Errors
     /// [`CliError::NoFilesAsked`].
     pub(super) fn check(&self, out: bool, png: bool) -> Result<(), CliError> {
-        let of_shapes = Self { frames: None, ..self.clone() } != Self::default();
+        let of_shapes = Self { frames: None, step: None, ..self.clone() } != Self::default();
         let is_asked = out || (png && !of_shapes) || *self == Self::default();
         if is_asked { Ok(()) } else { Err(CliError::NoFilesAsked) }
     }
@@ -119,109 +140,41 @@ impl MotionOptions {
     }
 
     /// The frames that are written of a run that goes on to `last`.
-    pub(super) fn range(&self, last: u64) -> RangeInclusive<u64> {
-        self.frames.map_or(0..=last, |range| range.first..=range.last)
+    pub(super) fn choice(&self, last: u64) -> FrameChoice {
+        let FrameRange { first, last } = self.frames.unwrap_or(FrameRange { first: 0, last });
+        FrameChoice { first, last, step: self.step.map_or(1, u64::from) }
     }
 
-    /// The formats of the shapes, each once.
-    fn formats(&self) -> Vec<MotionFormat> {
-        if self.format.is_empty() {
-            return vec![MotionFormat::Obj];
-        }
-        self.named(|name| if let FormatName::Motion(format) = name { Some(format) } else { None })
+    /// The formats of what goes into `--out`.
+    pub(super) fn formats(&self) -> Vec<Format> {
+        let asked = self.format.iter().map(|FormatName(format)| *format);
+        if self.format.is_empty() { vec![Format::Motion(MotionFormat::Obj)] } else { asked.collect() }
     }
 
-    /// The formats of the moving pictures, each once.
-    pub(super) fn moving(&self) -> Vec<MovingFormat> {
-        self.named(|name| if let FormatName::Moving(format) = name { Some(format) } else { None })
+    /// Whether a moving picture goes into `--out`.
+    pub(super) fn wants_pictures(&self) -> bool {
+        self.format.iter().any(|FormatName(format)| matches!(format, Format::Picture(_)))
     }
 
-    fn named<T: PartialEq>(&self, of: impl Fn(FormatName) -> Option<T>) -> Vec<T> {
-        let mut formats = Vec::new();
-        for format in self.format.iter().filter_map(|&name| of(name)) {
-            if !formats.contains(&format) {
-                formats.push(format);
-            }
-        }
-        formats
-    }
-
-    fn space(&self) -> Space {
-        let up = if self.up == Some(Up::Z) { UpAxis::Z } else { UpAxis::Y };
-        Space { up, scale: self.scale.unwrap_or(1.0) }
+    /// The unit and axes of what goes into `--out`.
+    pub(super) fn space(&self) -> Space {
+        let usual = self.program.map_or_else(Space::default, |ProgramName(program)| program.space());
+        Space { up: self.up.map_or(usual.up, Up::axis), scale: self.scale.unwrap_or(usual.scale) }
     }
 }
 
-/// The files of a run's shapes.
-pub(super) struct MotionOutput {
-    motion: Motion,
-    files: MotionFiles,
-}
-
-impl MotionOutput {
-    /// In a folder, of a run that goes on to frame `last`; none where only pictures are asked for.
-    ///
-    /// # Errors
-    /// A folder that cannot be written, a file there that is read, or a motion that a format cannot hold.
-    pub(super) fn create(
-        options: &MotionOptions,
-        folder: &Path,
-        (scene, assets): (&Scene, &Assets),
-        inputs: &Inputs,
-        runner: &Runner,
-        last: u64,
-    ) -> Result<Option<Self>, CliError> {
-        let formats = options.formats();
-        if formats.is_empty() {
-            return Ok(None);
-        }
-        let each = formats.iter().map(|format| format.wanted());
-        let wanted = each.fold(Wanted::default(), |all, one| Wanted {
-            velocities: all.velocities || one.velocities,
-            normals: all.normals || one.normals,
-            particles: all.particles || one.particles,
-            tensions: all.tensions || one.tensions,
-        });
-        let motion = Motion::new(scene, assets, runner.world(), options.space(), wanted);
-        let (subject, frames) = (motion.subject(), options.range(last));
-        inputs.check_apart("--out", &MotionFiles::planned(&formats, folder, subject, &frames))?;
-        let files = MotionFiles::create(&formats, folder, subject, frames)?;
-        Ok(Some(Self { motion, files }))
+/// A line about each of the files that were written.
+pub(super) fn told(written: &[Written], console: &mut Console) -> String {
+    let mut text = String::new();
+    for Written { what, path, left_over } in written {
+        text += &output::wrote(what, path);
+        warn_of_left_over(path, *left_over, console);
     }
-
-    /// Writes the frame at hand, if it is asked for.
-    ///
-    /// # Errors
-    /// A file that cannot be written, a place that is no numbers.
-    pub(super) fn push(&mut self, runner: &Runner) -> Result<(), CliError> {
-        if self.files.takes(runner.world().frame()) {
-            check_finite(&runner.particles())?;
-            self.files.push(&self.motion.frame(runner.world()))?;
-        }
-        Ok(())
-    }
-
-    /// Writes what is left of the frames so far.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
-    pub(super) fn keep(&mut self) -> Result<(), CliError> {
-        Ok(self.files.finish()?)
-    }
-
-    /// A line about each file.
-    pub(super) fn written(&self, console: &mut Console) -> String {
-        let mut text = String::new();
-        for (what, path, left_over) in self.files.written() {
-            text += &output::wrote(&what, &path);
-            warn_of_left_over(&path, left_over, console);
-        }
-        text
-    }
+    text
 }
 
 /// Says that a folder holds more frames than were written now.
-pub(super) fn warn_of_left_over(folder: &Path, left_over: usize, console: &mut Console) {
+fn warn_of_left_over(folder: &Path, left_over: usize, console: &mut Console) {
     if left_over > 0 {
         console.warn(&format!(
             "{}: {left_over} more frames of an earlier, longer run lie behind the last of this one; remove them",

@@ -1,7 +1,8 @@
 //! Pictures from the command line: what they show, and how.
 
-use crate::draw::Slice;
+use crate::draw::{Display, Slice, Theme};
 use crate::scene::Axis;
+use crate::transfer;
 use clap::{Args, ValueEnum};
 use std::fmt;
 use std::str::FromStr;
@@ -28,6 +29,29 @@ pub(super) struct Look {
     /// Colours
     #[arg(long, value_name = "THEME", default_value_t, value_enum)]
     pub(super) theme: ThemeName,
+}
+
+impl Look {
+    /// What is asked for.
+    pub(super) fn asked(&self) -> transfer::Look {
+        let view = match self.view {
+            Viewpoint::Front => transfer::Viewpoint::Front,
+            Viewpoint::Side => transfer::Viewpoint::Side,
+            Viewpoint::Top => transfer::Viewpoint::Top,
+            Viewpoint::Persp => transfer::Viewpoint::Persp,
+        };
+        let display = match (self.x_ray, self.particles) {
+            (true, _) => Display::x_ray(),
+            (_, true) => Display::particles(),
+            _ => Display::default(),
+        };
+        let display = Display { slice: self.slice.map(|slice| slice.0), ..display };
+        let theme = match self.theme {
+            ThemeName::Light => Theme::light(),
+            ThemeName::Dark => Theme::dark(),
+        };
+        transfer::Look { view, size: self.size.0, display, theme, field: None, tension: false }
+    }
 }
 
 /// Points of view.

@@ -1,14 +1,14 @@
 //! `sinew render`: a picture of a scene at some time.
 
 use super::drive::{RunEnd, drive};
-use super::finite::check_finite;
 use super::interruption::Interruption;
-use super::output::{self, Inputs};
+use super::output;
 use super::picture::Look;
 use super::prepare::{Sets, Threads, frames_to, load, put_together, seconds, tell};
-use super::{CliError, Console, Outcome, SceneRenderer};
+use super::{CliError, Console, Outcome};
 use crate::sim::Runner;
 use crate::text::number::four_figures;
+use crate::transfer::{SceneRenderer, check_finite};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -44,10 +44,10 @@ fn render(args: &Render, interruption: &Interruption, console: &mut Console) -> 
     let baked = put_together(&mut loaded, args.scene.as_deref(), console)?;
     tell(&loaded.notes(&baked), console);
     let scene = loaded.scene;
-    output::check(&Inputs::of(args.scene.as_deref(), &scene), &[("--out", Some(&args.out))])?;
+    output::check(&output::inputs(args.scene.as_deref(), &scene), &[("--out", Some(&args.out))])?;
 
     let mut runner = Runner::new(baked);
-    let mut renderer = SceneRenderer::open(&args.look, &scene, &runner.snapshot())?;
+    let mut renderer = SceneRenderer::open(&args.look.asked(), &scene, &runner.snapshot())?;
     let frames = frames_to(args.at, &runner, console);
     console.begin();
     interruption.wait_for_end();

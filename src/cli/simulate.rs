@@ -1,21 +1,20 @@
 //! `sinew simulate`: one run of a scene, and what it shows.
 
 use super::drive::{Drive, RunEnd, drive};
-use super::finite::{NotFinite, check_finite};
-use super::frame_pictures::Pictures;
+use super::finite::NotFinite;
 use super::interruption::Interruption;
-use super::motion::{MotionOptions, MotionOutput};
-use super::output::{self, Inputs};
+use super::motion::{MotionOptions, told};
+use super::output;
 use super::picture::Look;
 use super::prepare::{Loaded, Sets, Span, Threads, frames_to, load, put_together, source_name, tell, word};
 use super::repeat::{Repeated, Run, RunReport};
 use super::summary::summary;
-use super::{CliError, Console, Outcome, SceneRenderer};
+use super::{CliError, Console, Outcome};
 use crate::scene::{Assets, Scene};
 use crate::sim::{Report, Runner, TimeSeries};
 use crate::text::number::four_figures;
+use crate::transfer::{Inputs, Order, RunFiles};
 use clap::Args;
-use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 /// Arguments of `sinew simulate`.
@@ -67,7 +66,7 @@ pub(super) fn run(args: &Simulate, interruption: &Interruption, console: &mut Co
 }
 
 fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
-    if args.png.is_none() && args.motion.moving().is_empty() && args.look != Look::default() {
+    if args.png.is_none() && !args.motion.wants_pictures() && args.look != Look::default() {
         return Err(CliError::NoPicturesAsked);
     }
     let repeated = args.from.as_deref().map(Repeated::read).transpose()?;
@@ -85,7 +84,7 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     let notes = loaded.notes(&baked);
     let Loaded { scene, assets, .. } = loaded;
     tell(&notes, console);
-    let inputs = Inputs::of(args.scene.as_deref(), &scene);
+    let inputs = output::inputs(args.scene.as_deref(), &scene);
     output::check(&inputs, &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
 
     let mut runner = Runner::new(baked);
@@ -170,56 +169,40 @@ fn watch(
 /// What is kept of every frame.
 struct FrameOutputs {
     series: Option<TimeSeries>,
-    shapes: Option<MotionOutput>,
-    pictures: Option<Pictures>,
-    frames: RangeInclusive<u64>,
+    files: RunFiles,
 }
 
 impl FrameOutputs {
     fn new(
         args: &Simulate,
-        (scene, assets): (&Scene, &Assets),
+        of: (&Scene, &Assets),
         inputs: &Inputs,
         runner: &Runner,
         last: u64,
     ) -> Result<Self, CliError> {
-        let frames = args.motion.range(last);
-        // A driver may be missing: that is found out before a folder is made.
-        let formats = args.motion.moving();
-        let renderer = (args.png.is_some() || !formats.is_empty())
-            .then(|| SceneRenderer::open(&args.look, scene, &runner.snapshot()))
-            .transpose()?;
         let series = args.series.as_ref().map(|_| TimeSeries::new(runner.world(), usize::MAX));
-        let create = |out| MotionOutput::create(&args.motion, out, (scene, assets), inputs, runner, last);
-        let shapes = args.out.as_deref().map_or(Ok(None), create)?;
-        let moving = args.out.as_deref().map(|out| (out, formats.as_slice()));
-        let seconds = runner.world().plan().frame_seconds;
-        let pictures = |renderer| Pictures::create(renderer, args.png.as_deref(), moving, *frames.start(), seconds);
-        let pictures = renderer.map(pictures).transpose()?;
-        Ok(Self { series, shapes, pictures, frames })
+        let order = Order {
+            formats: &args.motion.formats(),
+            folder: args.out.as_deref(),
+            stills: args.png.as_deref(),
+            frames: args.motion.choice(last),
+            space: args.motion.space(),
+            look: &args.look.asked(),
+            target: "--out",
+        };
+        Ok(Self { series, files: RunFiles::create(&order, of, inputs, runner)? })
     }
 
     fn push(&mut self, scene: &Scene, runner: &Runner) -> Result<(), CliError> {
-        let frame = runner.world().frame();
         if let Some(series) = &mut self.series {
             series.push(runner.world());
         }
-        if let Some(shapes) = &mut self.shapes {
-            shapes.push(runner)?;
-        }
-        if let Some(pictures) = self.pictures.as_mut().filter(|_| self.frames.contains(&frame)) {
-            let snapshot = runner.snapshot();
-            check_finite(&snapshot)?;
-            pictures.push(scene, &snapshot)?;
-        }
-        Ok(())
+        Ok(self.files.push(scene, runner)?)
     }
 
     /// Writes what is left of the shapes' frames so far; what the run failed by is told, and not what fails then.
     fn keep(&mut self) {
-        if let Some(shapes) = &mut self.shapes {
-            shapes.keep().ok();
-        }
+        self.files.keep().ok();
     }
 
     /// Whether all that was collected is made of numbers; what is not is said.
@@ -242,7 +225,7 @@ impl FrameOutputs {
         console: &mut Console,
     ) -> Result<String, CliError> {
         // First: no report that cannot be written keeps frames from their files.
-        self.shapes.as_mut().map_or(Ok(()), MotionOutput::keep)?;
+        self.files.keep()?;
         let mut text = String::new();
         if let (Some(path), Some(report)) = (&args.report, report) {
             text += &output::write_report(path, report)?;
@@ -251,12 +234,7 @@ impl FrameOutputs {
             output::write_bytes(path, &series.to_csv()?)?;
             text += &output::wrote("series", path);
         }
-        if let Some(shapes) = self.shapes {
-            text += &shapes.written(console);
-        }
-        if let Some(pictures) = &self.pictures {
-            text += &pictures.written(console);
-        }
+        text += &told(&self.files.written(), console);
         Ok(text)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::drive::drive;
 use super::interruption::Interruption;
-use super::output::{self, Inputs};
+use super::output;
 use super::prepare::{Sets, load, put_together};
 use super::{CliError, Console, Outcome};
 use crate::bake::Baked;
@@ -105,7 +105,7 @@ pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliEr
     if !missing.is_empty() {
         return Err(CliError::NoScenes { folder: args.scenes.clone(), missing });
     }
-    output::check(&Inputs::default(), &[("--report", args.report.as_ref())])?;
+    output::check(&crate::transfer::Inputs::default(), &[("--report", args.report.as_ref())])?;
     let mut rows = Vec::new();
     let mut diverged = false;
     for printed in &PAPER {

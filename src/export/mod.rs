@@ -7,10 +7,14 @@ mod frame;
 mod motion;
 mod normals;
 mod panel;
+#[cfg(feature = "gui")]
+mod sizes;
 mod space;
 mod subject;
 
 pub(crate) use frame::{BodyFrame, Frame, Wanted};
 pub(crate) use motion::Motion;
+#[cfg(feature = "gui")]
+pub(crate) use sizes::{BodySize, sizes};
 pub(crate) use space::Space;
 pub(crate) use subject::{BodySubject, Subject};

@@ -4,7 +4,7 @@ use super::carrier::Carrier;
 use super::fibre_directions::fibre_directions;
 use super::frame::{BodyFrame, FibreFrame, Frame, ParticleFrame, Wanted};
 use super::normals::Normals;
-use super::panel::{panel_frame, panel_subject};
+use super::panel::{panel_frame, panel_name, panel_subject};
 use super::space::Space;
 use super::subject::{BodySubject, FibreSubject, Subject};
 use crate::geometry::file_mesh::FileMesh;
@@ -22,6 +22,8 @@ pub(crate) struct Motion {
     /// Of every body; none of one that has no normals, or where none are wanted.
     normals: Vec<Option<Normals>>,
     wanted: Wanted,
+    /// From one frame that is taken to the next.
+    step: u64,
 }
 
 impl Motion {
@@ -34,13 +36,16 @@ impl Motion {
         });
         let (mut bodies, carriers): (Vec<BodySubject>, Vec<Carrier>) = bodies.unzip();
         let normals = bodies.iter_mut().map(|body| Normals::of(&mut body.mesh)).collect();
-        let named = |id: &str| scene.panels.iter().find(|panel| panel.id == id).map(|panel| panel.name.as_str());
-        for panel in world.panels() {
-            let name = named(&panel.id).filter(|name| !name.is_empty()).unwrap_or(&panel.id);
-            bodies.push(panel_subject(panel, name, space));
-        }
+        bodies.extend(world.panels().iter().map(|panel| panel_subject(panel, panel_name(scene, panel), space)));
         let subject = Subject { name: scene.name.clone(), frame_seconds: world.plan().frame_seconds, space, bodies };
-        Self { subject, carriers, normals, wanted }
+        Self { subject, carriers, normals, wanted, step: 1 }
+    }
+
+    /// Of which only every so many frames are taken: each lasts as many times as long, and they are counted without the rest.
+    pub(crate) fn every(mut self, step: u64) -> Self {
+        self.subject.frame_seconds *= step as f64;
+        self.step = step;
+        self
     }
 
     /// What moves.
@@ -53,7 +58,7 @@ impl Motion {
         let bodies = world.bodies().iter().enumerate().map(|(index, body)| self.body(index, body));
         let Self { wanted, subject, .. } = self;
         let panels = world.panels().iter().map(|panel| panel_frame(panel, subject.space, wanted.velocities));
-        Frame { number: world.frame(), time: world.time(), bodies: bodies.chain(panels).collect() }
+        Frame { number: world.number() / self.step, time: world.time(), bodies: bodies.chain(panels).collect() }
     }
 
     fn body(&self, index: usize, body: &Body) -> BodyFrame {

@@ -44,6 +44,8 @@ pub use camera::{Camera, Facing, Projected, Projection, Ray};
 pub use content::Content;
 pub use device::NoDriver;
 pub(crate) use gif::GifPictures;
+#[cfg(feature = "gui")]
+pub(crate) use offscreen::read_back;
 pub use offscreen::{Offscreen, Picture, RenderError};
 pub use renderer::Options;
 pub(crate) use renderer::Renderer;

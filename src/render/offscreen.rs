@@ -110,39 +110,50 @@ impl Offscreen {
         let device = self.renderer.device();
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
         self.renderer.draw(&mut encoder, &self.content, &mut self.viewport, camera);
-        let [width, height] = self.viewport.size();
-        let row = (width * BYTES_PER_PIXEL).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("picture read back"),
-            size: u64::from(row) * u64::from(height),
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        let texture = self.viewport.colour_texture();
-        encoder.copy_texture_to_buffer(
-            texture.as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &buffer,
-                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None },
-            },
-            texture.size(),
-        );
         self.renderer.queue().submit([encoder.finish()]);
-        let (sender, mapped) = std::sync::mpsc::channel();
-        buffer.slice(..).map_async(wgpu::MapMode::Read, move |result| drop(sender.send(result)));
-        device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| RenderError::Lost(error.to_string()))?;
-        match mapped.recv() {
-            Ok(Ok(())) => {}
-            Ok(Err(error)) => return Err(RenderError::Lost(error.to_string())),
-            Err(error) => return Err(RenderError::Lost(error.to_string())),
-        }
-        let bytes = buffer.slice(..).get_mapped_range().map_err(|error| RenderError::Lost(error.to_string()))?;
-        let mut rgba = Vec::with_capacity((width * height * BYTES_PER_PIXEL) as usize);
-        for line in bytes.chunks_exact(row as usize) {
-            rgba.extend_from_slice(&line[..(width * BYTES_PER_PIXEL) as usize]);
-        }
-        Ok(Picture { size: [width, height], rgba })
+        read_back(&self.renderer, &self.viewport)
     }
+}
+
+/// What was drawn into a viewport last.
+///
+/// # Errors
+/// [`RenderError::Lost`].
+pub(crate) fn read_back(renderer: &Renderer, viewport: &Viewport) -> Result<Picture, RenderError> {
+    let device = renderer.device();
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("read back") });
+    let [width, height] = viewport.size();
+    let row = (width * BYTES_PER_PIXEL).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("picture read back"),
+        size: u64::from(row) * u64::from(height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let texture = viewport.colour_texture();
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None },
+        },
+        texture.size(),
+    );
+    renderer.queue().submit([encoder.finish()]);
+    let (sender, mapped) = std::sync::mpsc::channel();
+    buffer.slice(..).map_async(wgpu::MapMode::Read, move |result| drop(sender.send(result)));
+    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| RenderError::Lost(error.to_string()))?;
+    match mapped.recv() {
+        Ok(Ok(())) => {}
+        Ok(Err(error)) => return Err(RenderError::Lost(error.to_string())),
+        Err(error) => return Err(RenderError::Lost(error.to_string())),
+    }
+    let bytes = buffer.slice(..).get_mapped_range().map_err(|error| RenderError::Lost(error.to_string()))?;
+    let mut rgba = Vec::with_capacity((width * height * BYTES_PER_PIXEL) as usize);
+    for line in bytes.chunks_exact(row as usize) {
+        rgba.extend_from_slice(&line[..(width * BYTES_PER_PIXEL) as usize]);
+    }
+    Ok(Picture { size: [width, height], rgba })
 }
 
 impl Picture {

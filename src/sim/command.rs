@@ -1,5 +1,6 @@
 //! What can be asked of a running world. None of it is saved, none of it is undone.
 
+use super::taken::MotionTaker;
 use crate::scene::{Assets, IntegratorKind, Scene};
 use crate::solver::snapshot::FieldKind;
 use glam::DVec3;
@@ -74,6 +75,8 @@ pub enum SimCommand {
     Live,
     /// Memory that the kept frames may take [bytes].
     Memory(usize),
+    /// Hand the motion over as it is kept, to be written meanwhile.
+    Take(MotionTaker),
     /// Strike a whole body.
     Strike {
         /// Index of the body.

@@ -10,6 +10,8 @@ mod series;
 mod side_by_side;
 mod status;
 mod study;
+#[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "the window is who takes motions"))]
+mod taken;
 mod trial;
 mod worker;
 
@@ -23,5 +25,8 @@ pub(crate) use series::body_labels;
 pub use series::{Column, ColumnKind, TimeSeries};
 pub use status::{ComparedRun, ComparedSample, PinnedPoint, Published, RecordingStatus, Status, Stepping};
 pub use study::Study;
+pub use taken::MotionTaker;
+#[cfg(feature = "gui")]
+pub(crate) use taken::TakenMotion;
 pub use trial::Trial;
 pub use worker::{RecordedSeries, Worker};

@@ -49,8 +49,10 @@ pub(super) struct RestoredRun {
 pub(super) struct RecordedFrame {
     /// Simulated time [s].
     time: f64,
-    /// The document's world.
-    pub(super) world: StoredState,
+    /// Its number, as its time counts it.
+    number: u64,
+    /// The document's world; shared with who writes it to files.
+    pub(super) world: Arc<StoredState>,
     /// The ghost's, where there was one.
     pub(super) ghost: Option<StoredState>,
     /// Body whose last grab followed the pointer.
@@ -66,9 +68,10 @@ impl RecordedFrame {
         let bytes = |stored: &StoredState| stored.state.bytes();
         Self {
             time: runner.world().time(),
-            bytes: size_of::<Self>() + bytes(&world) + ghost.as_ref().map_or(0, bytes),
+            number: runner.world().number(),
+            bytes: size_of::<Self>() + size_of_val(&world) + bytes(&world) + ghost.as_ref().map_or(0, bytes),
             breaks: runner.world().bodies().iter().map(|body| body.breaks().count()).sum(),
-            world,
+            world: Arc::new(world),
             ghost,
             grabbed,
         }
@@ -195,6 +198,20 @@ impl Recording {
     /// Memory that is taken, and the most that may be [bytes].
     pub(super) fn memory(&self) -> [usize; 2] {
         [self.bytes, self.limit]
+    }
+
+    /// The frames of the world as it was put together last.
+    pub(super) fn of_last_build(&self) -> impl ExactSizeIterator<Item = &RecordedFrame> {
+        let build = self.frames.back().map(|last| &last.world.build);
+        let is_earlier = |frame: &RecordedFrame| build.is_some_and(|build| !frame.world.is_of(build));
+        // Every other one is before them.
+        self.frames.range(self.frames.partition_point(is_earlier)..)
+    }
+
+    /// Numbers of the first and the last of these.
+    pub(super) fn numbers(&self) -> Option<[u64; 2]> {
+        let first = self.of_last_build().next()?;
+        Some([first.number, self.frames.back()?.number])
     }
 
     /// Times of the first and the last frame [s].

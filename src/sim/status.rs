@@ -72,6 +72,9 @@ pub struct RecordingStatus {
     pub span: Option<[f64; 2]>,
     /// Number of frames.
     pub frames: usize,
+    /// Numbers, as their times count them, of the first and the last frame of the scene as it was put together last; none
+    /// where there is none.
+    pub numbers: Option<[u64; 2]>,
     /// Whether an earlier frame is shown, not what the simulation has come to.
     pub in_replay: bool,
     /// Whether the frame that is shown was computed before the scene was last put together: what goes on from it is the

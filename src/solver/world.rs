@@ -171,6 +171,11 @@ impl World {
         self.frame
     }
 
+    /// Number of the present frame as its time counts them: on through edits, at which [`World::frame`] begins anew.
+    pub(crate) fn number(&self) -> u64 {
+        (self.time() / self.plan.frame_seconds).round().max(0.0) as u64
+    }
+
     /// Simulated time [s].
     pub fn time(&self) -> f64 {
         self.time_at(0)

@@ -71,6 +71,11 @@ actions! {
     SaveAs in File [ctrl_shift(Key::S)] "Save as…": "Writes the scene to another file";
     Export in File [] "Export readings…":
         "Writes energies, momenta and measures of every frame since the start as a table, CSV";
+    ExportMotion in File [] "Export motion…":
+        "Writes the motion for other programs: USD, point caches, glTF, OBJ, PLY, tables, moving pictures";
+    SaveClip in File [] "Save clip…": "Saves the kept frames, as the result view shows them, as a moving picture";
+    SaveTurntable in File [] "Save turntable…": "Saves what is shown, seen from all around, as a moving picture";
+    CopyPicture in File [] "Copy picture": "Puts the picture of the result view on the clipboard";
     Recover in File [] "Recover unsaved…": "Lists changes that were not saved when the program ended";
     Quit in File [ctrl(Key::Q)] "Quit": "Closes the window";
     Undo in Edit [ctrl(Key::Z)] "Undo": "Takes the last change of the scene back";
@@ -111,6 +116,9 @@ actions! {
     Patterns in Fibre [] "Patterns": "Shows layouts of fibres that can be fitted to the body and added to it";
     KeepPattern in Fibre [] "Save selection as pattern…":
         "Keeps the selected fibres, or all of them, as a pattern of your own";
+    ImportFibres in Fibre [] "Import fibres…": "Takes lines of a file (OBJ, CSV, JSON) as fibres of the body";
+    ExportFibres in Fibre [] "Export fibres…":
+        "Writes the selected fibres, or all of the body, as lines to a file (OBJ, CSV, JSON)";
     Hide in Edit [plain(Key::H)] "Hide": "Hides the selected fibres; they act all the same";
     ShowAll in Edit [alt(Key::H)] "Show all": "Shows every hidden fibre of the body";
     PlayPause in Simulation [plain(Key::Space)] "Play or pause": "Runs or holds the simulation";

@@ -46,6 +46,7 @@ mod time_series;
 mod timeline;
 mod timescale;
 mod top_bar;
+mod transfer;
 mod two_layer_fields;
 mod unpin;
 mod views;

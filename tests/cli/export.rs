@@ -175,6 +175,30 @@ fn another_programs_unit_and_axes_are_those_of_every_place() {
 }
 
 #[test]
+fn a_program_stands_for_its_unit_and_axes_and_fewer_frames_last_as_long() {
+    let desk = desk();
+    let frame = |name: &str, options: &str| {
+        desk.done(&format!("simulate scene.json --frames 3..3 {options} --out {name}"));
+        desk.text(&format!("{name}/frame_000003.obj"))
+    };
+    let plain = frame("plain", "");
+    assert_eq!(frame("houdini", "--for houdini"), plain);
+    assert_eq!(frame("own", "--for maya --scale 1"), plain, "what is said itself goes first");
+    assert_eq!(frame("blender", "--for Blender"), frame("z", "--up z"));
+    assert_eq!(frame("maya", "--for maya"), frame("cm", "--scale 100"));
+    assert_eq!(frame("unreal", "--for unreal"), frame("cm_z", "--scale 100 --up z"));
+    assert!(desk.refused("simulate scene.json --for paint --out no").contains("blender, houdini, maya, unreal"));
+
+    desk.done("simulate scene.json --frames 1..6 --step 2 --format usd,mdd --out every");
+    let stage = desk.text("every/motion.usda");
+    for part in ["startTimeCode = 0\n", "endTimeCode = 2\n", "timeCodesPerSecond = 25\n"] {
+        assert!(stage.contains(part), "{stage}");
+    }
+    let (times, _) = mdd(&fs::read(desk.path("every/Red_prism_1.mdd")).unwrap());
+    assert!(times.len() == 3 && times.iter().zip([0.02, 0.06, 0.1]).all(|(a, b)| (a - b).abs() < 1e-6), "{times:?}");
+}
+
+#[test]
 fn what_cannot_be_written_is_refused_before_anything_is() {
     let desk = Desk::new(&pressed());
     let cases = [

@@ -26,11 +26,21 @@ const TABLE: &[(&str, &[&str])] = &[
     ("sim", &["scene", "bake", "solver", "text"]),
     ("draw", &["scene", "geometry", "solver::snapshot", "text"]),
     ("render", &["draw", "geometry", "text"]),
+    ("transfer", &["geometry", "scene", "edit", "io", "export", "solver", "sim", "draw", "render", "text"]),
     (
         "cli",
-        &["geometry", "sketch", "scene", "edit", "bake", "io", "export", "solver", "sim", "draw", "render", "text"],
+        &[
+            "geometry", "sketch", "scene", "edit", "bake", "io", "export", "solver", "sim", "draw", "render", "text",
+            "transfer",
+        ],
     ),
-    ("ui", &["geometry", "sketch", "scene", "edit", "bake", "io", "export", "solver", "sim", "draw", "render", "text"]),
+    (
+        "ui",
+        &[
+            "geometry", "sketch", "scene", "edit", "bake", "io", "export", "solver", "sim", "draw", "render", "text",
+            "transfer",
+        ],
+    ),
     ("test_support", &["geometry", "sketch", "io", "solver", "sim", "render", "cli", "ui"]),
     ("main", &["cli", "ui"]),
 ];

@@ -6,6 +6,7 @@ mod autosave;
 mod commands;
 mod comparing;
 mod editing;
+mod exporting;
 mod fibres;
 mod gallery;
 mod hashes;

@@ -11,7 +11,7 @@ use super::drive::{RunEnd, drive};
 use super::error::printable;
 use super::finite::NotFinite;
 use super::interruption::{Interruption, Signal};
-use super::output::{self, Inputs};
+use super::output;
 use super::parallel::in_parallel;
 use super::prepare::{
     Loaded, Sets, Span, Threads, digest, folder_of, load, notes, tell, with_frame_rate, with_sets, word,
@@ -109,7 +109,7 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     console.end();
     let checked = checked?;
     let targets = [("--report", &args.report), ("--csv", &args.csv), ("--plot", &args.plot)];
-    output::check(&Inputs::of(Some(&args.scene), &base), &targets.map(|(option, path)| (option, path.as_ref())))?;
+    output::check(&output::inputs(Some(&args.scene), &base), &targets.map(|(option, path)| (option, path.as_ref())))?;
     let series = args.series.as_deref().map(SeriesFolder::create).transpose()?;
 
     let scene = if base.name.is_empty() { &*printable(&args.scene) } else { &base.name };

@@ -79,7 +79,6 @@ impl MotionFormat {
 pub(crate) struct MotionFiles {
     writers: Vec<Box<dyn MotionWriter>>,
     names: Vec<String>,
-    frames: Planned,
     /// Whether any of them is in single precision.
     is_single: bool,
 }
@@ -104,35 +103,30 @@ impl MotionFiles {
         formats: &[MotionFormat],
         folder: &Path,
         subject: &Subject,
-        frames: Planned,
+        frames: &Planned,
     ) -> Result<Self, IoError> {
         // It makes nothing before the first frame.
         let mut gltf =
-            formats.contains(&MotionFormat::Gltf).then(|| Gltf::create(folder, subject, &frames)).transpose()?;
+            formats.contains(&MotionFormat::Gltf).then(|| Gltf::create(folder, subject, frames)).transpose()?;
         make_folder(folder)?;
         let mut writers: Vec<Box<dyn MotionWriter>> = Vec::new();
         for format in formats {
             let writer: Box<dyn MotionWriter> = match format {
-                MotionFormat::Usd => Box::new(Usd::create(folder, subject, &frames)?),
-                MotionFormat::Pc2 => Box::new(Pc2::create(folder, subject, &frames)?),
+                MotionFormat::Usd => Box::new(Usd::create(folder, subject, frames)?),
+                MotionFormat::Pc2 => Box::new(Pc2::create(folder, subject, frames)?),
                 MotionFormat::Mdd => Box::new(Mdd::create(folder, subject)?),
                 MotionFormat::Gltf => match gltf.take() {
                     Some(gltf) => Box::new(gltf),
                     None => continue,
                 },
-                MotionFormat::Obj => Box::new(ObjSequence::create(folder, subject, &frames)?),
-                MotionFormat::Ply => Box::new(PlySequence::create(folder, subject, &frames)?),
-                MotionFormat::Csv => Box::new(Tables::create(folder, subject, &frames)?),
+                MotionFormat::Obj => Box::new(ObjSequence::create(folder, subject, frames)?),
+                MotionFormat::Ply => Box::new(PlySequence::create(folder, subject, frames)?),
+                MotionFormat::Csv => Box::new(Tables::create(folder, subject, frames)?),
             };
             writers.push(writer);
         }
         let names = subject.bodies.iter().map(|body| body.name.clone()).collect();
-        Ok(Self { writers, names, frames, is_single: formats.iter().any(|format| format.is_single()) })
-    }
-
-    /// Whether a frame is among those that are written.
-    pub(crate) fn takes(&self, number: u64) -> bool {
-        self.frames.contains(&number)
+        Ok(Self { writers, names, is_single: formats.iter().any(|format| format.is_single()) })
     }
 
     /// Writes the next frame.

@@ -21,7 +21,7 @@ const MOST_FRAMES: u64 = 600;
 const MOST_BYTES: u64 = 512 << 20;
 
 /// Bytes of a vector.
-const VECTOR: usize = 12;
+pub(super) const VECTOR: usize = 12;
 
 /// The kind of primitive that is drawn as points.
 const POINTS: u32 = 0;
@@ -259,8 +259,16 @@ impl<'a> Materials<'a> {
 /// # Errors
 /// [`IoError::TooLong`] where it is not.
 fn check(meshes: &[ClipMesh], frames: &Planned) -> Result<(), IoError> {
+    check_length(meshes.iter().map(frame_bytes).sum(), frames)
+}
+
+/// Whether frames of so many bytes are few enough.
+///
+/// # Errors
+/// [`IoError::TooLong`].
+pub(super) fn check_length(frame_bytes: usize, frames: &Planned) -> Result<(), IoError> {
     let count = frames.end() - frames.start() + 1;
-    let bytes = meshes.iter().map(frame_bytes).sum::<usize>() as u64;
+    let bytes = frame_bytes as u64;
     let most = MOST_FRAMES.min(MOST_BYTES / bytes.max(1));
     if count <= most { Ok(()) } else { Err(IoError::TooLong { format: "gltf", frames: count, most }) }
 }

@@ -12,6 +12,8 @@ mod looks;
 mod meshes;
 mod names;
 mod obj;
+#[cfg(feature = "gui")]
+mod outline;
 mod ply;
 mod republished;
 mod tables;

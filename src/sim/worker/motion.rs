@@ -10,11 +10,12 @@ use super::runs::Runs;
 use super::shared::Outlet;
 use super::views::ViewRequests;
 use crate::bake::Baked;
-use crate::scene::Scene;
+use crate::scene::{Assets, Scene};
 use crate::sim::command::SimCommand;
 use crate::sim::recording::RecordedFrame;
 use crate::sim::runner::Runner;
 use crate::sim::status::{Published, Status};
+use crate::sim::taken::TakenMotion;
 use crate::solver::snapshot::Snapshot;
 use glam::DVec3;
 use std::sync::Arc;
@@ -85,7 +86,8 @@ impl Motion {
             | SimCommand::Edit(_)
             | SimCommand::Open(..)
             | SimCommand::Compare { .. }
-            | SimCommand::Ghost(_) => {}
+            | SimCommand::Ghost(_)
+            | SimCommand::Take(_) => {}
         }
     }
 
@@ -184,6 +186,14 @@ impl Motion {
         self.status.divergence = None;
         self.status.bodies.clear();
         self.status.measures.clear();
+    }
+
+    /// What is kept of the scene as it was put together last, to be written; none where that has failed.
+    pub(super) fn taken(&self, scene: &Arc<Scene>, assets: &Arc<Assets>) -> Option<TakenMotion> {
+        let start = Arc::clone(self.runs.live.start()?);
+        let kept = self.replay.recording().of_last_build().filter(|frame| frame.world.is_of(&start));
+        let frames = kept.map(|frame| Arc::clone(&frame.world)).collect();
+        Some(TakenMotion::new(Arc::clone(scene), Arc::clone(assets), start, frames))
     }
 
     /// Back to the start, the ghost too, with nothing held; false where the scene has not been put together yet.

@@ -184,6 +184,7 @@ impl Replay {
         RecordingStatus {
             span: self.recording.span(),
             frames: self.recording.len(),
+            numbers: self.recording.numbers(),
             in_replay: self.is_active(),
             of_another_scene: self.is_of_another_scene(live),
             bytes,

@@ -9,6 +9,7 @@ use crate::bake::Baked;
 use crate::scene::{Assets, Scene};
 use crate::sim::command::SimCommand;
 use crate::sim::runner::Runner;
+use crate::sim::taken::MotionTaker;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -57,6 +58,14 @@ impl Simulation {
             SimCommand::Ghost(scene) => {
                 self.motion.runs.ghost.choose(scene);
                 self.rebuild_ghost();
+            }
+            SimCommand::Take(MotionTaker(sender)) => {
+                let motion = self.motion.taken(&self.scene, &self.assets).filter(|_| {
+                    // What is there was put together of another scene otherwise.
+                    !self.is_stale && !self.is_new && self.motion.status.failure.is_none()
+                });
+                // Who asked may be gone by now.
+                sender.send(motion).ok();
             }
             of_motion => self.motion.handle(&of_motion),
         }

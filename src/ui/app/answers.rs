@@ -27,6 +27,11 @@ impl App {
             }
             (Answer::Example(example), _) => self.leave(ctx, Next::Example(example)),
             (Answer::Pattern, Dialog::Pattern(question)) => self.patterns.answered(&question, &mut self.cx),
+            (Answer::Transfer(answer), Dialog::Transfer(question)) => {
+                let look = self.views.look(&self.cx, ctx.pixels_per_point());
+                let goes_on = self.transfer.answered(ctx, question, answer, look, &mut self.cx);
+                self.dialog = goes_on.map(Dialog::Transfer);
+            }
             (Answer::Recent(path), _) => self.open_recent(ctx, path),
             (Answer::Path(path), Dialog::Path { next, .. }) => self.save_to(ctx, path, next),
             (Answer::Picked(path), Dialog::Path { next, .. }) => self.write_then(ctx, &path, next),

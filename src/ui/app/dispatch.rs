@@ -15,6 +15,7 @@ use crate::ui::editing::{self, Kind};
 use crate::ui::export;
 use crate::ui::next::Next;
 use crate::ui::right_panel::PropertyTab;
+use crate::ui::transfer::{ClipKind, Transfer};
 use crate::ui::unpin::remove_pin;
 use crate::ui::views::{DrawingTool, ViewOptions};
 use egui::ViewportCommand;
@@ -76,6 +77,23 @@ impl App {
             Action::Save => always(|app, ctx| app.save_then(ctx, None)),
             Action::SaveAs => always(|app, _| app.ask_where(None)),
             Action::Export => always(|app, _| export::ask_where_to_export(&mut app.cx)),
+            Action::ExportMotion => self.with_transfer(|app, ctx| {
+                let look = app.views.look(&app.cx, ctx.pixels_per_point());
+                app.transfer.ask_motion(&look, &mut app.cx);
+            }),
+            Action::SaveClip => self.with_transfer(|app, ctx| app.ask_clip(ctx, ClipKind::Motion)),
+            Action::SaveTurntable => self.with_transfer(|app, ctx| app.ask_clip(ctx, ClipKind::Turntable)),
+            Action::CopyPicture => {
+                when(self.views.has_picture(), "Nothing is drawn yet", |app, ctx| match app.views.result_picture() {
+                    Some(Ok(picture)) => {
+                        let [width, height] = picture.size.map(|extent| extent as usize);
+                        ctx.copy_image(egui::ColorImage::from_rgba_unmultiplied([width, height], &picture.rgba));
+                        app.cx.say(Severity::Note, format!("Copied the picture, {width} × {height}"));
+                    }
+                    Some(Err(error)) => app.cx.say(Severity::Error, error.to_string()),
+                    None => {}
+                })
+            }
             Action::Recover => {
                 let any = !self.autosave.offers().is_empty();
                 when(any, "Nothing was left unsaved", |app, _| app.dialog = Some(Dialog::Question(Question::Recover)))
@@ -153,6 +171,11 @@ impl App {
             }
             Action::Patterns => always(|app, _| app.right_panel.show_tab(PropertyTab::Patterns)),
             Action::KeepPattern => self.with_fibres(|app, _| app.patterns.ask_to_keep(&mut app.cx)),
+            Action::ImportFibres => {
+                let met = self.cx.active_body().is_some();
+                when(met, "Fibres go into fibre solids", |app, _| Transfer::ask_import(&mut app.cx))
+            }
+            Action::ExportFibres => self.with_fibres(|app, _| Transfer::ask_export(&mut app.cx)),
             Action::Hide => selected(|app, _| editing::hide(&mut app.cx)),
             Action::ShowAll => {
                 let met = self.cx.active_body().is_some_and(|body| body.fibres.iter().any(|fibre| fibre.hidden));
@@ -217,6 +240,16 @@ impl App {
     fn with_fibres(&self, perform: Performer) -> Dispatch {
         let met = self.cx.active_body().is_some_and(|body| !body.fibres.is_empty());
         when(met, "The body has no fibres", perform)
+    }
+
+    /// An action that writes something beside the window, one thing at a time.
+    fn with_transfer(&self, perform: Performer) -> Dispatch {
+        unless(self.transfer.is_busy(), perform)
+    }
+
+    fn ask_clip(&mut self, ctx: &egui::Context, kind: ClipKind) {
+        let look = self.views.look(&self.cx, ctx.pixels_per_point());
+        Transfer::ask_clip(kind, &look, &mut self.cx);
     }
 
     /// Why no earlier frame can be shown.

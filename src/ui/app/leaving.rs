@@ -57,6 +57,7 @@ impl App {
     /// What is to be looked after whether or not the window is shown.
     pub(super) fn look_after(&mut self, ctx: &egui::Context) {
         self.autosave.look_after(ctx, &mut self.cx);
+        self.transfer.look_after(ctx);
         let closes = ctx.input(|input| input.viewport().close_requested());
         if closes && !self.autosave.is_leaving() && self.cx.document.editor.is_changed() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);

@@ -26,6 +26,7 @@ use super::theme::Tone;
 use super::time_series::TimeSeriesPanel;
 use super::timeline::Timeline;
 use super::top_bar::TopBar;
+use super::transfer::Transfer;
 use super::views::{Painter, Views};
 use super::{outliner, status_bar};
 use crate::io::RecentFiles;
@@ -42,6 +43,7 @@ pub struct App {
     comparison: Comparison,
     patterns: Patterns,
     gallery: Gallery,
+    transfer: Transfer,
     autosave: Autosave,
     breaks: BreakWatch,
     remedy: Remedy,
@@ -81,6 +83,7 @@ impl App {
             comparison: Comparison::default(),
             patterns: Patterns::default(),
             gallery: Gallery::default(),
+            transfer: Transfer::default(),
             autosave,
             breaks: BreakWatch::default(),
             remedy: Remedy::default(),
@@ -123,6 +126,7 @@ impl App {
         // The bar shows what the views found under the pointer one frame ago.
         status_bar::status_bar(ui, &mut self.cx, &mut self.said, &mut self.remedy);
         self.carry_out(&ctx);
+        self.transfer.show(ui, &mut self.cx);
         self.cx.status.hint = "Draw a stroke in a drawing view to begin a fibre";
         self.timeline.show(ui, &mut self.cx);
         self.carry_out(&ctx);

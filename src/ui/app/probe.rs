@@ -55,6 +55,11 @@ impl App {
         export::export(&mut self.cx, path);
     }
 
+    /// What is told of what was written last, beside the window.
+    pub fn written(&self) -> Option<&str> {
+        self.transfer.told()
+    }
+
     /// Whether the examples are shown.
     pub fn shows_examples(&self) -> bool {
         matches!(self.dialog, Some(Dialog::Examples))

@@ -2,9 +2,10 @@
 
 use super::OpenDocument;
 use crate::scene::Scene;
-use crate::sim::{Published, RecordedSeries, SimCommand, Worker};
+use crate::sim::{MotionTaker, Published, RecordedSeries, SimCommand, TakenMotion, Worker};
 use glam::DVec3;
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
 
 /// A scene that runs beside the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,6 +179,14 @@ impl Simulation {
     /// Looks at the numbers of every frame since the start. The solver waits meanwhile: to be read, not to be worked with.
     pub(crate) fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
         self.worker.time_series(read)
+    }
+
+    /// Asks for the motion as it is kept, to be written; it comes with the next frame, or once the scene is put together. None
+    /// comes where that fails.
+    pub(crate) fn take_motion(&self) -> Receiver<Option<TakenMotion>> {
+        let (sender, receiver) = channel();
+        self.ask(SimCommand::Take(MotionTaker(sender)));
+        receiver
     }
 
     /// What is grabbed by the pointer.

@@ -3,6 +3,7 @@
 use crate::ui::action::Action;
 use crate::ui::autosave::Reply;
 use crate::ui::gallery::Example;
+use crate::ui::transfer::TransferAnswer;
 use std::path::PathBuf;
 
 /// What a dialog came to in a frame.
@@ -25,4 +26,6 @@ pub(crate) enum Answer {
     Example(&'static Example),
     /// What was asked about a pattern is to be done.
     Pattern,
+    /// What leaves the window or comes into it was answered about.
+    Transfer(TransferAnswer),
 }

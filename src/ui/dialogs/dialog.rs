@@ -3,6 +3,7 @@
 use crate::ui::autosave::Question;
 use crate::ui::next::Next;
 use crate::ui::patterns::PatternQuestion;
+use crate::ui::transfer::TransferQuestion;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Receiver;
 
@@ -45,6 +46,8 @@ pub(crate) enum Dialog {
     Examples,
     /// Asks about a person's own patterns.
     Pattern(PatternQuestion),
+    /// Asks about what leaves the window for other programs, or comes from them.
+    Transfer(TransferQuestion),
 }
 
 impl Dialog {

@@ -9,6 +9,7 @@ use crate::ui::context::Context;
 use crate::ui::gallery::{Choice, Gallery};
 use crate::ui::patterns;
 use crate::ui::theme::GRID;
+use crate::ui::transfer::{self, TransferAnswer};
 use egui::{Id, Modal};
 use std::path::PathBuf;
 
@@ -36,6 +37,11 @@ pub(crate) fn show(
             None => Answer::None,
             Some(true) => Answer::Pattern,
             Some(false) => Answer::Closed,
+        },
+        Dialog::Transfer(question) => match transfer::ask(ui, question, cx) {
+            None => Answer::None,
+            Some(TransferAnswer::Closed) => Answer::Closed,
+            Some(answer) => Answer::Transfer(answer),
         },
     });
     match modal.inner {

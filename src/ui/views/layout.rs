@@ -10,7 +10,9 @@ use super::picture::Painter;
 use super::region::RegionTool;
 use super::sketching::Sketching;
 use super::view::{Tools, show};
+use crate::render::{Camera, RenderError};
 use crate::sketch::View;
+use crate::transfer::{Look, Viewpoint};
 use crate::ui::context::Context;
 use crate::ui::editing::{self, Editing, Kind};
 use egui::{PointerButton, Pos2, Rect, Ui};
@@ -173,6 +175,37 @@ impl Views {
     /// Whether pictures are drawn in software; none where none are drawn.
     pub(crate) fn draws_in_software(&self) -> Option<bool> {
         self.painter.as_ref().map(Painter::saves_work)
+    }
+
+    /// How pictures look that are made of what the result view shows, as large as it is.
+    pub(crate) fn look(&self, cx: &Context, pixels_per_point: f32) -> Look {
+        let result = self.frames().into_iter().find(|frame| frame.kind == PaneKind::Result);
+        let camera = result.map_or_else(Camera::perspective, |frame| frame.camera);
+        // Even, as players of moving pictures like them.
+        let extent = |points: f32| ((points * pixels_per_point / 2.0).round() as u32 * 2).clamp(64, 8192);
+        let size = result.map_or([1280, 720], |frame| [extent(frame.rect.width()), extent(frame.rect.height())]);
+        Look {
+            view: Viewpoint::Placed(camera),
+            size,
+            display: self.options.display.clone(),
+            theme: cx.tone.pictures(),
+            field: self.options.field(),
+            tension: self.options.tension,
+        }
+    }
+
+    fn result(&self) -> Option<&Pane> {
+        panes(&self.panes).find(|pane| pane.kind == PaneKind::Result)
+    }
+
+    /// Whether the result view has been drawn.
+    pub(crate) fn has_picture(&self) -> bool {
+        self.painter.is_some() && self.result().is_some_and(|pane| pane.picture.is_drawn())
+    }
+
+    /// The picture of the result view as it was drawn last, without what is written over it; none before it was.
+    pub(crate) fn result_picture(&self) -> Option<Result<crate::render::Picture, RenderError>> {
+        self.painter.as_ref()?.picture(&self.result()?.picture)
     }
 
     /// Where the result view shows a point of the world [m]; none behind its eye.

@@ -60,6 +60,11 @@ fn next<T: PartialEq + Copy, const N: usize>(all: &[(T, &str); N], chosen: T) ->
 }
 
 impl ViewOptions {
+    /// The field that solids are coloured by.
+    pub(crate) fn field(&self) -> Option<FieldKind> {
+        self.field
+    }
+
     /// The next colour map, or none.
     pub(crate) fn next_field(&mut self, cx: &Context) {
         self.choose_field(next(&FIELDS, self.field), cx);

@@ -2,7 +2,7 @@
 
 use super::displayed::DisplayedState;
 use crate::draw::{Display, Subject, draw};
-use crate::render::{Blit, Camera, Content, Options, Renderer, Viewport};
+use crate::render::{Blit, Camera, Content, Options, RenderError, Renderer, Viewport, read_back};
 use crate::scene::Scene;
 use crate::solver::snapshot::Snapshot;
 use crate::ui::theme::Tone;
@@ -67,6 +67,11 @@ impl Painter {
         self.software
     }
 
+    /// A picture as it was painted last; none before it was.
+    pub(crate) fn picture(&self, picture: &Picture) -> Option<Result<crate::render::Picture, RenderError>> {
+        picture.viewport.as_ref().map(|viewport| read_back(&self.renderer, viewport))
+    }
+
     /// What shows `inputs` as `camera` sees it in a place of the window, drawn anew only if something has changed; none where
     /// there is no room.
     pub(crate) fn paint(
@@ -123,6 +128,13 @@ impl Painter {
         }
         let shown = Blitted { blit: self.blit.clone(), source: picture.source.clone()? };
         Some(egui_wgpu::Callback::new_paint_callback(place, shown))
+    }
+}
+
+impl Picture {
+    /// Whether there is one.
+    pub(crate) fn is_drawn(&self) -> bool {
+        self.viewport.is_some()
     }
 }
 

@@ -46,18 +46,18 @@ pub(super) fn draft(
 
     progress(name, BakeStage::Neighbours)?;
     let ParticleSampling { sample, volume: shape_volume, size, .. } = sampling;
-    let neighbourhood = Neighbourhood::on_lattice(sample, kernel, volume)
+    let neighbourhood = Neighbourhood::around(sample, kernel, volume, &sampling.hollows)
         .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);
 
     progress(name, BakeStage::Embedding)?;
-    let embedder = Embedder::new(&sample.points, kernel);
+    let embedder = Embedder::around(&sample.points, kernel, sampling.hollows.clone());
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);
 
     let mass = match material.mass {
-        Mass::Density(density) => density * shape_volume / sample.points.len() as f64,
+        Mass::Density(density) => density * shape_volume / sampling.whole as f64,
         Mass::PerParticle(mass) => mass,
     };
     let orientation = body.placement.rotation.quaternion();

@@ -22,6 +22,7 @@ mod start;
 mod step_plan;
 mod supports;
 mod two_layer;
+mod voids;
 
 pub use error::BakeError;
 pub use fibres::PlacedFibre;

@@ -32,6 +32,7 @@ mod start;
 mod time;
 mod two_layer;
 mod validate;
+mod void;
 mod wind;
 
 pub use activation::{Activation, Curl, MusclePull, TwistRate};
@@ -62,4 +63,5 @@ pub use time::{Automatic, Manual, Time, TimeStep};
 pub use two_layer::{ContactKind, Drag, PressureIn, RegionMass, TwoLayer, TwoLayerContact};
 pub use validate::SceneError;
 pub(crate) use validate::{brief, one_line};
+pub use void::{MAX_VOIDS, Void, VoidMesh, VoidShape};
 pub use wind::Wind;

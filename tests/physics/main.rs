@@ -34,4 +34,5 @@ mod two_layer;
 mod two_layer_forces;
 mod two_layer_limits;
 mod two_layer_mesh;
+mod voids;
 mod world;

@@ -11,6 +11,7 @@ mod measure;
 mod parts;
 mod solid;
 mod two_layer;
+mod voids;
 
 pub use error::SceneError;
 pub(crate) use error::{brief, one_line};

@@ -3,6 +3,7 @@
 use super::check::{At, Checked, Ids, fraction, not_negative, positive, require, vector, within};
 use super::drives;
 use super::parts::{impulses, initial, model_file, pins, placement, regions, rotation};
+use super::voids::voids;
 use super::{SceneError, brief};
 use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
@@ -135,6 +136,7 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
         }
     }
     paint(&at.field("paint"), &body.paint)?;
+    voids(&at.field("voids"), &body.voids)?;
     pins(at, &body.pins, &known, &body.drives)
 }
 
@@ -175,7 +177,7 @@ fn fibre(at: &At<'_>, fibre: &Fibre) -> Checked {
     fraction(&at.field("volume_fraction"), fibre.volume_fraction)
 }
 
-fn source(at: &At<'_>, source: &FibreSource) -> Checked {
+pub(super) fn source(at: &At<'_>, source: &FibreSource) -> Checked {
     match source {
         FibreSource::Vertices(vertices) => {
             let at = at.field("vertices");

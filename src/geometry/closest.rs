@@ -16,7 +16,11 @@ pub(crate) fn closest_segments([a, b]: [DVec3; 2], [c, d]: [DVec3; 2]) -> f64 {
     let (uu, uv, vv) = (u.length_squared(), u.dot(v), v.length_squared());
     let determinant = uu * vv - uv * uv;
     // Where both lines are nearest, as far as that lies on the first; then the nearest on the second, and back.
-    let s = if determinant > 1e-12 * uu * vv { ((uv * v.dot(w) - vv * u.dot(w)) / determinant).clamp(0.0, 1.0) } else { 0.0 };
+    let s = if determinant > 1e-12 * uu * vv {
+        ((uv * v.dot(w) - vv * u.dot(w)) / determinant).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
     let on = |x: DVec3, ends: [DVec3; 2]| {
         let [s, t] = closest_on_segment(x, ends);
         s * ends[0] + t * ends[1]

@@ -130,10 +130,9 @@ impl Hollow {
                 let wall = isosurface(&|at| self.distance(at), min - 2.0 * cell, max + 2.0 * cell, cell);
                 TriangleMesh { positions: wall.positions, triangles: wall.triangles }
             }
-            Self::Solid(of) => TriangleMesh {
-                positions: of.solid.surface.points.clone(),
-                triangles: of.solid.surface.faces.clone(),
-            },
+            Self::Solid(of) => {
+                TriangleMesh { positions: of.solid.surface.points.clone(), triangles: of.solid.surface.faces.clone() }
+            }
         }
     }
 }
@@ -186,9 +185,7 @@ impl Hollows {
 
     /// Whether a point [m] lies in any.
     pub(crate) fn contain(&self, at: DVec3) -> bool {
-        self.shapes.iter().any(|(shape, [min, max])| {
-            min.cmple(at).all() && at.cmple(*max).all() && shape.contains(at)
-        })
+        self.shapes.iter().any(|(shape, [min, max])| min.cmple(at).all() && at.cmple(*max).all() && shape.contains(at))
     }
 
     /// Whether any lies between two points [m].

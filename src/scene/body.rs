@@ -3,7 +3,7 @@
 use super::extra::is_false;
 use super::{
     BoxShape, Dab, Extra, Fibre, Impulse, Initial, IntegratorChoice, Material, MeshShape, Pin, Placement, Region,
-    Shape, SharedDrive, Void, add_dab,
+    RegionMaterial, Shape, SharedDrive, Void, add_dab,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -56,6 +56,9 @@ pub struct Body {
     /// Named sets of particles.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub regions: Vec<Region>,
+    /// Regions with a matrix of their own.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub region_materials: Vec<RegionMaterial>,
     /// Regions whose motion is prescribed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pins: Vec<Pin>,
@@ -84,6 +87,7 @@ impl Body {
             paint: Vec::new(),
             voids: Vec::new(),
             regions: Vec::new(),
+            region_materials: Vec::new(),
             pins: Vec::new(),
             extra: Extra::new(),
         }
@@ -117,6 +121,13 @@ impl Body {
     #[must_use]
     pub fn with_fibre(mut self, fibre: Fibre) -> Self {
         self.fibres.push(fibre);
+        self
+    }
+
+    /// With one region more that has a matrix of its own.
+    #[must_use]
+    pub fn with_region_material(mut self, material: RegionMaterial) -> Self {
+        self.region_materials.push(material);
         self
     }
 

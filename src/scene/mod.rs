@@ -26,6 +26,7 @@ mod paint;
 mod panel;
 mod pin;
 mod region;
+mod region_material;
 mod room;
 mod shape;
 mod start;
@@ -45,10 +46,11 @@ pub use drive::{AfterLast, Drive, DriveKey, DriveKeys, Interpolation, SharedDriv
 pub use extra::Extra;
 pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
+    YieldPast,
 };
 pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
-pub use material::{Damping, Falloff, Mass, Material, Precision, USUAL_SUPPORT_RADIUS};
+pub use material::{Damping, Falloff, Mass, Material, Plasticity, Precision, USUAL_SUPPORT_RADIUS, Viscosity};
 pub use measure::{Advance, Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 #[cfg(feature = "gui")]
 pub(crate) use naming::UNTITLED;
@@ -56,6 +58,7 @@ pub use paint::{Dab, MAX_DABS, add_dab, painted};
 pub use panel::{HeightKey, Panel, PanelDrive, PanelMotion};
 pub use pin::{Distance, DrivenMotion, DrivenTurn, Easing, Keyframe, Motion, Pin, Ramp, Turn};
 pub use region::{Region, Selector};
+pub use region_material::RegionMaterial;
 pub use room::{Room, Sticking};
 pub use shape::{BoxShape, MeshShape, Placement, Rotation, Shape};
 pub use start::{Impulse, Initial};

@@ -74,11 +74,12 @@ const LEAST_WEIGHT: f64 = 1e-30;
 
 impl<'a> Embedder<'a> {
     /// Weights over particles at `points` (rest, model frame).
+    #[cfg(test)]
     pub(crate) fn new(points: &'a [DVec3], kernel: Kernel) -> Self {
         Self::around(points, kernel, Hollows::default())
     }
 
-    /// [`Self::new`], where nothing hangs on particles across a hollow.
+    /// Weights over particles at `points` (rest, model frame), where nothing hangs on those across a hollow.
     pub(crate) fn around(points: &'a [DVec3], kernel: Kernel, hollows: Hollows) -> Self {
         let grid = PointGrid::new(points, kernel.support_radius);
         let mut this = Self { points, grid, kernel, median_sum: 0.0, hollows };

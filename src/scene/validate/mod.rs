@@ -7,6 +7,7 @@ mod bodies;
 mod check;
 mod drives;
 mod error;
+mod lines;
 mod measure;
 mod parts;
 mod solid;

@@ -1,8 +1,8 @@
 //! Checks of voids.
 
 use super::check::{At, Checked, Ids, number, ordered, positive, require, vector};
+use super::lines::source;
 use super::parts::model_file;
-use super::solid::source;
 use crate::scene::{MAX_VOIDS, Void, VoidShape};
 
 pub(super) fn voids(at: &At<'_>, voids: &[Void]) -> Checked {

@@ -109,6 +109,9 @@
 //! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
 //! | fibres far stiffer than their matrix | `solver::integrators::fibres_implicit`; chosen in `bake::integrator` |
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
+//! | what is taken out of a body | `bake::voids`; `geometry::hollows`, what they leave: `geometry::carve`, the skin: `geometry::clip` |
+//! | regions with a matrix of their own | `bake::region_materials` |
+//! | what does not spring back | `solver::forces::matrix` (`inelastic`, `flow_rule`), `solver::forces::fibre::yielding` |
 //! | implicit steps: the matrix, how a stage is solved, what becomes of one that is not | `solver::implicit` |
 //! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact` |
 //! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::easing`; what is said of it: `bake::overlaps` |
@@ -150,6 +153,8 @@
 //! - *stencil*: the offsets of the lattice within h with their weights, the same for every particle. *Brick*: four
 //!   places of the lattice in a row along x (eight in f32), computed at once. *Pair list*: the same forces, neighbour by
 //!   neighbour. *Fast*: the stencil in f32, on deviations from the body's rigid motion; *exact*: all else, in f64.
+//! - *void*: what is taken out of a body. *Hollow*: its shape among the particles, across which they do not feel each other.
+//! - *yield*: to take another shape at rest, past a limit. *Dissipated*: lost to that and to viscosity.
 //! - *two-layer body*: an outer and an inner *layer* of particles joined by springs, with gas inside (the two-layer
 //!   paper's). It has no matrix and no fibres.
 //! - *skin*: the surface that is drawn, carried by the particles. *Rig*: how it hangs on them. *Arm*: the way to a point too

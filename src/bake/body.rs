@@ -7,15 +7,17 @@ use super::limits::{Resistance, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
 use super::pins::{Following, note_pins};
+use super::region_materials::varied;
 use super::stage::{BakeStage, Tell};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{drives, fibres, room, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, Mass, Precision, Scene};
+use crate::scene::{Body, BodyKind, Mass, Material, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
-    AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, MatrixForce, PairDamping, StepLimit,
+    AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, InelasticLaw, MatrixForce, PairDamping,
+    Plasticity, StepLimit, Viscosity,
 };
 use crate::solver::integrators::LeapFrog;
 use crate::solver::neighbourhood::Neighbourhood;
@@ -46,34 +48,37 @@ pub(super) fn draft(
 
     progress(name, BakeStage::Neighbours)?;
     let ParticleSampling { sample, volume: shape_volume, size, .. } = sampling;
-    let neighbourhood = Neighbourhood::on_lattice(sample, kernel, volume)
+    let neighbourhood = Neighbourhood::around(sample, kernel, volume, &sampling.hollows)
         .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);
 
     progress(name, BakeStage::Embedding)?;
-    let embedder = Embedder::new(&sample.points, kernel);
+    let embedder = Embedder::around(&sample.points, kernel, sampling.hollows.clone());
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);
 
     let mass = match material.mass {
-        Mass::Density(density) => density * shape_volume / sample.points.len() as f64,
+        Mass::Density(density) => density * shape_volume / sampling.whole as f64,
         Mass::PerParticle(mass) => mass,
     };
     let orientation = body.placement.rotation.quaternion();
     let regions = supports::regions(body, sample, path)?;
     let rest: Arc<[DVec3]> = sample.points.iter().map(|&x| to_world(&body.placement, x)).collect();
-    let state = initial_state(body, &sample.points, &regions, mass, path)?;
+    let varied = varied(body, &regions, &sample.points, [mass, shape_volume / sampling.whole as f64], path)?;
+    let masses = varied.masses.unwrap_or_else(|| vec![mass; sample.points.len()]);
+    let state = initial_state(body, &sample.points, &regions, masses, path)?;
 
     let fractions = fibres::fractions(body, &sample.points, kernel, &placed);
-    let matrix = MatrixForce::new(
+    let matrix = MatrixForce::stiffened(
         Arc::clone(&neighbourhood),
         sample.points.as_slice().into(),
         Elasticity::new(material.young_modulus, material.poisson_ratio, spacing),
         volume,
-        fibres::matrix_fractions(&fractions),
+        (fibres::matrix_fractions(&fractions), varied.stiffening),
         orientation,
     );
+    let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)));
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(match material.precision {
         Precision::Exact => matrix,
         Precision::Fast => matrix.fast(),
@@ -85,7 +90,8 @@ pub(super) fn draft(
         matrix_alone = Some(forces.clone());
         forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
     }
-    forces.extend(weight_and_damping(scene, body, &neighbourhood));
+    forces.extend(inelastic.map(|inelastic| inelastic as Box<dyn Force>));
+    forces.extend(weight_and_damping(scene, body, &neighbourhood, varied.damping.as_deref()));
     let flow = scene.wind.as_ref().and(skin.as_deref()).and_then(|skin| drives::wind(scene, skin.flow_surface()));
     forces.extend(flow.map(|flow| Box::new(flow) as Box<dyn Force>));
 
@@ -144,15 +150,35 @@ pub(super) fn draft(
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
 }
 
-/// Gravity, damping between particles and drag of the air, as many of them as there are.
-fn weight_and_damping(scene: &Scene, body: &Body, neighbourhood: &Neighbourhood) -> Vec<Box<dyn Force>> {
+/// What of a material is not elastic, if anything.
+fn inelastic(material: &Material) -> Option<InelasticLaw> {
+    let viscosity = material.viscosity.as_ref().map(|of| Viscosity { shear: of.shear, bulk: of.bulk });
+    let plasticity = material.plasticity.as_ref().map(|of| Plasticity {
+        yield_stress: of.yield_stress,
+        hardening: of.hardening,
+        creep_time: of.creep_time,
+    });
+    let viscosity = viscosity.filter(|of| *of != Viscosity::default());
+    (viscosity.is_some() || plasticity.is_some()).then_some(InelasticLaw { viscosity, plasticity })
+}
+
+/// Gravity, damping between particles and drag of the air, as many of them as there are; `rates` are those of the damping
+/// at every particle where it is not the same everywhere.
+fn weight_and_damping(
+    scene: &Scene,
+    body: &Body,
+    neighbourhood: &Neighbourhood,
+    rates: Option<&[f64]>,
+) -> Vec<Box<dyn Force>> {
     let damping = &body.material.damping;
     let mut forces: Vec<Box<dyn Force>> = Vec::new();
     let gravity = DVec3::from_array(scene.gravity);
     if gravity != DVec3::ZERO {
         forces.push(Box::new(Gravity::new(gravity, drives::gravity(scene))));
     }
-    if damping.pair > 0.0 {
+    if let Some(rates) = rates {
+        forces.push(Box::new(PairDamping::varied(rates, neighbourhood)));
+    } else if damping.pair > 0.0 {
         forces.push(Box::new(PairDamping::new(damping.pair, neighbourhood)));
     }
     if damping.air > 0.0 {
@@ -180,13 +206,13 @@ fn initial_state(
     body: &Body,
     points: &[DVec3],
     regions: &HashMap<String, Vec<u32>>,
-    mass: f64,
+    masses: Vec<f64>,
     path: &str,
 ) -> Result<ParticleState, BakeError> {
     let n = points.len();
     let positions: Vec<DVec3> = deformed(&body.initial, points).map(|x| to_world(&body.placement, x)).collect();
     let velocity = DVec3::from_array(body.initial.velocity);
-    let mut state = ParticleState { velocities: vec![velocity; n], masses: vec![mass; n], positions };
+    let mut state = ParticleState { velocities: vec![velocity; n], masses, positions };
     spin(&mut state, &body.initial);
     for (k, impulse) in body.impulses.iter().enumerate() {
         let group = supports::find(regions, &impulse.region, &format!("{path}/impulses/{k}/region"))?;

@@ -1,6 +1,7 @@
 //! What keeps a scene from being put together.
 
 use crate::geometry::FillError;
+use crate::sketch::SketchError;
 use crate::solver::neighbourhood::TooThin;
 use thiserror::Error;
 
@@ -71,6 +72,32 @@ pub enum BakeError {
         path: String,
         /// What was found.
         source: TooThin,
+    },
+    /// A wall beside a void that is hardly more than one layer of particles thick.
+    #[error(
+        "{path}: {count} particles beside it, the first at {at:.4?} m, are a wall of less than two layers, which cannot resist \
+         bending; leave {least:.2e} m or more, or give the material a support radius of {support_radius:.2e} m, which makes two \
+         layers of one"
+    )]
+    ThinWall {
+        /// Pointer to the void's shape.
+        path: String,
+        /// Particles of the wall.
+        count: usize,
+        /// The first of them [m].
+        at: [f64; 3],
+        /// Thickness of two layers [m].
+        least: f64,
+        /// Support radius at which one layer becomes two [m].
+        support_radius: f64,
+    },
+    /// A tube whose strokes make no line.
+    #[error("{path}: {source}")]
+    VoidUndrawn {
+        /// Pointer to the source.
+        path: String,
+        /// What is wrong with it.
+        source: SketchError,
     },
     /// A region that selects no particle.
     #[error("{path}: the region selects none of the {particles} particles; enlarge it or remove it")]

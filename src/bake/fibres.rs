@@ -9,7 +9,7 @@ use crate::sketch::{Placed, SketchError, SketchNote, structure_particles, trim};
 use crate::solver::body::FibreLine;
 use crate::solver::embedding::{Embedder, EmbeddingWeights};
 use crate::solver::forces::fibre::breaking::BreakLimits;
-use crate::solver::forces::fibre::{FibreActivation, FibreRest, FibreTwist, Muscle};
+use crate::solver::forces::fibre::{FibreActivation, FibreRest, FibreTwist, Muscle, YieldLimits};
 use crate::solver::volume_fraction::volume_fractions;
 use crate::text::number::four_figures;
 use glam::DVec3;
@@ -254,11 +254,12 @@ pub(super) fn rods(
             let (ea, ei) = fibre.stiffness.rigidity(particle_volume);
             let vertices = &run.vertices[run.active.clone()];
             let curls = fibre.activation.as_ref().is_some_and(|activation| activation.curl.is_some());
+            let bends_for_good = fibre.yields.as_ref().is_some_and(|past| past.curvature_degrees_per_metre.is_some());
             let inner = vertices.get(1..vertices.len().saturating_sub(1)).unwrap_or_default();
             let turns = inner
                 .iter()
                 .map(|&at| match fibre.rest_shape {
-                    RestShape::Straight if !curls => None,
+                    RestShape::Straight if !curls && !bends_for_good => None,
                     _ => embedder.turn_weights(at),
                 })
                 .collect();
@@ -272,6 +273,7 @@ pub(super) fn rods(
                 .twisting(twist(fibre, embedder, vertices))
                 .on_line(line as u32, run.active.start as u32)
                 .breaking(limits(fibre))
+                .yielding(yield_limits(fibre))
                 .acting(activation))
         })
         .collect()
@@ -332,6 +334,14 @@ fn limits(fibre: &Fibre) -> BreakLimits {
     BreakLimits {
         angle: past.and_then(|past| past.angle).map_or(f64::INFINITY, f64::to_radians),
         tension: past.and_then(|past| past.tension).unwrap_or(f64::INFINITY),
+    }
+}
+
+fn yield_limits(fibre: &Fibre) -> YieldLimits {
+    let past = fibre.yields.as_ref();
+    YieldLimits {
+        tension: past.and_then(|past| past.tension).unwrap_or(f64::INFINITY),
+        curvature: past.and_then(|past| past.curvature_degrees_per_metre).map_or(f64::INFINITY, f64::to_radians),
     }
 }
 

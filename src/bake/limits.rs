@@ -6,7 +6,7 @@
 //! fibres.
 
 use crate::scene::TwoLayer;
-use crate::solver::forces::{FibreForce, Flow, Force, StepLimit};
+use crate::solver::forces::{FibreForce, Flow, Force, Inelastic, StepLimit};
 use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
 use crate::solver::stable_step::highest_frequency_squared;
@@ -106,12 +106,14 @@ pub(super) enum SolidParameter {
     YoungModulus,
     Fibres,
     PairDamping,
+    Viscosity,
     AirDrag,
     Wind,
 }
 
 impl SolidParameter {
-    const ALL: [Self; 5] = [Self::YoungModulus, Self::Fibres, Self::PairDamping, Self::AirDrag, Self::Wind];
+    const ALL: [Self; 6] =
+        [Self::YoungModulus, Self::Fibres, Self::PairDamping, Self::Viscosity, Self::AirDrag, Self::Wind];
 
     /// Its pointer, of a body by the pointer to that.
     pub(super) fn pointer(self, body: &str) -> String {
@@ -119,6 +121,7 @@ impl SolidParameter {
             Self::YoungModulus => format!("{body}/material/young_modulus"),
             Self::Fibres => format!("{body}/fibres"),
             Self::PairDamping => format!("{body}/material/damping/pair"),
+            Self::Viscosity => format!("{body}/material/viscosity"),
             Self::AirDrag => format!("{body}/material/damping/air"),
             Self::Wind => WIND.to_owned(),
         }
@@ -135,6 +138,8 @@ pub(super) struct Resistance {
     matrix: f64,
     contact: StepLimit,
     pair: f64,
+    /// Of the matrix: the very rate of the mode that sees most of it.
+    viscous: f64,
     air: f64,
     /// By [`wind_rate`].
     wind: f64,
@@ -165,17 +170,21 @@ impl Resistance {
         }
         let matrix = matrix.map_or(all, |mut matrix| highest_frequency_squared(&mut matrix, state, spacing).min(all));
         let wind = wind_rate(forces, state);
-        let of_the_body = forces.iter().filter(|force| force.downcast_ref::<Flow>().is_none());
-        let damping: f64 = of_the_body.map(|force| force.step_limit(state).damping_rate).sum();
+        let rate = |force: &Box<dyn Force>| force.step_limit(state).damping_rate;
+        let viscous: f64 = forces.iter().filter(|force| force.downcast_ref::<Inelastic>().is_some()).map(rate).sum();
+        let of_the_body = forces
+            .iter()
+            .filter(|force| force.downcast_ref::<Flow>().is_none() && force.downcast_ref::<Inelastic>().is_none());
+        let damping: f64 = of_the_body.map(rate).sum();
         let implicit = fibres.is_none_or(FibreForce::takes_implicit_steps);
-        Self { all, matrix, contact, pair: damping - air, air, wind, implicit }
+        Self { all, matrix, contact, pair: damping - air, viscous, air, wind, implicit }
     }
 
     /// Greatest stable step [s].
     pub(super) fn stable_step(&self, integrator: &dyn Integrator) -> f64 {
         let own = if integrator.takes_fibres() && self.implicit { self.matrix } else { self.all };
         let frequency = (self.contact.frequency_squared + own).sqrt();
-        let assured = self.pair + self.air;
+        let assured = self.pair + self.viscous + self.air;
         // Damping shortens the step of some integrators and is all that holds others: explicit Euler may count only on
         // what every particle has all the time, and the bound of each rate is up to four times what a mode sees.
         let with_least = integrator.stable_step(frequency, ASSURED * assured);
@@ -199,6 +208,7 @@ impl Resistance {
             }
             SolidParameter::Fibres => self.all -= 0.5 * (self.all - self.matrix),
             SolidParameter::PairDamping => self.pair *= 0.5,
+            SolidParameter::Viscosity => self.viscous *= 0.5,
             SolidParameter::AirDrag => self.air *= 0.5,
             SolidParameter::Wind => self.wind *= 0.5,
         }

@@ -61,6 +61,8 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
                 }
                 MeasureKind::InertiaRatio => Quantity::InertiaRatio,
                 MeasureKind::ActivationWork => Quantity::ActivationWork,
+                MeasureKind::Dissipated => Quantity::Dissipated,
+                MeasureKind::PlasticStrain => Quantity::PlasticStrain,
             };
             let peak = measure.over_time == OverTime::Peak;
             Ok(Probe { name: measure.name.clone(), body, quantity, peak })

@@ -15,6 +15,7 @@ mod note;
 mod overlaps;
 mod particle_sampling;
 mod pins;
+mod region_materials;
 mod room;
 mod spans;
 mod stage;
@@ -22,6 +23,7 @@ mod start;
 mod step_plan;
 mod supports;
 mod two_layer;
+mod voids;
 
 pub use error::BakeError;
 pub use fibres::PlacedFibre;

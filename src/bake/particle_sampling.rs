@@ -4,6 +4,9 @@ use super::error::BakeError;
 use super::mesh_filling::Meshed;
 use super::note::Note;
 use super::stage::{BakeStage, Tell};
+use super::voids::Hollowing;
+use crate::geometry::clip::DrawnSurface;
+use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box};
 use crate::geometry::mesh::box_surface;
@@ -18,6 +21,10 @@ use std::ops::ControlFlow;
 pub(super) struct ParticleSampling<'a> {
     /// The particles.
     pub(super) sample: LatticeSample,
+    /// Particles before any were taken out.
+    pub(super) whole: usize,
+    /// What was taken out.
+    pub(super) hollows: Hollows,
     /// Volume of the shape [m³].
     pub(super) volume: f64,
     /// Extents of the shape [m].
@@ -32,6 +39,15 @@ enum Source<'a> {
     Mesh(&'a Solid),
 }
 
+impl Source<'_> {
+    fn contains(&self, at: DVec3) -> bool {
+        match self {
+            Self::Box(solid) => solid.contains(at),
+            Self::Mesh(solid) => solid.contains(at),
+        }
+    }
+}
+
 /// Volume errors beyond this are said.
 const VOLUME_ERROR: f64 = 0.02;
 
@@ -44,7 +60,7 @@ pub(super) fn sample_particles<'a>(
 ) -> Result<ParticleSampling<'a>, BakeError> {
     let mut filled = |done, of| progress(body.title(), BakeStage::Sampling { done, of });
     filled(0, 1)?;
-    let sampling = match &body.shape {
+    let mut sampling = match &body.shape {
         Shape::Box(shape) => fill_box_shape(body, shape, path)?,
         Shape::Mesh(shape) => {
             let file = format!("{path}/shape/mesh/path");
@@ -60,6 +76,8 @@ pub(super) fn sample_particles<'a>(
             let mut filling = Meshed { body, shape, solid, path }.filled(notes, &mut told)?;
             ParticleSampling {
                 thin: Meshed::thin_places(&mut filling),
+                whole: filling.sample.points.len(),
+                hollows: Hollows::default(),
                 sample: filling.sample,
                 volume: solid.volume,
                 size: solid.size(),
@@ -69,6 +87,9 @@ pub(super) fn sample_particles<'a>(
     };
     filled(1, 1)?;
     sampling.note_sampling(path, notes);
+    if !body.voids.is_empty() {
+        sampling.take_out_voids(body, assets, path, notes)?;
+    }
     Ok(sampling)
 }
 
@@ -80,7 +101,9 @@ fn fill_box_shape<'a>(body: &Body, shape: &BoxShape, path: &str) -> Result<Parti
         return Err(BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing });
     }
     let (volume, size) = (solid.volume(), solid.size);
-    Ok(ParticleSampling { sample, volume, size, thin: Vec::new(), source: Source::Box(solid) })
+    let whole = sample.points.len();
+    let (thin, hollows, source) = (Vec::new(), Hollows::default(), Source::Box(solid));
+    Ok(ParticleSampling { sample, whole, hollows, volume, size, thin, source })
 }
 
 fn lattice_axes(rotation: &Rotation) -> DMat3 {
@@ -89,6 +112,25 @@ fn lattice_axes(rotation: &Rotation) -> DMat3 {
 }
 
 impl ParticleSampling<'_> {
+    /// Takes the body's voids out of its particles.
+    fn take_out_voids(
+        &mut self,
+        body: &Body,
+        assets: &Assets,
+        path: &str,
+        notes: &mut Vec<Note>,
+    ) -> Result<(), BakeError> {
+        let source = &self.source;
+        let is_solid = |at: DVec3| source.contains(at);
+        let hollowing = Hollowing { body, assets, path, diagonal: self.size.length(), is_solid: &is_solid };
+        let (carved, hollows) = hollowing.of(&self.sample, notes)?;
+        // Thin places by their new numbers.
+        let now = carved.kept.iter().zip(0_u32..).filter(|(before, _)| self.thin.binary_search(before).is_ok());
+        self.thin = now.map(|(_, now)| now).collect();
+        (self.sample, self.hollows) = (carved.sample, hollows);
+        Ok(())
+    }
+
     /// The body with the support radius that its particles were given in the end.
     pub(super) fn effective<'b>(&self, body: &'b Body) -> Cow<'b, Body> {
         if matches!(self.source, Source::Box(_)) || self.sample.spacing == body.material.spacing() {
@@ -112,6 +154,9 @@ impl ParticleSampling<'_> {
         match &self.source {
             Source::Box(solid) => {
                 let surface = box_surface(solid, self.sample.spacing);
+                if !self.hollows.is_empty() {
+                    return self.hollow_skin(DrawnSurface::of(surface), kernel, progress);
+                }
                 let point_of: Vec<u32> = (0..surface.positions.len() as u32).collect();
                 let shape = SkinShape {
                     points: &surface.positions,
@@ -120,10 +165,41 @@ impl ParticleSampling<'_> {
                     colours: &[],
                     triangles: &surface.triangles,
                 };
-                Skin::try_embed(&shape, particles, kernel, progress)
+                Skin::try_embed(&shape, particles, kernel, &self.hollows, progress)
             }
-            Source::Mesh(solid) => Skin::try_embed(&SkinShape::of(solid), particles, kernel, progress),
+            Source::Mesh(solid) if self.hollows.is_empty() => {
+                Skin::try_embed(&SkinShape::of(solid), particles, kernel, &self.hollows, progress)
+            }
+            Source::Mesh(solid) => {
+                let surface = DrawnSurface {
+                    points: solid.surface.points.clone(),
+                    point_of: solid.surface.point_of.clone(),
+                    normals: solid.model.normals.clone(),
+                    colours: solid.model.colours.clone(),
+                    triangles: solid.model.triangles.clone(),
+                };
+                self.hollow_skin(surface, kernel, progress)
+            }
         }
+    }
+
+    /// The surface with openings where voids come out of it, and their walls.
+    fn hollow_skin(
+        &self,
+        surface: DrawnSurface,
+        kernel: Kernel,
+        progress: &mut dyn FnMut(usize, usize) -> Result<(), BakeError>,
+    ) -> Result<Option<Skin>, BakeError> {
+        let is_solid = |at: DVec3| self.source.contains(at);
+        let surface = surface.hollowed(&self.hollows, self.sample.spacing, &is_solid);
+        let shape = SkinShape {
+            points: &surface.points,
+            point_of: &surface.point_of,
+            normals: &surface.normals,
+            colours: &surface.colours,
+            triangles: &surface.triangles,
+        };
+        Skin::try_embed(&shape, &self.sample.points, kernel, &self.hollows, progress)
     }
 
     fn note_sampling(&self, path: &str, notes: &mut Vec<Note>) {

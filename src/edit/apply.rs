@@ -33,6 +33,10 @@ impl Command {
                 }
             }
             Self::SetPaint { body, paint } => body_of(scene, body)?.paint.clone_from(paint),
+            Self::SetVoids { body, voids } => body_of(scene, body)?.voids.clone_from(voids),
+            Self::SetRegionMaterials { body, materials } => {
+                body_of(scene, body)?.region_materials.clone_from(materials);
+            }
             Self::SetMaterial { body, material } => body_of(scene, body)?.material = material.clone(),
             Self::SetIntegrator { body, integrator } => *any_body_of(scene, body)?.integrator_mut() = *integrator,
             Self::SetPins { body, regions, pins } => {

@@ -1,6 +1,8 @@
 //! Changes of the document.
 
-use crate::scene::{Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, Room, Time, TwoLayer};
+use crate::scene::{
+    Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, RegionMaterial, Room, Time, TwoLayer, Void,
+};
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
 /// replayed.
@@ -61,6 +63,20 @@ pub enum Command {
         body: String,
         /// The dabs in the order in which they act; none clears it.
         paint: Vec<Dab>,
+    },
+    /// Changes what is taken out of a body.
+    SetVoids {
+        /// Identifier of the body.
+        body: String,
+        /// Its voids.
+        voids: Vec<Void>,
+    },
+    /// Changes which regions of a body have a matrix of their own.
+    SetRegionMaterials {
+        /// Identifier of the body.
+        body: String,
+        /// Their materials.
+        materials: Vec<RegionMaterial>,
     },
     /// Gives a body another material.
     SetMaterial {
@@ -147,6 +163,8 @@ impl Command {
             Self::SetColor { items, .. } => format!("Colour {}", several(items)),
             Self::SetPaint { paint, .. } if paint.is_empty() => "Clear painted fraction".to_owned(),
             Self::SetPaint { .. } => "Paint volume fraction".to_owned(),
+            Self::SetVoids { .. } => "Change voids".to_owned(),
+            Self::SetRegionMaterials { .. } => "Change materials of regions".to_owned(),
             Self::SetMaterial { .. } => "Change material".to_owned(),
             Self::SetIntegrator { .. } => "Change integrator".to_owned(),
             Self::SetPins { .. } => "Change pins".to_owned(),

@@ -1,4 +1,4 @@
-//! The nearest point of a segment and of a triangle.
+//! The nearest point of a segment and of a triangle, and the distance of two segments.
 
 use glam::DVec3;
 
@@ -8,6 +8,30 @@ pub(crate) fn closest_on_segment(x: DVec3, [a, b]: [DVec3; 2]) -> [f64; 2] {
     let square = ab.length_squared();
     let t = if square > 0.0 { ((x - a).dot(ab) / square).clamp(0.0, 1.0) } else { 0.0 };
     [1.0 - t, t]
+}
+
+/// Distance between two segments.
+pub(crate) fn closest_segments([a, b]: [DVec3; 2], [c, d]: [DVec3; 2]) -> f64 {
+    let (u, v, w) = (b - a, d - c, a - c);
+    let (uu, uv, vv) = (u.length_squared(), u.dot(v), v.length_squared());
+    let determinant = uu * vv - uv * uv;
+    // Where both lines are nearest, as far as that lies on the first; then the nearest on the second, and back.
+    let s = if determinant > 1e-12 * uu * vv {
+        ((uv * v.dot(w) - vv * u.dot(w)) / determinant).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    let on = |x: DVec3, ends: [DVec3; 2]| {
+        let [s, t] = closest_on_segment(x, ends);
+        s * ends[0] + t * ends[1]
+    };
+    let mut from = a + s * u;
+    let mut to = on(from, [c, d]);
+    for _ in 0..2 {
+        from = on(to, [a, b]);
+        to = on(from, [c, d]);
+    }
+    from.distance(to)
 }
 
 /// Weights of the corners in the point of a triangle that is nearest to `x`.

@@ -38,7 +38,7 @@ fn crosses(points: &[DVec3], a: [u32; 3], b: [u32; 3]) -> bool {
 const FLAT: f64 = 1e-12;
 
 /// Whether a segment passes through the inside of a triangle.
-fn passes([p, q]: [DVec3; 2], [a, b, c]: [DVec3; 3]) -> bool {
+pub(crate) fn passes([p, q]: [DVec3; 2], [a, b, c]: [DVec3; 3]) -> bool {
     let normal = (b - a).cross(c - a);
     let [above, below] = [p, q].map(|end| normal.dot(end - a));
     let scale = FLAT * normal.length();

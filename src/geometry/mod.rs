@@ -2,6 +2,8 @@
 //! (weld, check, orient, fill). Knows nothing of scenes or physics.
 
 pub(crate) mod bvh;
+pub(crate) mod carve;
+pub(crate) mod clip;
 pub(crate) mod closest;
 pub(crate) mod cluster;
 pub(crate) mod crossing;
@@ -11,6 +13,7 @@ pub(crate) mod file_mesh;
 pub(crate) mod fill;
 pub(crate) mod fineness;
 pub(crate) mod holes;
+pub(crate) mod hollows;
 pub(crate) mod inside;
 pub(crate) mod isosurface;
 pub(crate) mod kernel;

@@ -17,11 +17,11 @@ pub struct Thinness {
 }
 
 /// Least variance of the particles in reach, in squared spacings: 0 for one layer, 1/4 for two, about 1/2 for three.
-const SINGLE: f64 = 0.15;
+pub(crate) const SINGLE: f64 = 0.15;
 const DOUBLE: f64 = 0.3;
 
 /// Variance and number of neighbours below which a particle is held by next to nothing.
-const STRAY: (f64, usize) = (0.02, 6);
+pub(crate) const STRAY: (f64, usize) = (0.02, 6);
 
 /// Looks around every particle, out to `reach` spacings. Also tells which particles are strays: those whose neighbours
 /// lie on a plane or a line, or are too few.
@@ -200,7 +200,7 @@ fn within(at: IVec3) -> [usize; 2] {
 }
 
 /// Least eigenvalue of a symmetric matrix (Smith 1961).
-fn least_eigenvalue(a: DMat3) -> f64 {
+pub(crate) fn least_eigenvalue(a: DMat3) -> f64 {
     let mean = (a.x_axis.x + a.y_axis.y + a.z_axis.z) / 3.0;
     let b = a - DMat3::from_diagonal(DVec3::splat(mean));
     let p = ((b.x_axis.length_squared() + b.y_axis.length_squared() + b.z_axis.length_squared()) / 6.0).sqrt();

@@ -5,7 +5,7 @@
 
 use super::{
     Body, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region, Scene, Shape, SharedDrive,
-    TwoLayer, TwoLayerShape,
+    TwoLayer, TwoLayerShape, VoidMesh, VoidShape,
 };
 
 /// A body of either kind.
@@ -148,12 +148,19 @@ impl<'a> AnyBodyMut<'a> {
         either!(self, body => &mut body.pins)
     }
 
-    /// The path of the model that its shape names, if it does.
-    fn into_model_path(self) -> Option<&'a mut String> {
+    /// The paths of the models that its shape and its voids name.
+    fn into_model_paths(self) -> Vec<&'a mut String> {
         match self {
-            Self::Solid(Body { shape: Shape::Mesh(shape), .. }) => Some(&mut shape.path),
-            Self::TwoLayer(TwoLayer { shape: TwoLayerShape::Mesh(shape), .. }) => Some(&mut shape.path),
-            _ => None,
+            Self::Solid(Body { shape, voids, .. }) => {
+                let own = if let Shape::Mesh(shape) = shape { Some(&mut shape.path) } else { None };
+                let of_voids = voids.iter_mut().filter_map(|void| match &mut void.shape {
+                    VoidShape::Mesh(VoidMesh { path, .. }) => Some(path),
+                    _ => None,
+                });
+                own.into_iter().chain(of_voids).collect()
+            }
+            Self::TwoLayer(TwoLayer { shape: TwoLayerShape::Mesh(shape), .. }) => vec![&mut shape.path],
+            Self::TwoLayer(_) => Vec::new(),
         }
     }
 }
@@ -208,14 +215,22 @@ impl Scene {
         }
     }
 
-    /// The models that the scene's shapes name, each with the JSON pointer of the shape.
+    /// The models that the scene's shapes and voids name, each with the JSON pointer of the shape.
     pub fn meshes(&self) -> impl Iterator<Item = (String, ModelFile<'_>)> {
-        let models = self.all_bodies().enumerate().filter_map(|(index, body)| Some((index, body.model()?)));
-        models.map(|(index, model)| (format!("{}/shape/mesh", self.body_pointer(index)), model))
+        let models = self.all_bodies().enumerate().flat_map(|(index, body)| {
+            let own = body.model().map(|model| ("/shape/mesh".to_owned(), model));
+            let voids = body.solid().map_or(&[][..], |body| &body.voids).iter().enumerate();
+            let voids = voids.filter_map(|(k, void)| match &void.shape {
+                VoidShape::Mesh(mesh) => Some((format!("/voids/{k}/shape/mesh"), mesh.into())),
+                _ => None,
+            });
+            own.into_iter().chain(voids).map(move |(pointer, model)| (index, pointer, model))
+        });
+        models.map(|(index, pointer, model)| (self.body_pointer(index) + &pointer, model))
     }
 
     /// Where the scene names its models.
     pub fn model_paths_mut(&mut self) -> impl Iterator<Item = &mut String> {
-        self.all_bodies_mut().filter_map(AnyBodyMut::into_model_path)
+        self.all_bodies_mut().flat_map(AnyBodyMut::into_model_paths)
     }
 }

@@ -3,7 +3,7 @@
 use super::extra::is_false;
 use super::{
     BoxShape, Dab, Extra, Fibre, Impulse, Initial, IntegratorChoice, Material, MeshShape, Pin, Placement, Region,
-    Shape, SharedDrive, add_dab,
+    RegionMaterial, Shape, SharedDrive, Void, add_dab,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -50,9 +50,15 @@ pub struct Body {
     /// Volume fraction of fibre painted by hand over what the fibres give, one dab after the other.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub paint: Vec<Dab>,
+    /// What is taken out of it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub voids: Vec<Void>,
     /// Named sets of particles.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub regions: Vec<Region>,
+    /// Regions with a matrix of their own.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub region_materials: Vec<RegionMaterial>,
     /// Regions whose motion is prescribed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pins: Vec<Pin>,
@@ -79,7 +85,9 @@ impl Body {
             drives: Vec::new(),
             fibres: Vec::new(),
             paint: Vec::new(),
+            voids: Vec::new(),
             regions: Vec::new(),
+            region_materials: Vec::new(),
             pins: Vec::new(),
             extra: Extra::new(),
         }
@@ -113,6 +121,20 @@ impl Body {
     #[must_use]
     pub fn with_fibre(mut self, fibre: Fibre) -> Self {
         self.fibres.push(fibre);
+        self
+    }
+
+    /// With one region more that has a matrix of its own.
+    #[must_use]
+    pub fn with_region_material(mut self, material: RegionMaterial) -> Self {
+        self.region_materials.push(material);
+        self
+    }
+
+    /// With one void more.
+    #[must_use]
+    pub fn with_void(mut self, void: Void) -> Self {
+        self.voids.push(void);
         self
     }
 

@@ -34,6 +34,9 @@ pub struct Fibre {
     /// What it breaks past; it never breaks unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub break_past: Option<BreakPast>,
+    /// What it yields past, and then stays as it was bent or pulled; it springs back unless given.
+    #[serde(default, rename = "yield", skip_serializing_if = "Option::is_none")]
+    pub yields: Option<YieldPast>,
     /// How it acts by itself; it only resists unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub activation: Option<Activation>,
@@ -67,6 +70,7 @@ impl Fibre {
             volume_fraction: default_volume_fraction(),
             rest_shape: RestShape::default(),
             break_past: None,
+            yields: None,
             activation: None,
             extra: Extra::new(),
         }
@@ -96,6 +100,12 @@ impl Fibre {
         Self { rest_shape, ..self }
     }
 
+    /// With what it yields past, as a wire does.
+    #[must_use]
+    pub fn with_yield(self, yields: YieldPast) -> Self {
+        Self { yields: Some(yields), ..self }
+    }
+
     /// Acting by itself.
     #[must_use]
     pub fn with_activation(self, activation: Activation) -> Self {
@@ -116,6 +126,36 @@ pub struct BreakPast {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+/// What a fibre yields past: a wire that is bent further stays bent. Resetting the motion mends it. What is left out never
+/// yields.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct YieldPast {
+    /// Force that an edge carries, the volume fraction included [N]: past it the edge takes another length at rest, a fifth to
+    /// five times the drawn one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tension: Option<f64>,
+    /// Curvature away from the rest shape [degrees/m]: past it the fibre takes another shape at rest, as far as a right angle
+    /// from one edge to the next.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub curvature_degrees_per_metre: Option<f64>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+impl YieldPast {
+    /// By curvature away from the rest shape [degrees/m].
+    pub fn curvature(degrees_per_metre: f64) -> Self {
+        Self { curvature_degrees_per_metre: Some(degrees_per_metre), ..Self::default() }
+    }
+
+    /// By the force that an edge carries [N].
+    pub fn tension(force: f64) -> Self {
+        Self { tension: Some(force), ..Self::default() }
+    }
 }
 
 /// Where a fibre runs.

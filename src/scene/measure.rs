@@ -66,6 +66,10 @@ pub enum MeasureKind {
     /// Work that the drives of the body's fibres, of gravity and of its gas have done on it [J]; not that of pins, panels
     /// and wind.
     ActivationWork,
+    /// Energy that the body has lost for good to yielding and to viscosity of its matrix [J]; not to damping, contact or drag.
+    Dissipated,
+    /// Greatest equivalent plastic strain of the body's matrix [fraction]: all that a particle has yielded, there and back.
+    PlasticStrain,
 }
 
 impl MeasureKind {

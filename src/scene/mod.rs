@@ -26,12 +26,14 @@ mod paint;
 mod panel;
 mod pin;
 mod region;
+mod region_material;
 mod room;
 mod shape;
 mod start;
 mod time;
 mod two_layer;
 mod validate;
+mod void;
 mod wind;
 
 pub use activation::{Activation, Curl, MusclePull, TwistRate};
@@ -44,10 +46,11 @@ pub use drive::{AfterLast, Drive, DriveKey, DriveKeys, Interpolation, SharedDriv
 pub use extra::Extra;
 pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
+    YieldPast,
 };
 pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
-pub use material::{Damping, Falloff, Mass, Material, Precision, USUAL_SUPPORT_RADIUS};
+pub use material::{Damping, Falloff, Mass, Material, Plasticity, Precision, USUAL_SUPPORT_RADIUS, Viscosity};
 pub use measure::{Advance, Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
 #[cfg(feature = "gui")]
 pub(crate) use naming::UNTITLED;
@@ -55,6 +58,7 @@ pub use paint::{Dab, MAX_DABS, add_dab, painted};
 pub use panel::{HeightKey, Panel, PanelDrive, PanelMotion};
 pub use pin::{Distance, DrivenMotion, DrivenTurn, Easing, Keyframe, Motion, Pin, Ramp, Turn};
 pub use region::{Region, Selector};
+pub use region_material::RegionMaterial;
 pub use room::{Room, Sticking};
 pub use shape::{BoxShape, MeshShape, Placement, Rotation, Shape};
 pub use start::{Impulse, Initial};
@@ -62,4 +66,5 @@ pub use time::{Automatic, Manual, Time, TimeStep};
 pub use two_layer::{ContactKind, Drag, PressureIn, RegionMass, TwoLayer, TwoLayerContact};
 pub use validate::SceneError;
 pub(crate) use validate::{brief, one_line};
+pub use void::{MAX_VOIDS, Void, VoidMesh, VoidShape};
 pub use wind::Wind;

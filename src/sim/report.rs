@@ -81,7 +81,7 @@ pub struct BodyReport {
     pub linear_momentum: [f64; 3],
     /// Angular momentum about the world's origin [kg m²/s].
     pub angular_momentum: [f64; 3],
-    /// Hash of all positions and velocities, equal only for equal bits; to be compared on one machine.
+    /// Hash of all positions and velocities, and of what has yielded, equal only for equal bits; to be compared on one machine.
     pub state_hash: String,
 }
 
@@ -189,6 +189,9 @@ fn state_hash(body: &Body) -> String {
         for component in v.to_array() {
             hasher.write_u64(component.to_bits());
         }
+    }
+    for force in &body.parts().forces {
+        force.remembered(&mut |number| hasher.write_u64(number.to_bits()));
     }
     format!("{:016x}", hasher.finish())
 }

@@ -11,7 +11,7 @@ use super::easing::Easing;
 use super::embedding::EmbeddingWeights;
 use super::energy::Energies;
 use super::forces::fibre::breaking::FibreBreak;
-use super::forces::{Contact, Force, Grab, Plane};
+use super::forces::{Contact, Force, Grab, Inelastic, Plane};
 use super::integrators::Integrator;
 use super::state::ParticleState;
 use glam::DVec3;
@@ -190,6 +190,17 @@ impl Body {
     /// The work that its drives have done on it so far [J].
     pub(super) fn drive_work(&self) -> f64 {
         self.parts.forces.iter().map(|force| force.drive_work()).sum()
+    }
+
+    /// Energy that its forces say they have lost for good so far [J].
+    pub(super) fn dissipated(&self) -> f64 {
+        self.parts.forces.iter().map(|force| force.dissipated()).sum()
+    }
+
+    /// Greatest equivalent plastic strain of its matrix.
+    pub(super) fn plastic_strain(&self) -> f64 {
+        let matrices = self.parts.forces.iter().filter_map(|force| force.downcast_ref::<Inelastic>());
+        matrices.map(Inelastic::greatest_plastic_strain).fold(0.0, f64::max)
     }
 
     /// The planes of the room that it touches.

@@ -2,7 +2,9 @@
 
 use super::constraint::{Constraint, held};
 use super::energy::Energies;
-use super::forces::{AirDrag, Contact, FibreForce, Force, Grab, Gravity, MatrixForce, PairDamping, Pressure, Springs};
+use super::forces::{
+    AirDrag, Contact, FibreForce, Force, Grab, Gravity, Inelastic, MatrixForce, PairDamping, Pressure, Springs,
+};
 use super::linear_algebra::vectors::axpy;
 use super::state::ParticleState;
 use glam::{BVec3, DVec3};
@@ -166,6 +168,7 @@ impl Dynamics<'_> {
             force.downcast_ref::<Contact>().is_some_and(|contact| !contact.is_touched(time, &state.positions))
                 || force.downcast_ref::<MatrixForce>().is_some()
                 || force.downcast_ref::<FibreForce>().is_some()
+                || force.downcast_ref::<Inelastic>().is_some()
                 || force.downcast_ref::<PairDamping>().is_some()
                 || force.downcast_ref::<Springs>().is_some()
                 || force.downcast_ref::<Pressure>().is_some()

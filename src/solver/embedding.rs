@@ -5,6 +5,7 @@
 //! exactly under any linear deformation. They grow outside the hull of the particles, and so does the stiffness that
 //! a fibre vertex passes on: `sum phi²` says by how much.
 
+use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::neighbours::PointGrid;
 use glam::{DMat3, DVec3};
@@ -57,6 +58,8 @@ pub(crate) struct Embedder<'a> {
     grid: PointGrid<'a>,
     kernel: Kernel,
     median_sum: f64,
+    /// What no point reaches across.
+    hollows: Hollows,
 }
 
 /// A point counts as embedded from this share of the median kernel sum on.
@@ -71,17 +74,32 @@ const LEAST_WEIGHT: f64 = 1e-30;
 
 impl<'a> Embedder<'a> {
     /// Weights over particles at `points` (rest, model frame).
+    #[cfg(test)]
     pub(crate) fn new(points: &'a [DVec3], kernel: Kernel) -> Self {
+        Self::around(points, kernel, Hollows::default())
+    }
+
+    /// Weights over particles at `points` (rest, model frame), where nothing hangs on those across a hollow.
+    pub(crate) fn around(points: &'a [DVec3], kernel: Kernel, hollows: Hollows) -> Self {
         let grid = PointGrid::new(points, kernel.support_radius);
-        let mut this = Self { points, grid, kernel, median_sum: 0.0 };
+        let mut this = Self { points, grid, kernel, median_sum: 0.0, hollows };
         let mut sums: Vec<f64> = points.iter().map(|&point| this.kernel_sum(point).0).collect();
         sums.sort_by(f64::total_cmp);
         this.median_sum = sums.get(sums.len() / 2).copied().unwrap_or(0.0);
         this
     }
 
+    /// Particles in reach of a point.
+    fn within(&self, at: DVec3) -> Vec<u32> {
+        let mut near = self.grid.within(at);
+        if !self.hollows.is_empty() {
+            near.retain(|&k| !self.hollows.separate(at, self.points[k as usize]));
+        }
+        near
+    }
+
     fn kernel_sum(&self, at: DVec3) -> (f64, usize) {
-        let near = self.grid.within(at);
+        let near = self.within(at);
         (near.iter().map(|&k| self.kernel.value(self.points[k as usize].distance(at))).sum(), near.len())
     }
 
@@ -106,7 +124,7 @@ impl<'a> Embedder<'a> {
 
     /// Particles in reach of a point with their kernel weights, relative to the kernel's centre.
     fn in_reach(&self, at: DVec3) -> Vec<(u32, f64)> {
-        let near = self.grid.within(at).into_iter();
+        let near = self.within(at).into_iter();
         near.map(|k| (k, self.kernel.relative(self.points[k as usize].distance(at)))).collect()
     }
 
@@ -148,7 +166,7 @@ impl<'a> Embedder<'a> {
     /// Where the particles around a point have their kernel-weighted centre [m].
     pub(crate) fn centroid(&self, at: DVec3) -> DVec3 {
         let (mut sum, mut weight) = (DVec3::ZERO, 0.0);
-        for k in self.grid.within(at) {
+        for k in self.within(at) {
             let point = self.points[k as usize];
             let w = self.kernel.value(point.distance(at));
             sum += w * point;

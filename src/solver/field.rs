@@ -2,7 +2,7 @@
 //! and at every edge of its fibres, how hard they pull.
 
 use super::body::Body;
-use super::forces::{FibreForce, MatrixForce};
+use super::forces::{FibreForce, Inelastic, MatrixForce};
 
 /// A scalar at every particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -43,7 +43,13 @@ impl Body {
         };
         match kind {
             FieldKind::Strain => read(MatrixForce::von_mises_strains),
-            FieldKind::Stress => read(MatrixForce::von_mises_stresses),
+            FieldKind::Stress => {
+                let inelastic = self.parts().forces.iter().find_map(|force| force.downcast_ref::<Inelastic>());
+                match inelastic.filter(|inelastic| inelastic.yields()) {
+                    Some(inelastic) => inelastic.von_mises_stresses(&state.positions),
+                    None => read(MatrixForce::von_mises_stresses),
+                }
+            }
             FieldKind::VolumeFraction => read(|matrix, _| matrix.fibre_fractions()),
             FieldKind::Speed => state.velocities.iter().map(|velocity| velocity.length()).collect(),
         }

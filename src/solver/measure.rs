@@ -56,6 +56,10 @@ pub(crate) enum Quantity {
     InertiaRatio,
     /// Work of drives [J].
     ActivationWork,
+    /// Energy that was lost to yielding and viscosity [J].
+    Dissipated,
+    /// Greatest equivalent plastic strain of the matrix.
+    PlasticStrain,
 }
 
 const MILLI: f64 = 1e3;
@@ -77,6 +81,8 @@ impl Quantity {
             Self::Volume(_) => "volume",
             Self::InertiaRatio => "inertia_ratio",
             Self::ActivationWork => "activation_work",
+            Self::Dissipated => "dissipated",
+            Self::PlasticStrain => "plastic_strain",
         }
     }
 
@@ -84,13 +90,13 @@ impl Quantity {
     pub(crate) fn unit(&self) -> &'static str {
         match self {
             Self::MeanDisplacement(..) | Self::Advance(..) | Self::TipDisplacement(..) | Self::Shear(..) => "mm",
-            Self::HeightLoss(..) | Self::InertiaRatio => "fraction",
+            Self::HeightLoss(..) | Self::InertiaRatio | Self::PlasticStrain => "fraction",
             Self::Size(_) | Self::LayerOffset => "m",
             Self::Volume(unit) => unit,
             Self::Twist(..) => "degrees",
             Self::ReactionForce(..) => "N",
             Self::ReactionTorque(..) => "N m",
-            Self::ActivationWork => "J",
+            Self::ActivationWork | Self::Dissipated => "J",
         }
     }
 
@@ -163,6 +169,8 @@ impl Quantity {
             }
             Self::InertiaRatio => of_layers(body, |layers| layers.inertia_ratio(body.state())),
             Self::ActivationWork => MeasureValue::Scalar(body.drive_work()),
+            Self::Dissipated => MeasureValue::Scalar(body.dissipated()),
+            Self::PlasticStrain => MeasureValue::Scalar(body.plastic_strain()),
         }
     }
 }

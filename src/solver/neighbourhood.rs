@@ -4,6 +4,7 @@
 //! at some length is no longer symmetric and loses momentum. On a lattice an offset recurs all over the body, so that
 //! each neighbour is an index and the number of its offset in a small palette (80 entries at D = 0.4 h).
 
+use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::LatticeSample;
 use crate::geometry::neighbours::PointGrid;
@@ -48,6 +49,8 @@ impl Lattice {
 #[derive(Clone, Debug)]
 pub struct Neighbourhood {
     lattice: Lattice,
+    /// Whether some particles do not feel others that are near enough.
+    is_cut: bool,
     starts: Vec<u32>,
     neighbours: Vec<u32>,
     bonds: Vec<u32>,
@@ -99,10 +102,32 @@ impl Neighbourhood {
     /// # Errors
     /// [`TooThin`] if some particle's neighbours lie on a plane or a line: A has no inverse there.
     pub fn on_lattice(sample: &LatticeSample, kernel: Kernel, volume: f64) -> Result<Self, TooThin> {
+        Self::around(sample, kernel, volume, &Hollows::default())
+    }
+
+    /// [`Self::on_lattice`], where particles with a hollow between them are no neighbours.
+    ///
+    /// # Errors
+    /// As [`Self::on_lattice`].
+    pub(crate) fn around(
+        sample: &LatticeSample,
+        kernel: Kernel,
+        volume: f64,
+        hollows: &Hollows,
+    ) -> Result<Self, TooThin> {
         let LatticeSample { points, cells, spacing, axes } = sample;
         let grid = PointGrid::new(points, kernel.support_radius);
-        let lists: Vec<Vec<u32>> = points.par_iter().map(|&point| grid.within(point)).collect();
+        let together = |point: DVec3| {
+            let mut near = grid.within(point);
+            let all = near.len();
+            if !hollows.is_empty() {
+                near.retain(|&j| !hollows.separate(point, points[j as usize]));
+            }
+            (all - near.len(), near)
+        };
+        let lists: Vec<(usize, Vec<u32>)> = points.par_iter().map(|&point| together(point)).collect();
         let mut this = Self {
+            is_cut: lists.iter().any(|(cut, _)| *cut > 0),
             lattice: Lattice { cells: cells.as_slice().into(), spacing: *spacing, axes: *axes, kernel, volume },
             starts: vec![0],
             neighbours: Vec::new(),
@@ -114,7 +139,7 @@ impl Neighbourhood {
             weight_sum: Vec::new(),
         };
         let mut known: HashMap<IVec3, u32> = HashMap::new();
-        for (i, list) in lists.iter().enumerate() {
+        for (i, (_, list)) in lists.iter().enumerate() {
             for &j in list {
                 if j as usize == i {
                     continue;
@@ -177,6 +202,11 @@ impl Neighbourhood {
     /// The lattice that the particles lie on.
     pub fn lattice(&self) -> &Lattice {
         &self.lattice
+    }
+
+    /// Whether hollows keep some particles from feeling others that are near enough: neighbour sums are no stencils then.
+    pub(super) fn is_cut(&self) -> bool {
+        self.is_cut
     }
 
     /// Number of particles.

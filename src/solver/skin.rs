@@ -10,6 +10,7 @@ use super::embedding::EmbeddingWeights;
 use super::forces::FlowSurface;
 use super::skin_arms::{Arms, DIRECTIONS};
 use super::skin_weights::{Carried, FARTHEST, SkinEmbedder};
+use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::linear_map::LinearMap;
 use crate::geometry::rig::{Rig, Shading};
@@ -86,14 +87,14 @@ impl Skin {
         kernel: Kernel,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Option<Self> {
-        let never = Self::try_embed::<Infallible>(shape, particles, kernel, &mut |done, of| {
+        let never = Self::try_embed::<Infallible>(shape, particles, kernel, &Hollows::default(), &mut |done, of| {
             progress(done, of);
             Ok(())
         });
         never.unwrap_or_else(|never| match never {})
     }
 
-    /// [`Self::embed`], and an error of `progress` ends it.
+    /// [`Self::embed`], where nothing hangs on particles across a hollow, and an error of `progress` ends it.
     ///
     /// # Errors
     /// That of `progress`.
@@ -101,9 +102,10 @@ impl Skin {
         shape: &SkinShape<'_>,
         particles: &[DVec3],
         kernel: Kernel,
+        hollows: &Hollows,
         progress: &mut dyn FnMut(usize, usize) -> Result<(), E>,
     ) -> Result<Option<Self>, E> {
-        let Some(embedder) = SkinEmbedder::new(particles, kernel) else { return Ok(None) };
+        let Some(embedder) = SkinEmbedder::new(particles, kernel, hollows) else { return Ok(None) };
         let mut skin = Self {
             starts: vec![0],
             particles: particles.len() as u32,

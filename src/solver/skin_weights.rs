@@ -19,6 +19,7 @@
 //! negligible, and their quotients are anything or no numbers at all.
 
 use super::linear_algebra::symmetric::eigen;
+use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::point_tree::PointTree;
 use glam::{DMat3, DVec3, IVec3};
@@ -72,11 +73,12 @@ pub(super) struct SkinEmbedder<'a> {
     levels: Vec<u8>,
     /// Particles of each level and above.
     trees: Vec<(Vec<u32>, PointTree)>,
+    hollows: &'a Hollows,
 }
 
 impl<'a> SkinEmbedder<'a> {
-    /// Over particles at `points` (rest, model frame); none without any.
-    pub(super) fn new(points: &'a [DVec3], kernel: Kernel) -> Option<Self> {
+    /// Over particles at `points` (rest, model frame), with hollows across which nothing hangs on them; none without any.
+    pub(super) fn new(points: &'a [DVec3], kernel: Kernel, hollows: &'a Hollows) -> Option<Self> {
         if points.is_empty() {
             return None;
         }
@@ -89,7 +91,7 @@ impl<'a> SkinEmbedder<'a> {
             (among, tree)
         };
         let trees = (0..=top).map(tree).collect();
-        Some(Self { points, support_radius, levels, trees })
+        Some(Self { points, support_radius, levels, trees, hollows })
     }
 
     /// How a point hangs on the particles.
@@ -119,7 +121,16 @@ impl<'a> SkinEmbedder<'a> {
             let last = usize::from(level) + 1 == self.trees.len();
             (k, if last { w } else { w * fading(radius / (fine * f64::from(level).exp2())) })
         };
-        tree.within(at, radius).into_iter().map(share).filter(|&(_, w)| w > 0.0).collect()
+        let mut shares: Vec<(u32, f64)> =
+            tree.within(at, radius).into_iter().map(share).filter(|&(_, w)| w > 0.0).collect();
+        if !self.hollows.is_empty() {
+            let seen = |&(k, _): &(u32, f64)| !self.hollows.separate(at, self.points[k as usize]);
+            // A point that sees none hangs on whatever is near.
+            if shares.iter().any(seen) {
+                shares.retain(seen);
+            }
+        }
+        shares
     }
 
     fn carried_by(&self, at: DVec3, shares: Vec<(u32, f64)>) -> Carried {

@@ -29,7 +29,7 @@ pub(crate) fn highest_frequency_squared(forces: &mut [Box<dyn Force>], state: &P
 }
 
 /// A fixed unit vector without any symmetry.
-fn starting_vector(n: usize) -> Vec<DVec3> {
+pub(super) fn starting_vector(n: usize) -> Vec<DVec3> {
     // A linear congruential sequence (Knuth's MMIX constants): the same on every machine.
     let mut seed: u64 = 0x5eed;
     let mut next = || {

@@ -2,8 +2,10 @@
 
 use super::context::{Context, Step};
 use super::material_fields::material_fields;
+use super::region_material_fields::region_material_fields;
 use super::theme::GRID;
 use super::two_layer_fields::two_layer_fields;
+use super::voids_section::voids_section;
 use crate::edit::Command;
 use crate::scene::{IntegratorChoice, IntegratorKind};
 use egui::{ComboBox, RichText, Ui};
@@ -16,6 +18,8 @@ pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
         if material != body.material {
             cx.edit(&Command::SetMaterial { body: body.id.clone(), material }, Step::Present);
         }
+        region_material_fields(ui, cx, &body);
+        voids_section(ui, cx, &body);
         integrator(ui, cx, body.id, body.integrator);
     } else if let Some(body) = cx.active_two_layer().cloned() {
         let mut changed = body.clone();

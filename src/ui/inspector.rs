@@ -4,6 +4,7 @@ use super::action::Action;
 use super::context::{Context, Step};
 use super::controls::button;
 use super::field::NumberField;
+use super::inelastic_fields::yield_fields;
 use super::stroke_choices::stroke_choices;
 use super::theme::GRID;
 use crate::edit::Command;
@@ -58,6 +59,7 @@ pub(super) fn inspector(ui: &mut Ui, cx: &mut Context, body: &str) {
         ui.selectable_value(&mut edited.rest_shape, RestShape::Straight, "Straight")
             .on_hover_text("A fibre drawn curved pulls the solid straight");
     });
+    yield_fields(ui, &mut edited);
     if edited != fibre {
         let changed = cx.selected_fibres().into_iter().map(|other| with_change(other, &fibre, &edited)).collect();
         cx.edit(&Command::set_fibres("Change", body, changed), Step::Present);
@@ -153,6 +155,9 @@ fn with_change(fibre: &Fibre, before: &Fibre, after: &Fibre) -> Fibre {
     }
     if before.rest_shape != after.rest_shape {
         fibre.rest_shape = after.rest_shape;
+    }
+    if before.yields != after.yields && fibre.activation.is_none() {
+        fibre.yields.clone_from(&after.yields);
     }
     fibre
 }

@@ -1,6 +1,7 @@
 //! What a fibre solid is made of and how its shape is sampled, as numbers that can be changed.
 
 use super::field::NumberField;
+use super::inelastic_fields::inelastic_fields;
 use super::material_presets::material_presets;
 use super::theme::GRID;
 use crate::scene::{Mass, Material};
@@ -71,6 +72,7 @@ pub(super) fn material_fields(ui: &mut Ui, material: &mut Material) {
     };
     PAIR_DAMPING.show(ui, &mut material.damping.pair);
     AIR_DRAG.show(ui, &mut material.damping.air);
+    inelastic_fields(ui, material);
     ui.add_space(GRID);
     ui.heading("Sampling");
     SUPPORT_RADIUS.show(ui, &mut material.support_radius);

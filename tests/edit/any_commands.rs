@@ -7,10 +7,10 @@ use proptest::option;
 use proptest::prelude::*;
 use proptest::sample::select;
 use sinew::edit::{Command, Item};
-use sinew::scene::{Dab, Fibre, FibreSource, IntegratorKind, Region, Room, Selector};
+use sinew::scene::{Dab, Fibre, FibreSource, IntegratorKind, Region, RegionMaterial, Room, Selector, Void};
 
 /// Number of kinds of commands.
-pub const KINDS: usize = 16;
+pub const KINDS: usize = 18;
 
 /// Which kind a command is. Without a wildcard: a new kind is to be put in here and into [`any_command`].
 pub fn kind(command: &Command) -> usize {
@@ -31,6 +31,8 @@ pub fn kind(command: &Command) -> usize {
         Command::SetGravity(_) => 13,
         Command::SetRoom(_) => 14,
         Command::SetPanels(_) => 15,
+        Command::SetVoids { .. } => 16,
+        Command::SetRegionMaterials { .. } => 17,
     }
 }
 
@@ -83,7 +85,14 @@ fn of_matter() -> impl Strategy<Value = Command> {
         .prop_map(|(center, radius, value)| Dab::new(center, radius, value));
     let body = select(["bar", "ring", "none"].map(str::to_owned).to_vec());
     let integrator = select(vec![IntegratorKind::Rk4, IntegratorKind::Midpoint, IntegratorKind::LeapFrog]);
+    let void = ([-0.1..0.1f64, 0.0..0.4, -0.1..0.1], -0.01..0.1f64)
+        .prop_map(|(center, radius)| Void::sphere(format!("{radius}"), center, radius));
     prop_oneof![
+        (solid(), select(vec!["top", "none"]), 0.0..0.1f64).prop_map(|(body, region, transition)| {
+            let own = RegionMaterial { transition, ..RegionMaterial::of(region) };
+            Command::SetRegionMaterials { body, materials: vec![own] }
+        }),
+        (solid(), vec(void, 0..3)).prop_map(|(body, voids)| Command::SetVoids { body, voids }),
         (solid(), vec(dab, 0..3)).prop_map(|(body, paint)| Command::SetPaint { body, paint }),
         (solid(), 1e4..1e8f64, 0.0..0.6f64).prop_map(move |(body, young_modulus, poisson_ratio)| {
             let mut material = material.clone();

@@ -50,6 +50,10 @@ fn layers(at: &At<'_>, measure: &Measure, body: &TwoLayer) -> Checked {
             let closed = body.shape.dimension() > 1;
             require(at, &measure.kind, closed, "has nothing enclosed to measure", || "measure a ring, a ball or a mesh")
         }
+        MeasureKind::Dissipated | MeasureKind::PlasticStrain => {
+            let problem = "is of fibre solids only";
+            require(at, &measure.kind, false, problem, || "measure one of `bodies`")
+        }
         _ => Ok(()),
     }
 }
@@ -68,7 +72,9 @@ fn kind(at: &At<'_>, measure: &Measure, regions: &Ids<'_>) -> Checked {
         | MeasureKind::LayerOffset
         | MeasureKind::Volume
         | MeasureKind::InertiaRatio
-        | MeasureKind::ActivationWork => return Ok(()),
+        | MeasureKind::ActivationWork
+        | MeasureKind::Dissipated
+        | MeasureKind::PlasticStrain => return Ok(()),
     };
     let at = at.field(name);
     regions.resolve(&at.field("region"), region)?;

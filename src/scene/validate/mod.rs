@@ -7,10 +7,12 @@ mod bodies;
 mod check;
 mod drives;
 mod error;
+mod lines;
 mod measure;
 mod parts;
 mod solid;
 mod two_layer;
+mod voids;
 
 pub use error::SceneError;
 pub(crate) use error::{brief, one_line};

@@ -1,13 +1,14 @@
 //! Checks of the fibre solids: shape, material, fibres, paint.
 
+use super::SceneError;
 use super::check::{At, Checked, Ids, fraction, not_negative, positive, require, vector, within};
 use super::drives;
+use super::lines::source;
 use super::parts::{impulses, initial, model_file, pins, placement, regions, rotation};
-use super::{SceneError, brief};
+use super::voids::voids;
 use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
-    Body, Dab, Fibre, FibreSource, IntegratorChoice, IntegratorKind, MAX_DABS, MAX_PARTICLES, Mass, Material, Shape,
-    Stiffness, ViewStroke,
+    Body, Dab, Fibre, IntegratorChoice, IntegratorKind, MAX_DABS, MAX_PARTICLES, Mass, Material, Shape, Stiffness,
 };
 use glam::{DMat3, DVec3};
 
@@ -37,11 +38,14 @@ pub(super) fn solid(at: &At<'_>, body: &Body, before: f64) -> Result<f64, SceneE
     Ok(particles)
 }
 
-/// Fibres that act or resist twist cannot be stepped implicitly.
+/// Fibres that act, yield or resist twist cannot be stepped implicitly.
 fn integrator(at: &At<'_>, body: &Body) -> Checked {
-    let acts = body.fibres.iter().any(|fibre| fibre.activation.is_some() || fibre.stiffness.twisting() > 0.0);
+    let acts = body
+        .fibres
+        .iter()
+        .any(|fibre| fibre.activation.is_some() || fibre.yields.is_some() || fibre.stiffness.twisting() > 0.0);
     let implicit = body.integrator == IntegratorChoice::Given(IntegratorKind::FibresImplicit);
-    let problem = "cannot step a body with fibres that act or resist twist";
+    let problem = "cannot step a body with fibres that act, yield or resist twist";
     require(at, &body.integrator, !(acts && implicit), problem, || "give \"automatic\" or \"leap_frog\"")
 }
 
@@ -80,7 +84,19 @@ fn material(at: &At<'_>, material: &Material) -> Checked {
     within(&at.field("spacing_ratio"), material.spacing_ratio, least, most, "times the support radius")?;
     let damping = at.field("damping");
     not_negative(&damping.field("pair"), material.damping.pair, "1/s")?;
-    not_negative(&damping.field("air"), material.damping.air, "1/s")
+    not_negative(&damping.field("air"), material.damping.air, "1/s")?;
+    if let Some(viscosity) = &material.viscosity {
+        let at = at.field("viscosity");
+        not_negative(&at.field("shear"), viscosity.shear, "Pa s")?;
+        not_negative(&at.field("bulk"), viscosity.bulk, "Pa s")?;
+    }
+    if let Some(plasticity) = &material.plasticity {
+        let at = at.field("plasticity");
+        positive(&at.field("yield_stress"), plasticity.yield_stress, "Pa")?;
+        not_negative(&at.field("hardening"), plasticity.hardening, "Pa")?;
+        not_negative(&at.field("creep_time"), plasticity.creep_time, "s")?;
+    }
+    Ok(())
 }
 
 /// Particles of the bodies so far, this one included, as their volumes and spacings have it.
@@ -135,7 +151,21 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
         }
     }
     paint(&at.field("paint"), &body.paint)?;
+    voids(&at.field("voids"), &body.voids)?;
+    region_materials(&at.field("region_materials"), body, &known)?;
     pins(at, &body.pins, &known, &body.drives)
+}
+
+fn region_materials(at: &At<'_>, body: &Body, regions: &Ids<'_>) -> Checked {
+    for (index, of) in body.region_materials.iter().enumerate() {
+        let at = at.item(index);
+        regions.resolve(&at.field("region"), &of.region)?;
+        of.young_modulus.map_or(Ok(()), |value| positive(&at.field("young_modulus"), value, "Pa"))?;
+        of.density.map_or(Ok(()), |value| positive(&at.field("density"), value, "kg/m³"))?;
+        of.damping.map_or(Ok(()), |value| not_negative(&at.field("damping"), value, "1/s"))?;
+        not_negative(&at.field("transition"), of.transition, "m")?;
+    }
+    Ok(())
 }
 
 fn paint(at: &At<'_>, paint: &[Dab]) -> Checked {
@@ -172,37 +202,22 @@ fn fibre(at: &At<'_>, fibre: &Fibre) -> Checked {
             positive(&at.field("tension"), tension, "N")?;
         }
     }
-    fraction(&at.field("volume_fraction"), fibre.volume_fraction)
-}
-
-fn source(at: &At<'_>, source: &FibreSource) -> Checked {
-    match source {
-        FibreSource::Vertices(vertices) => {
-            let at = at.field("vertices");
-            require(&at, vertices, vertices.len() >= 3, "has too few vertices to bend", || "give 3 or more")?;
-            for (index, point) in vertices.iter().enumerate() {
-                vector(&at.item(index), point, "m")?;
-                let repeated = index > 0 && *point == vertices[index - 1];
-                require(&at.item(index), point, !repeated, "repeats the vertex before it", || "leave one of them out")?;
-            }
-            Ok(())
+    if let Some(past) = &fibre.yields {
+        let at = at.field("yield");
+        if let Some(tension) = past.tension {
+            positive(&at.field("tension"), tension, "N")?;
         }
-        FibreSource::Strokes(pair) => {
-            let at = at.field("strokes");
-            stroke(&at.field("first"), &pair.first)?;
-            let second = at.field("second");
-            stroke(&second, &pair.second)?;
-            let (one, other) = (pair.first.view, pair.second.view);
-            require(&second.field("view"), &other, one != other, "is the view of the first stroke too", || {
-                format!("draw the second stroke in another view than {}", brief(&one))
-            })
+        if let Some(curvature) = past.curvature_degrees_per_metre {
+            positive(&at.field("curvature_degrees_per_metre"), curvature, "degrees/m")?;
         }
+        let is_still = fibre.activation.is_none();
+        require(
+            &at,
+            past,
+            is_still,
+            "is of a fibre that acts, which cannot yield",
+            || "leave this or its activation out",
+        )?;
     }
-}
-
-fn stroke(at: &At<'_>, stroke: &ViewStroke) -> Checked {
-    let at = at.field("points");
-    require(&at, &stroke.points, stroke.points.len() >= 2, "is no line", || "give 2 points or more")?;
-    let points = stroke.points.iter().enumerate();
-    points.into_iter().try_for_each(|(index, point)| vector(&at.item(index), point, "m"))
+    fraction(&at.field("volume_fraction"), fibre.volume_fraction)
 }

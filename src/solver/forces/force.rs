@@ -74,6 +74,15 @@ pub trait Force: Any + Send + Sync {
     /// and nothing that was noted of the body's start counts any more. There are none where the body starts anew.
     fn adopt(&mut self, _before: &[Box<dyn Force>]) {}
 
+    /// Energy [J] that it has lost for good so far, to yielding or viscosity; only what says so here.
+    fn dissipated(&self) -> f64 {
+        0.0
+    }
+
+    /// Tells every number beside positions and velocities that the motion goes on from, such as what has yielded, in a fixed
+    /// order; hashes of states hold them.
+    fn remembered(&self, _number: &mut dyn FnMut(f64)) {}
+
     /// What the force is called where forces are timed one by one.
     fn name(&self) -> &'static str {
         "other"

@@ -24,6 +24,7 @@ pub use grab::Grab;
 pub(crate) use gravity::Gravity;
 pub(crate) use grip::Grip;
 pub use matrix::{Elasticity, EvaluationKind, MatrixForce};
+pub(crate) use matrix::{Inelastic, InelasticLaw, Plasticity, Viscosity};
 pub(crate) use pair_damping::PairDamping;
 pub(crate) use pressure::Pressure;
 pub(crate) use springs::Springs;

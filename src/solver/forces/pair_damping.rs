@@ -91,6 +91,15 @@ const CHUNK: usize = 64;
 impl PairDamping {
     /// Damping at `rate` g [1/s] over the bonds of up to 1.5 spacings.
     pub(crate) fn new(rate: f64, neighbourhood: &Neighbourhood) -> Self {
+        Self::of(rate, None, neighbourhood)
+    }
+
+    /// [`Self::new`] at a rate [1/s] of every particle's own; two take the mean of theirs.
+    pub(crate) fn varied(rates: &[f64], neighbourhood: &Neighbourhood) -> Self {
+        Self::of(1.0, Some(rates), neighbourhood)
+    }
+
+    fn of(rate: f64, rates: Option<&[f64]>, neighbourhood: &Neighbourhood) -> Self {
         let cells = &neighbourhood.lattice().cells;
         let near = |i: usize| {
             let bonds = neighbourhood.bonds(i).map(move |(j, bond)| (j, cells[j] - cells[i], bond.weight));
@@ -98,8 +107,10 @@ impl PairDamping {
         };
         let sums: Vec<f64> = (0..cells.len()).map(|i| near(i).map(|(_, _, weight)| weight).sum()).collect();
         // The mean of both ends' normalised weights, so that the pair agrees on it.
-        let normalised =
-            |i: usize, (j, step, weight): (usize, IVec3, f64)| (step, 0.5 * weight * (1.0 / sums[i] + 1.0 / sums[j]));
+        let normalised = |i: usize, (j, step, weight): (usize, IVec3, f64)| {
+            let weight = 0.5 * weight * (1.0 / sums[i] + 1.0 / sums[j]);
+            (step, rates.map_or(weight, |rates| 0.5 * weight * (rates[i] + rates[j])))
+        };
         let weights: Vec<HashMap<IVec3, f64>> =
             (0..cells.len()).map(|i| near(i).map(|bond| normalised(i, bond)).collect()).collect();
         let total = |i: usize| near(i).map(|bond| normalised(i, bond).1).sum::<f64>();

@@ -9,6 +9,7 @@ use super::packed_rods::PackedRods;
 use super::rest::FibreRest;
 use super::soa::{SoaVectors, put, zeros};
 use super::strip::BlockVectors;
+use super::yielding::Yielded;
 use crate::solver::energy::Energies;
 use crate::solver::forces::force::Force;
 use crate::solver::scratch::Scratch;
@@ -27,8 +28,9 @@ pub struct FibreForce {
     /// Last turn at every bend of every fibre, the warm start of the next.
     pub(super) turns: Vec<DQuat>,
     /// The same at every vertex of every fibre that resists twist.
-    ends: Vec<DQuat>,
+    pub(super) ends: Vec<DQuat>,
     pub(super) broken: Breakage,
+    pub(super) yielded: Yielded,
     /// Of what drives do; untouched where none does.
     pub(super) activity: Activity,
     /// Follows from all that is above.
@@ -48,7 +50,7 @@ struct Workspace {
 }
 
 impl Workspace {
-    fn new(fibres: &[FibreRest], embedding: &FibreEmbedding, broken: &Breakage) -> Self {
+    fn new(fibres: &[FibreRest], embedding: &FibreEmbedding, (broken, yielded): (&Breakage, &Yielded)) -> Self {
         let mut rods = PackedRods::new(fibres);
         let (mut first, mut first_bend, mut first_edge) = (0, 0, 0);
         for fibre in fibres {
@@ -61,7 +63,27 @@ impl Workspace {
         }
         let spins = [0, 1, 2].map(|_| zeros(embedding.curved.len()));
         let binormals = embedding.curved.iter().map(|bend| bend.binormal).collect();
-        Self { rods, positions: vec![BlockVectors::default(); embedding.strip.len()], binormals, spins }
+        let mut this = Self { rods, positions: vec![BlockVectors::default(); embedding.strip.len()], binormals, spins };
+        this.rest_as(fibres, embedding, yielded);
+        this
+    }
+
+    /// Rests where fibres that have yielded do.
+    fn rest_as(&mut self, fibres: &[FibreRest], embedding: &FibreEmbedding, yielded: &Yielded) {
+        if !yielded.may() {
+            return;
+        }
+        let (mut first, mut first_edge) = (0, 0);
+        for fibre in fibres {
+            for (k, &(_, drawn)) in fibre.edges.iter().enumerate().filter(|_| fibre.yields.is_finite()) {
+                self.rods.rest_at(first + k, drawn + yielded.stretch(first_edge + k));
+            }
+            first += fibre.vertices.len();
+            first_edge += fibre.edges.len();
+        }
+        for (binormal, bend) in self.binormals.iter_mut().zip(&embedding.curved) {
+            *binormal = bend.binormal + yielded.binormal(bend.bend);
+        }
     }
 }
 
@@ -75,6 +97,7 @@ impl FibreForce {
             turns: vec![orientation; bends],
             ends: vec![orientation; fibres.iter().map(FibreRest::twisted_ends).sum()],
             broken: Breakage::none(&fibres),
+            yielded: Yielded::none(&fibres),
             activity: Activity::default(),
             workspace: Scratch::default(),
             fibres,
@@ -86,9 +109,11 @@ impl FibreForce {
         self.fibres.iter().any(|fibre| fibre.activation.is_some())
     }
 
-    /// Whether all that they do can be stepped implicitly: nothing is driven or resists twist.
+    /// Whether all that they do can be stepped implicitly: nothing is driven, yields or resists twist.
     pub(crate) fn takes_implicit_steps(&self) -> bool {
-        self.fibres.iter().all(|fibre| fibre.activation.is_none() && fibre.twist.is_none())
+        let is_plain =
+            |fibre: &FibreRest| fibre.activation.is_none() && fibre.twist.is_none() && !fibre.yields.is_finite();
+        self.fibres.iter().all(is_plain)
     }
 
     fn now<'a>(&'a self, time: f64, positions: &'a [DVec3]) -> Now<'a> {
@@ -100,9 +125,9 @@ impl FibreForce {
         let mut activity = std::mem::take(&mut self.activity);
         activity.begin(self.now(time, positions));
         self.activity = activity;
-        let Self { fibres, embedding, broken, workspace, .. } = self;
+        let Self { fibres, embedding, broken, yielded, workspace, .. } = self;
         let Workspace { rods, binormals, .. } =
-            workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, broken));
+            workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, (broken, yielded)));
         let (mut first, mut curved) = (0, 0);
         for fibre in fibres.iter() {
             let bends = (0..fibre.bends.len()).filter(|&k| fibre.bends[k].curved.is_some());
@@ -117,6 +142,16 @@ impl FibreForce {
             first += fibre.vertices.len();
             curved += bends.count();
         }
+    }
+
+    /// Lets go what is past its yield limit; whether anything was.
+    fn yields(&mut self, positions: &[DVec3]) -> bool {
+        let Self { fibres, embedding, broken, yielded, turns, workspace, .. } = self;
+        let yields = yielded.may() && yielded.follow(fibres, [&broken.bends, &broken.edges], turns, positions);
+        if let Some(workspace) = workspace.as_mut().filter(|_| yields) {
+            workspace.rest_as(fibres, embedding, yielded);
+        }
+        yields
     }
 
     /// Adds the pull of muscles [N] to the gradients by the edges.
@@ -135,40 +170,6 @@ impl FibreForce {
         }
     }
 
-    /// Energy of twist [J] of particles at `positions` [m].
-    fn twisting_energy(&self, time: f64, positions: &[DVec3]) -> f64 {
-        let (mut energy, mut first_edge, mut first_end) = (0.0, 0, 0);
-        for fibre in self.fibres.iter() {
-            if let Some(twist) = &fibre.twist {
-                let wanted = fibre.twists_at(time);
-                let angles = twist.angles(positions, &self.ends[first_end..]);
-                for (k, (edge, angle)) in twist.edges.iter().zip(angles).enumerate() {
-                    if !self.broken.edges[first_edge + k] {
-                        energy += 0.5 * edge.stiffness * (angle - wanted(k)).powi(2);
-                    }
-                }
-            }
-            first_edge += fibre.edges.len();
-            first_end += fibre.twisted_ends();
-        }
-        energy
-    }
-
-    /// Adds what twisted fibres do to particles at `positions` [m].
-    fn add_twists(&mut self, time: f64, positions: &[DVec3], forces: &mut [DVec3]) {
-        let (mut first_edge, mut first_end) = (0, 0);
-        for fibre in self.fibres.iter() {
-            if let Some(twist) = &fibre.twist {
-                let wanted = fibre.twists_at(time);
-                let at_rest = |k: usize| (!self.broken.edges[first_edge + k]).then(|| wanted(k));
-                let warm = &mut self.ends[first_end..first_end + twist.len()];
-                twist.add_forces(at_rest, positions, warm, forces);
-            }
-            first_edge += fibre.edges.len();
-            first_end += fibre.twisted_ends();
-        }
-    }
-
     /// Adds the forces [N] on particles at `positions` [m] to `forces`.
     pub(in crate::solver) fn evaluate_at(&mut self, positions: &[DVec3], forces: &mut [DVec3]) {
         dispatch!(self.level, simd => self.evaluate(simd, None, positions, forces));
@@ -176,9 +177,9 @@ impl FibreForce {
 
     #[inline(always)]
     fn evaluate<S: Simd>(&mut self, simd: S, driven: Option<f64>, positions: &[DVec3], forces: &mut [DVec3]) {
-        let Self { fibres, embedding, broken, turns, workspace, .. } = self;
+        let Self { fibres, embedding, broken, yielded, turns, workspace, .. } = self;
         let Workspace { rods, positions: blocks, binormals, spins } =
-            workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, broken));
+            workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, (broken, yielded)));
         let FibreEmbedding { strip, vertices, turns: turning, curved } = &**embedding;
         strip.fill(simd, positions, blocks);
         for vertex in 0..rods.len() {
@@ -233,6 +234,7 @@ impl Force for FibreForce {
         let mut turns = self.turns.iter().zip(&self.broken.bends);
         let mut edges_broken = self.broken.edges.iter();
         energies.activation -= self.drive_work();
+        let (mut first_edge, mut first_bend) = (0, 0);
         for fibre in self.fibres.iter() {
             let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)).collect();
             let rest_length = fibre.lengths_at(time);
@@ -243,7 +245,7 @@ impl Force for FibreForce {
                     continue;
                 }
                 let length = x[k + 1].distance(x[k]);
-                let stretch = length - rest_length(k);
+                let stretch = length - rest_length(k) - self.yielded.stretch(first_edge + k);
                 energies.stretching += 0.5 * stiffness * stretch * stretch;
                 if let Some((muscle, excited)) = &muscle {
                     energies.stretching += muscle.energy(excited(k), length / drawn, drawn);
@@ -258,10 +260,13 @@ impl Force for FibreForce {
                     None => 4.0 * bend.stiffness * straight_energy(corner.cosine),
                     Some(curved) => {
                         let (r, _) = turn_of_material(&curved.turn, &state.positions, &mut turn.clone());
-                        bend.stiffness * (corner.binormal() - r * binormal(k)).length_squared()
+                        let rest = binormal(k) + self.yielded.binormal(first_bend + k);
+                        bend.stiffness * (corner.binormal() - r * rest).length_squared()
                     }
                 };
             }
+            first_edge += fibre.edges.len();
+            first_bend += fibre.bends.len();
         }
         energies.twisting += self.twisting_energy(time, &state.positions);
     }
@@ -276,17 +281,21 @@ impl Force for FibreForce {
             activity.book(self.now(time, &state.positions), &self.broken);
             self.activity = activity;
         }
+        let yields = self.yields(&state.positions);
         let before = self.broken.breaks.len();
         let (mut first, mut first_bend, mut first_edge) = (0, 0, 0);
         for fibre in self.fibres.iter() {
             if fibre.limits.is_finite() {
                 let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)).collect();
                 let tension = fibre.tensions(&x, time);
-                let pulls = (0..fibre.edges.len())
-                    .filter(|k| !self.broken.edges[first_edge + k])
-                    .map(|k| (tension(k) / fibre.limits.tension, k));
+                let pulls = (0..fibre.edges.len()).filter(|k| !self.broken.edges[first_edge + k]).map(|k| {
+                    let yielded = fibre.edges[k].0 * self.yielded.stretch(first_edge + k);
+                    ((tension(k) - yielded) / fibre.limits.tension, k)
+                });
                 let turns = (0..fibre.bends.len()).filter(|k| !self.broken.bends[first_bend + k]).map(|k| {
-                    (fibre.turn(&x, k, &state.positions, (time, self.turns[first_bend + k])) / fibre.limits.angle, k)
+                    let rest = self.yielded.binormal(first_bend + k);
+                    let at = (time, self.turns[first_bend + k], rest);
+                    (fibre.turn(&x, k, &state.positions, at) / fibre.limits.angle, k)
                 });
                 let (pull, turn) = (furthest(pulls), furthest(turns));
                 match (pull, turn) {
@@ -309,7 +318,7 @@ impl Force for FibreForce {
             first_bend += fibre.bends.len();
             first_edge += fibre.edges.len();
         }
-        self.broken.breaks.len() > before
+        yields || self.broken.breaks.len() > before
     }
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {
@@ -317,12 +326,21 @@ impl Force for FibreForce {
         self.activity.adopt(before.map(|before| &before.activity));
         if let Some(before) = before {
             self.broken = before.broken.carried([&before.fibres, &self.fibres]);
+            self.yielded = before.yielded.carried([&before.fibres, &self.fibres]);
             self.workspace = Scratch::default();
         }
     }
 
     fn drive_work(&self) -> f64 {
         self.activity.work
+    }
+
+    fn dissipated(&self) -> f64 {
+        self.yielded.dissipated
+    }
+
+    fn remembered(&self, number: &mut dyn FnMut(f64)) {
+        self.yielded.remembered(number);
     }
 
     fn name(&self) -> &'static str {
@@ -338,6 +356,7 @@ impl Force for FibreForce {
             + size_of_val(&*self.turns)
             + size_of_val(&*self.ends)
             + self.broken.bytes()
+            + self.yielded.bytes()
             + self.activity.bytes()
     }
 

@@ -28,9 +28,13 @@ mod soa;
 mod strip;
 mod tension;
 mod twist;
+mod twisting;
+mod yield_limits;
+mod yielding;
 
 pub(crate) use activation::FibreActivation;
 pub use force::FibreForce;
 pub(crate) use muscle::Muscle;
 pub use rest::FibreRest;
 pub(crate) use twist::FibreTwist;
+pub(crate) use yield_limits::YieldLimits;

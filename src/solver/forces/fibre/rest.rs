@@ -5,6 +5,7 @@ use super::break_limits::BreakLimits;
 use super::corner::{Corner, curvature_binormal};
 use super::material_turn::turn_of_material;
 use super::twist::FibreTwist;
+use super::yield_limits::YieldLimits;
 use crate::solver::embedding::{EmbeddingWeights, TurnWeights};
 use glam::{DQuat, DVec3};
 
@@ -19,6 +20,8 @@ pub struct FibreRest {
     pub bends: Vec<Bend>,
     /// What it stands before it breaks.
     pub limits: BreakLimits,
+    /// What it stands before it yields.
+    pub(crate) yields: YieldLimits,
     /// How it resists twist; not at all unless given.
     pub(crate) twist: Option<FibreTwist>,
     /// What a drive does to it; nothing unless given.
@@ -109,6 +112,12 @@ impl FibreRest {
             }
         }
         self
+    }
+
+    /// The same fibre, which yields past `limits`.
+    #[must_use]
+    pub(crate) fn yielding(self, yields: YieldLimits) -> Self {
+        Self { yields, ..self }
     }
 
     /// The same fibre, which resists twist.
@@ -226,15 +235,16 @@ impl FibreRest {
         }
     }
 
-    /// Turn [rad] of bend `k` away from its rest shape, `2 atan(|kb - R_s kb0| / 2)`: the turning angle of eq. 6 itself
-    /// where the rest shape is straight.
-    pub(super) fn turn(&self, x: &[DVec3], k: usize, positions: &[DVec3], (time, warm_start): (f64, DQuat)) -> f64 {
+    /// Turn [rad] of bend `k` away from its rest shape, that by which it has yielded added: `2 atan(|kb - R_s kb0| / 2)`, the
+    /// turning angle of eq. 6 itself where the rest shape is straight.
+    pub(super) fn turn(&self, x: &[DVec3], k: usize, positions: &[DVec3], at: (f64, DQuat, DVec3)) -> f64 {
+        let (time, warm_start, yielded) = at;
         let Some(corner) = Corner::at(x, k) else { return 0.0 };
         let across = corner.before.tangent.cross(corner.after.tangent);
         let Some(curved) = &self.bends[k].curved else { return across.length().atan2(corner.cosine) };
         // Not the binormal that is continued beyond a fold: that one falls again as the fibre closes.
         let binormal = 2.0 * across / (1.0 + corner.cosine).max(f64::EPSILON);
         let (r, _) = turn_of_material(&curved.turn, positions, &mut warm_start.clone());
-        2.0 * (0.5 * (binormal - r * self.binormals_at(time)(k)).length()).atan()
+        2.0 * (0.5 * (binormal - r * (self.binormals_at(time)(k) + yielded)).length()).atan()
     }
 }

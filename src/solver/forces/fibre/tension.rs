@@ -10,15 +10,18 @@ impl FibreForce {
     /// these fibres' are left as they are.
     pub fn tensions(&self, positions: &[DVec3], lines: &mut [Vec<f64>]) {
         let mut broken = self.broken.edges.iter();
+        let mut first_edge = 0;
         for fibre in self.fibres.iter() {
             let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(positions)).collect();
             let tension = fibre.tensions(&x, self.activity.time());
             for (k, &broken) in (0..fibre.edges.len()).zip(broken.by_ref()) {
                 let line = lines.get_mut(fibre.line as usize);
                 if let Some(entry) = line.and_then(|line| line.get_mut(fibre.first_vertex as usize + k)) {
-                    *entry = if broken { 0.0 } else { tension(k) };
+                    *entry =
+                        if broken { 0.0 } else { tension(k) - fibre.edges[k].0 * self.yielded.stretch(first_edge + k) };
                 }
             }
+            first_edge += fibre.edges.len();
         }
     }
 }

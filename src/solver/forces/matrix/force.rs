@@ -2,6 +2,7 @@
 
 use super::elasticity::Elasticity;
 use super::evaluation::{Evaluation, EvaluationKind};
+use super::inelastic::{Inelastic, InelasticLaw};
 use super::pair_list::PairList;
 use super::reference::ReferenceConfiguration;
 use super::stencil;
@@ -36,7 +37,36 @@ impl MatrixForce {
         matrix_fraction: Arc<[f64]>,
         orientation: DQuat,
     ) -> Self {
-        let reference = ReferenceConfiguration { neighbourhood, positions: rest, elasticity, volume, matrix_fraction };
+        let stiffening = None;
+        let positions = rest;
+        Self::of(
+            ReferenceConfiguration { neighbourhood, positions, elasticity, volume, matrix_fraction, stiffening },
+            orientation,
+        )
+    }
+
+    /// [`Self::new`] over a material that is stiffer by a factor at every particle.
+    pub(crate) fn stiffened(
+        neighbourhood: Arc<Neighbourhood>,
+        rest: Arc<[DVec3]>,
+        elasticity: Elasticity,
+        volume: f64,
+        (matrix_fraction, stiffening): (Arc<[f64]>, Option<Arc<[f64]>>),
+        orientation: DQuat,
+    ) -> Self {
+        // The energy is in proportion to both.
+        let matrix_fraction = match &stiffening {
+            None => matrix_fraction,
+            Some(by) => matrix_fraction.iter().zip(by.iter()).map(|(share, by)| share * by).collect(),
+        };
+        let positions = rest;
+        Self::of(
+            ReferenceConfiguration { neighbourhood, positions, elasticity, volume, matrix_fraction, stiffening },
+            orientation,
+        )
+    }
+
+    fn of(reference: ReferenceConfiguration, orientation: DQuat) -> Self {
         let evaluation = stencil::evaluation::<Lanes4>(&reference, orientation)
             .unwrap_or_else(|| Box::new(PairList::new(vec![orientation; reference.positions.len()])));
         Self { reference, evaluation }
@@ -60,9 +90,14 @@ impl MatrixForce {
         Self { evaluation: Box::new(PairList::new(rotations)), reference: self.reference }
     }
 
+    /// What goes on in the same matrix that is not elastic, of a body that starts turned by `orientation`.
+    pub(crate) fn inelastic(&self, law: InelasticLaw, orientation: DQuat) -> Inelastic {
+        Inelastic::new(self.reference.clone(), law, orientation)
+    }
+
     /// Fibre fraction `l_i` of every particle.
     pub fn fibre_fractions(&self) -> Vec<f64> {
-        self.reference.matrix_fraction.iter().map(|matrix| 1.0 - matrix).collect()
+        (0..self.reference.positions.len()).map(|i| 1.0 - self.reference.share(i)).collect()
     }
 
     /// Memory of the rest data, which copies share [bytes].

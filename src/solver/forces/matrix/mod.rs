@@ -82,7 +82,9 @@
 
 mod elasticity;
 mod evaluation;
+mod flow_rule;
 mod force;
+mod inelastic;
 mod mean_rotation;
 mod pair_list;
 mod reference;
@@ -91,4 +93,6 @@ mod von_mises;
 
 pub use elasticity::Elasticity;
 pub use evaluation::EvaluationKind;
+pub(crate) use flow_rule::{Plasticity, Viscosity};
 pub use force::MatrixForce;
+pub(crate) use inelastic::{Inelastic, InelasticLaw};

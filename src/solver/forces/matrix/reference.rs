@@ -16,8 +16,10 @@ pub(super) struct ReferenceConfiguration {
     pub(super) elasticity: Elasticity,
     /// Volume V of a particle [m³].
     pub(super) volume: f64,
-    /// Matrix fraction of every particle, `s_i = 1 - l_i`.
+    /// Matrix fraction of every particle, `s_i = 1 - l_i`, times the stiffening there.
     pub(super) matrix_fraction: Arc<[f64]>,
+    /// By how much the matrix is stiffer at every particle than `elasticity`; nowhere unless given.
+    pub(super) stiffening: Option<Arc<[f64]>>,
 }
 
 impl ReferenceConfiguration {
@@ -31,6 +33,19 @@ impl ReferenceConfiguration {
         }
         let f = moment * self.neighbourhood.inverse_moment[i];
         (f, sum - f * self.neighbourhood.weighted_sum[i])
+    }
+
+    /// By how much the matrix is stiffer at particle i than [`Self::elasticity`].
+    pub(super) fn stiffening(&self, i: usize) -> f64 {
+        self.stiffening.as_ref().map_or(1.0, |stiffening| stiffening[i])
+    }
+
+    /// Share of matrix in the material at particle i.
+    pub(super) fn share(&self, i: usize) -> f64 {
+        match &self.stiffening {
+            None => self.matrix_fraction[i],
+            Some(stiffening) => self.matrix_fraction[i] / stiffening[i],
+        }
     }
 
     /// Elastic and zero-energy energy of particle i [J], whose rotation is near `start`.

@@ -24,7 +24,8 @@ impl MatrixForce {
     pub fn von_mises_stresses(&self, positions: &[DVec3]) -> Vec<f64> {
         // The deviator of the stress is 2 mu times that of the strain, whatever lambda is.
         let stiffness = 3.0 * self.reference.elasticity.mu;
-        self.von_mises_strains(positions).into_iter().map(|strain| stiffness * strain).collect()
+        let strains = self.von_mises_strains(positions).into_iter().enumerate();
+        strains.map(|(i, strain)| stiffness * self.reference.stiffening(i) * strain).collect()
     }
 }
 

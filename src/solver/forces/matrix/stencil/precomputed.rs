@@ -45,8 +45,12 @@ pub(super) struct Precomputed<L> {
 }
 
 impl<L: Lanes> Precomputed<L> {
-    /// Layout, weights and rest data of a body; none where the support holds too many particles.
+    /// Layout, weights and rest data of a body; none where the support holds too many particles, or some do not feel others
+    /// across a hollow.
     pub(super) fn new(reference: &ReferenceConfiguration) -> Option<Self> {
+        if reference.neighbourhood.is_cut() {
+            return None;
+        }
         let lattice = reference.neighbourhood.lattice();
         let weights: [f64; MAX_NORM_SQUARED + 1] = from_fn(|square| lattice.weight(square as u32));
         if lattice.weight(MAX_NORM_SQUARED as u32 + 1) > 0.0 {

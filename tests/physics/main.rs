@@ -10,6 +10,7 @@ mod common;
 mod compared;
 mod conservation;
 mod fast;
+mod feynman;
 mod fibres;
 mod fibres_implicit;
 mod fields;

@@ -9,9 +9,9 @@ use super::particle_sampling::ParticleSampling;
 use super::pins::{Following, note_pins};
 use super::stage::{BakeStage, Tell};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{drives, fibres, room, supports};
+use super::{drives, fibres, regime, room, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, Mass, Precision, Scene};
+use crate::scene::{Body, BodyKind, FibreEmbedding, Mass, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
@@ -51,7 +51,10 @@ pub(super) fn draft(
     let neighbourhood = Arc::new(neighbourhood);
 
     progress(name, BakeStage::Embedding)?;
-    let embedder = Embedder::new(&sample.points, kernel);
+    let embedder = match material.fibre_embedding {
+        FibreEmbedding::Compact => Embedder::new(&sample.points, kernel),
+        FibreEmbedding::All => Embedder::new(&sample.points, kernel).with_all_in_reach(),
+    };
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);
@@ -60,6 +63,8 @@ pub(super) fn draft(
         Mass::Density(density) => density * shape_volume / sample.points.len() as f64,
         Mass::PerParticle(mass) => mass,
     };
+    let filled = (mass * sample.points.len() as f64, volume * sample.points.len() as f64);
+    notes.extend(regime::notes(scene, body, *size, filled, path));
     let orientation = body.placement.rotation.quaternion();
     let regions = supports::regions(body, sample, path)?;
     let rest: Arc<[DVec3]> = sample.points.iter().map(|&x| to_world(&body.placement, x)).collect();

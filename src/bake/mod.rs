@@ -15,6 +15,7 @@ mod note;
 mod overlaps;
 mod particle_sampling;
 mod pins;
+mod regime;
 mod room;
 mod spans;
 mod stage;

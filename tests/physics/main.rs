@@ -18,6 +18,7 @@ mod figures;
 mod forces;
 mod friction;
 mod implicit;
+mod measured;
 mod meeting;
 mod paint;
 mod panels;

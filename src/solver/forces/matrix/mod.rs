@@ -86,6 +86,7 @@ mod force;
 mod mean_rotation;
 mod pair_list;
 mod reference;
+mod regions;
 mod stencil;
 mod von_mises;
 

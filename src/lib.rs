@@ -87,6 +87,8 @@
 //!
 //! - `test_support`: what the tests look at besides all this.
 //!
+//! `src/python` is a crate of its own, the Python package, on what is public here.
+//!
 //! What is public is there to be called from other crates, and its changes are told in the list of changes; the rest is
 //! `pub(crate)` or less, which the lint `unreachable_pub` holds the code to.
 //!
@@ -118,6 +120,10 @@
 //! | what a file holds of a mesh, vertex by vertex | [`geometry::FileMesh`], kept by the readers in `io::model` |
 //! | how its vertices ride on the particles | `export::carrier` |
 //! | a format that a motion is written in | `io::export` |
+//! | which integrator is which scheme | [`scene::IntegratorKind`] |
+//! | the work that is done from outside | `solver::outside_body`, booked as a world goes by `solver::world::work` |
+//! | what a series has in its columns | `sim::columns` |
+//! | values that no solid has | `bake::regime` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
 //!
@@ -183,6 +189,7 @@
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of
 //!   the last frames, many more of them.
+//! - *work*: what pins that move, driven panels and wind have done on bodies ([`solver::World::work`]).
 //! - *checkpoint*: all that a world goes on from, bit for bit.
 //! - *ghost*: the scene without its fibres, or before the last edit, run in step beside it.
 //! - *study*, *trial*: a scene under several integrators and steps, put together once; under one.

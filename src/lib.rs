@@ -90,6 +90,8 @@
 //!
 //! - `test_support`: what the tests look at besides all this.
 //!
+//! `src/python` is a crate of its own, the Python package, on what is public here.
+//!
 //! What is public is there to be called from other crates, and its changes are told in the list of changes; the rest is
 //! `pub(crate)` or less, which the lint `unreachable_pub` holds the code to.
 //!
@@ -126,6 +128,10 @@
 //! | a format that a motion is written in | `io::export`; of moving pictures: `io::moving`; who is offered it: the table in `transfer::format` |
 //! | which frames of a run are written, and for which program | `transfer::run_files`, `transfer::program` |
 //! | what the window writes beside itself | `ui::transfer`; from the recording: `sim::taken` |
+//! | which integrator is which scheme | [`scene::IntegratorKind`] |
+//! | the work that is done from outside | `solver::outside_body`, booked as a world goes by `solver::world::work` |
+//! | what a series has in its columns | `sim::columns` |
+//! | values that no solid has | `bake::regime` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
 //!
@@ -195,6 +201,7 @@
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of
 //!   the last frames, many more of them.
 //! - *taken motion*: a scene as it was put together and the frames that are kept of it, shared with who writes them to files.
+//! - *work*: what pins that move, driven panels and wind have done on bodies ([`solver::World::work`]).
 //! - *checkpoint*: all that a world goes on from, bit for bit.
 //! - *ghost*: the scene without its fibres, or before the last edit, run in step beside it.
 //! - *study*, *trial*: a scene under several integrators and steps, put together once; under one.

@@ -10,9 +10,9 @@ use super::pins::{Following, note_pins};
 use super::region_materials::varied;
 use super::stage::{BakeStage, Tell};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{drives, fibres, room, supports};
+use super::{drives, fibres, regime, room, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, Mass, Material, Precision, Scene};
+use crate::scene::{Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
@@ -53,7 +53,11 @@ pub(super) fn draft(
     let neighbourhood = Arc::new(neighbourhood);
 
     progress(name, BakeStage::Embedding)?;
-    let embedder = Embedder::around(&sample.points, kernel, sampling.hollows.clone());
+    let around = Embedder::around(&sample.points, kernel, sampling.hollows.clone());
+    let embedder = match material.fibre_embedding {
+        FibreEmbedding::Compact => around,
+        FibreEmbedding::All => around.with_all_in_reach(),
+    };
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);
@@ -62,6 +66,8 @@ pub(super) fn draft(
         Mass::Density(density) => density * shape_volume / sampling.whole as f64,
         Mass::PerParticle(mass) => mass,
     };
+    let filled = (mass * sample.points.len() as f64, volume * sample.points.len() as f64);
+    notes.extend(regime::notes(scene, body, *size, filled, path));
     let orientation = body.placement.rotation.quaternion();
     let regions = supports::regions(body, sample, path)?;
     let rest: Arc<[DVec3]> = sample.points.iter().map(|&x| to_world(&body.placement, x)).collect();

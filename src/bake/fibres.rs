@@ -103,7 +103,7 @@ impl Placing<'_> {
             .into_iter()
             .map(|point| Placed {
                 point,
-                embedded: self.embedder.is_embedded(point) && self.embedder.compact_weights(point).is_some(),
+                embedded: self.embedder.is_embedded(point) && self.embedder.vertex_weights(point).is_some(),
                 distance: self.embedder.distance(point) / material.support_radius,
             })
             .collect();
@@ -117,8 +117,7 @@ impl Placing<'_> {
     /// Embeds one run: ends too far outside the particles carry no force, inner vertices there slide inwards.
     fn embed(&mut self, fibre: usize, (start, mut vertices): (f64, Vec<DVec3>), path: &str) -> Option<PlacedFibre> {
         let total = vertices.len();
-        let holds =
-            |at: DVec3| self.embedder.compact_weights(at).is_some_and(|w| w.square_sum() <= GREATEST_SQUARE_SUM);
+        let holds = |at: DVec3| self.embedder.vertex_weights(at).is_some_and(|w| w.square_sum() <= GREATEST_SQUARE_SUM);
         // A fibre that runs along the outside all its length has no end worth keeping: all of it slides.
         let first = vertices.iter().position(|&at| holds(at)).unwrap_or(0);
         let last = vertices.iter().rposition(|&at| holds(at)).unwrap_or(total - 1);
@@ -156,7 +155,7 @@ impl Placing<'_> {
             self.note(path, true, text);
         }
         self.warn_if_folded(&vertices[first..=last], path);
-        let embedding = vertices.iter().map(|&at| self.embedder.compact_weights(at).unwrap_or_default()).collect();
+        let embedding = vertices.iter().map(|&at| self.embedder.vertex_weights(at).unwrap_or_default()).collect();
         let id = self.body.fibres[fibre].id.clone();
         Some(PlacedFibre { fibre, id, start, vertices, embedding, active: first..last + 1 })
     }
@@ -164,8 +163,7 @@ impl Placing<'_> {
     /// The nearest point on the way to the centroid of the particles around a vertex at which it may carry force; none
     /// where it already may.
     fn slide_in(&self, vertex: DVec3) -> Option<DVec3> {
-        let holds =
-            |at: DVec3| self.embedder.compact_weights(at).is_some_and(|w| w.square_sum() <= GREATEST_SQUARE_SUM);
+        let holds = |at: DVec3| self.embedder.vertex_weights(at).is_some_and(|w| w.square_sum() <= GREATEST_SQUARE_SUM);
         if holds(vertex) {
             return None;
         }

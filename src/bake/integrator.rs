@@ -5,8 +5,8 @@ use super::note::Note;
 use crate::scene::{Body, Initial, IntegratorChoice, IntegratorKind, Motion, Scene, TimeStep};
 use crate::solver::forces::{FibreForce, Force};
 use crate::solver::integrators::{
-    BackwardEuler, Bdf2, ExplicitEuler, FibresImplicit, ImplicitMidpoint, Integrator, LeapFrog, Midpoint, Newmark, Rk4,
-    Sdirk2, SymplecticEuler, TrBdf2, Verlet, work_of_a_step,
+    BackwardEuler, Bdf2, ExplicitEuler, Feynman, FibresImplicit, ImplicitMidpoint, Integrator, LeapFrog, Midpoint,
+    Newmark, Rk4, Sdirk2, SymplecticEuler, TrBdf2, Verlet, work_of_a_step,
 };
 use crate::solver::state::ParticleState;
 
@@ -116,6 +116,7 @@ pub(super) fn integrator(kind: IntegratorKind) -> Box<dyn Integrator> {
         IntegratorKind::Rk4 => Box::new(Rk4::default()),
         IntegratorKind::SymplecticEuler => Box::new(SymplecticEuler::default()),
         IntegratorKind::Verlet => Box::new(Verlet::default()),
+        IntegratorKind::Feynman => Box::new(Feynman::default()),
         IntegratorKind::BackwardEuler => Box::new(BackwardEuler::default()),
         IntegratorKind::TrBdf2 => Box::new(TrBdf2::default()),
         IntegratorKind::Sdirk2 => Box::new(Sdirk2::default()),

@@ -3,7 +3,7 @@
 use super::draft::Draft;
 use super::error::{BakeError, known};
 use super::supports;
-use crate::scene::{MeasureKind, OverTime, Scene};
+use crate::scene::{MeasureKind, OverEdges, OverTime, Scene};
 use crate::solver::measure::{Group, Quantity};
 use crate::solver::world::Probe;
 use glam::{BVec3, DVec3};
@@ -63,11 +63,38 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
                 MeasureKind::ActivationWork => Quantity::ActivationWork,
                 MeasureKind::Dissipated => Quantity::Dissipated,
                 MeasureKind::PlasticStrain => Quantity::PlasticStrain,
+                MeasureKind::Stress(of) => Quantity::Stress(group(&of.region)?, of.along.map(unit)),
+                MeasureKind::Strain(of) => Quantity::Strain(group(&of.region)?, of.along.map(unit)),
+                MeasureKind::Speed(of) => Quantity::Speed(group(&of.region)?),
+                MeasureKind::PanelForce(of) => Quantity::PanelForce(panel(scene, &of.panel, &kind)?),
+                MeasureKind::ContactForce(of) => {
+                    let all = || (0..draft.parts.state.len() as u32).collect();
+                    let group = of.region.as_deref().map_or_else(|| Ok(all()), group)?;
+                    Quantity::ContactForce(group, unit(of.along))
+                }
+                MeasureKind::FibreTension(of) => {
+                    let lines = draft.parts.fibres.iter().enumerate().filter(|(_, line)| line.id == of.fibre);
+                    let lines: Vec<usize> = lines.map(|(index, _)| index).collect();
+                    match of.of {
+                        OverEdges::Greatest => Quantity::GreatestTension(lines),
+                        OverEdges::Mean => Quantity::MeanTension(lines),
+                    }
+                }
             };
             let peak = measure.over_time == OverTime::Peak;
             Ok(Probe { name: measure.name.clone(), body, quantity, peak })
         })
         .collect()
+}
+
+/// The place of a panel among all of them.
+fn panel(scene: &Scene, id: &str, kind: &str) -> Result<usize, BakeError> {
+    scene.panels.iter().position(|panel| panel.id == id).ok_or_else(|| BakeError::Unknown {
+        path: format!("{kind}/panel_force/panel"),
+        what: "panel",
+        id: id.to_owned(),
+        known: known(scene.panels.iter().map(|panel| panel.id.as_str())),
+    })
 }
 
 /// 1 along the axes in which each particle of the group is held, 0 along the others.

@@ -15,6 +15,7 @@ mod note;
 mod overlaps;
 mod particle_sampling;
 mod pins;
+mod regime;
 mod region_materials;
 mod room;
 mod spans;

@@ -97,7 +97,8 @@ pub(super) fn constraints(
         let start: Vec<DVec3> = particles.iter().map(|&i| state.positions[i as usize]).collect();
         let locked = BVec3::new(pin.axes.contains(&Axis::X), pin.axes.contains(&Axis::Y), pin.axes.contains(&Axis::Z));
         let motion = motion(&pin.motion, drives, rest, &start);
-        found.push(Constraint { particles, start, found: None, locked, motion });
+        let id = Some(pin.id.as_str().into());
+        found.push(Constraint { id, particles, start, found: None, locked, motion });
     }
     Ok(found)
 }

@@ -253,6 +253,7 @@ fn in_plane(body: &TwoLayer, model: &LayerModel, state: &ParticleState) -> Vec<C
         return Vec::new();
     }
     vec![Constraint {
+        id: None,
         particles: (0..state.len() as u32).collect(),
         start: state.positions.clone(),
         found: None,

@@ -21,8 +21,8 @@ use std::time::Instant;
 pub struct Compare {
     /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB
     scene: PathBuf,
-    /// Integrators to compare: euler, midpoint, rk4, symplectic_euler, leap_frog, verlet, backward_euler,
-    /// tr_bdf2, sdirk2, implicit_midpoint, bdf2, newmark
+    /// Integrators to compare: euler, midpoint, rk4, symplectic_euler, leap_frog, verlet, feynman,
+    /// backward_euler, tr_bdf2, sdirk2, implicit_midpoint, bdf2, newmark
     #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "euler,midpoint,rk4", value_parser = integrator)]
     integrators: Vec<IntegratorKind>,
     /// Steps [s]; each run takes exactly this step

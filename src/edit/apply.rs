@@ -1,7 +1,7 @@
 //! What each command does to a scene.
 
 use super::{Command, Item};
-use crate::scene::{AnyBodyMut, Body, Fibre, Scene, TwoLayer};
+use crate::scene::{AnyBodyMut, Body, Fibre, MeasureKind, Scene, TwoLayer};
 
 impl Command {
     /// Changes `scene`. What is missing is said; the scene may be changed in part then and is not to be used.
@@ -20,6 +20,11 @@ impl Command {
                 let fibres = &mut body_of(scene, body)?.fibres;
                 let index = fibres.iter().position(|old| old.id == *fibre);
                 fibres.remove(index.ok_or_else(|| format!("there is no fibre \"{fibre}\""))?);
+                // What is gone cannot be measured any more.
+                scene.measures.retain(|measure| match &measure.kind {
+                    MeasureKind::FibreTension(of) => measure.body != *body || of.fibre != *fibre,
+                    _ => true,
+                });
             }
             Self::SetName { item, name } => item_fields(scene, item)?.name.clone_from(name),
             Self::SetHidden { items, hidden } => {
@@ -51,7 +56,13 @@ impl Command {
             Self::SetTime(time) => scene.time = time.clone(),
             Self::SetGravity(gravity) => scene.gravity = *gravity,
             Self::SetRoom(room) => scene.room = room.clone(),
-            Self::SetPanels(panels) => scene.panels.clone_from(panels),
+            Self::SetPanels(panels) => {
+                scene.panels.clone_from(panels);
+                scene.measures.retain(|measure| match &measure.kind {
+                    MeasureKind::PanelForce(on) => panels.iter().any(|panel| panel.id == on.panel),
+                    _ => true,
+                });
+            }
         }
         Ok(())
     }

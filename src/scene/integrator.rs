@@ -36,6 +36,8 @@ impl From<IntegratorKind> for IntegratorChoice {
 macro_rules! integrators {
     ($($(#[doc = $doc:literal])* $kind:ident $word:literal $name:literal;)*) => {
         /// How a body is stepped through time.
+        ///
+        #[doc = include_str!("integrators.md")]
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
         pub enum IntegratorKind {
             $($(#[doc = $doc])* #[serde(rename = $word)] $kind,)*
@@ -104,7 +106,10 @@ integrators! {
     /// Symplectic Euler: order 1, one evaluation a step.
     SymplecticEuler "symplectic_euler" "Symplectic Euler";
     /// Velocity Verlet with a predicted velocity: order 2 with damping too, two evaluations a step.
-    Verlet "verlet" "Verlet";
+    Verlet "verlet" "Velocity Verlet";
+    /// The Feynman Lectures' scheme, positions at whole and velocities at half steps: order 2, one force evaluation a step.
+    /// Leap-frog but for rounding.
+    Feynman "feynman" "Feynman";
     /// Backward Euler: order 1, stable at any step, takes energy.
     BackwardEuler "backward_euler" "Backward Euler";
     /// Trapezoidal rule and backward difference: order 2, stable at any step, two stages; keeps slow motion.

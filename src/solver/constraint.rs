@@ -8,6 +8,8 @@ use std::sync::Arc;
 /// Particles held or moved along some world axes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Constraint {
+    /// Identifier of the scene's pin; none of what holds a body by itself.
+    pub id: Option<Arc<str>>,
     /// The particles.
     pub particles: Vec<u32>,
     /// Where each of them starts [m].

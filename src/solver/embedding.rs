@@ -60,13 +60,15 @@ pub(crate) struct Embedder<'a> {
     median_sum: f64,
     /// What no point reaches across.
     hollows: Hollows,
+    /// Share of the heaviest weight below which a particle is left out of a fibre vertex.
+    negligible: f64,
 }
 
 /// A point counts as embedded from this share of the median kernel sum on.
 const LEAST_SUM: f64 = 0.05;
 /// And from this number of particles in reach on.
 const LEAST_PARTICLES: usize = 4;
-/// Share of the heaviest weight below which a particle is left out of a fibre vertex.
+/// That share unless all particles are to be kept.
 const NEGLIGIBLE: f64 = 0.06;
 
 /// Sum of kernel weights, relative to the kernel's centre, from which on weights are worked out.
@@ -82,11 +84,16 @@ impl<'a> Embedder<'a> {
     /// Weights over particles at `points` (rest, model frame), where nothing hangs on those across a hollow.
     pub(crate) fn around(points: &'a [DVec3], kernel: Kernel, hollows: Hollows) -> Self {
         let grid = PointGrid::new(points, kernel.support_radius);
-        let mut this = Self { points, grid, kernel, median_sum: 0.0, hollows };
+        let mut this = Self { points, grid, kernel, median_sum: 0.0, hollows, negligible: NEGLIGIBLE };
         let mut sums: Vec<f64> = points.iter().map(|&point| this.kernel_sum(point).0).collect();
         sums.sort_by(f64::total_cmp);
         this.median_sum = sums.get(sums.len() / 2).copied().unwrap_or(0.0);
         this
+    }
+
+    /// The same, with fibre vertices that hang on all particles in reach.
+    pub(crate) fn with_all_in_reach(self) -> Self {
+        Self { negligible: 0.0, ..self }
     }
 
     /// Particles in reach of a point.
@@ -115,10 +122,10 @@ impl<'a> Embedder<'a> {
     }
 
     /// Linear-reproducing weights at a point, over the particles that count there: those of more than a negligible share of
-    /// the heaviest kernel weight. They are half of all in reach, which is what a fibre vertex costs at every step; linear
+    /// the heaviest kernel weight, 6 % unless all are kept. They are half of all in reach, which is what a fibre vertex costs at every step; linear
     /// fields are reproduced all the same. The weights change abruptly from one point to the next, as a skin must not
     /// ([`super::skin_weights`]). None where those particles lie on a plane or a line, or are too few.
-    pub(crate) fn compact_weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
+    pub(crate) fn vertex_weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
         self.weighted(at, &self.that_count(at))
     }
 
@@ -132,7 +139,7 @@ impl<'a> Embedder<'a> {
     fn that_count(&self, at: DVec3) -> Vec<(u32, f64)> {
         let mut near = self.in_reach(at);
         let heaviest = near.iter().map(|&(_, w)| w).fold(0.0, f64::max);
-        near.retain(|&(_, w)| w > NEGLIGIBLE * heaviest);
+        near.retain(|&(_, w)| w > self.negligible * heaviest);
         near
     }
 

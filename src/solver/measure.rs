@@ -1,6 +1,7 @@
 //! Signed numbers read off a body.
 
 use super::body::Body;
+use super::forces::{Inelastic, MatrixForce};
 use super::layers::Layers;
 use glam::DVec3;
 
@@ -60,6 +61,20 @@ pub(crate) enum Quantity {
     Dissipated,
     /// Greatest equivalent plastic strain of the matrix.
     PlasticStrain,
+    /// Mean stress of the matrix [Pa] along a unit direction, or its equivalent.
+    Stress(Group, Option<DVec3>),
+    /// Mean strain of the matrix along a unit direction, or its equivalent.
+    Strain(Group, Option<DVec3>),
+    /// Mean length of the velocities [m/s].
+    Speed(Group),
+    /// Upward force on a panel [N].
+    PanelForce(usize),
+    /// Force of a group on all that it touches, along a unit direction [N].
+    ContactForce(Group, DVec3),
+    /// Force in the edge of some centre lines that is pulled most [N].
+    GreatestTension(Vec<usize>),
+    /// Mean force in the edges of some centre lines [N].
+    MeanTension(Vec<usize>),
 }
 
 const MILLI: f64 = 1e3;
@@ -83,6 +98,12 @@ impl Quantity {
             Self::ActivationWork => "activation_work",
             Self::Dissipated => "dissipated",
             Self::PlasticStrain => "plastic_strain",
+            Self::Stress(..) => "stress",
+            Self::Strain(..) => "strain",
+            Self::Speed(_) => "speed",
+            Self::PanelForce(_) => "panel_force",
+            Self::ContactForce(..) => "contact_force",
+            Self::GreatestTension(_) | Self::MeanTension(_) => "fibre_tension",
         }
     }
 
@@ -90,11 +111,17 @@ impl Quantity {
     pub(crate) fn unit(&self) -> &'static str {
         match self {
             Self::MeanDisplacement(..) | Self::Advance(..) | Self::TipDisplacement(..) | Self::Shear(..) => "mm",
-            Self::HeightLoss(..) | Self::InertiaRatio | Self::PlasticStrain => "fraction",
+            Self::HeightLoss(..) | Self::InertiaRatio | Self::PlasticStrain | Self::Strain(..) => "fraction",
             Self::Size(_) | Self::LayerOffset => "m",
             Self::Volume(unit) => unit,
             Self::Twist(..) => "degrees",
-            Self::ReactionForce(..) => "N",
+            Self::ReactionForce(..)
+            | Self::PanelForce(_)
+            | Self::ContactForce(..)
+            | Self::GreatestTension(_)
+            | Self::MeanTension(_) => "N",
+            Self::Stress(..) => "Pa",
+            Self::Speed(_) => "m/s",
             Self::ReactionTorque(..) => "N m",
             Self::ActivationWork | Self::Dissipated => "J",
         }
@@ -118,8 +145,8 @@ impl Quantity {
         matches!(self, Self::MeanDisplacement(..) | Self::Shear(..))
     }
 
-    /// Present value.
-    pub(crate) fn read(&self, body: &Body) -> MeasureValue {
+    /// Value at the present time [s].
+    pub(crate) fn read(&self, body: &Body, time: f64) -> MeasureValue {
         let now = &body.state().positions;
         let rest = &body.parts().rest;
         match self {
@@ -164,15 +191,55 @@ impl Quantity {
                 MeasureValue::Scalar(most - least)
             }
             Self::LayerOffset => of_layers(body, |layers| layers.offset(body.state())),
-            Self::Volume(_) => {
-                of_layers(body, |layers| layers.outer_surface.as_ref().map_or(0.0, |surface| surface.volume(now)))
-            }
+            Self::Volume(_) => match matrix(body) {
+                Some(matrix) => MeasureValue::Scalar(matrix.present_volume(now)),
+                None => {
+                    of_layers(body, |layers| layers.outer_surface.as_ref().map_or(0.0, |surface| surface.volume(now)))
+                }
+            },
             Self::InertiaRatio => of_layers(body, |layers| layers.inertia_ratio(body.state())),
             Self::ActivationWork => MeasureValue::Scalar(body.drive_work()),
             Self::Dissipated => MeasureValue::Scalar(body.dissipated()),
             Self::PlasticStrain => MeasureValue::Scalar(body.plastic_strain()),
+            Self::Stress(group, along) => {
+                let yielded = body.parts().forces.iter().find_map(|force| force.downcast_ref::<Inelastic>());
+                of_matrix(body, |matrix| matrix.mean_stress(group, *along, now, yielded))
+            }
+            Self::Strain(group, along) => of_matrix(body, |matrix| matrix.mean_strain(group, *along, now)),
+            Self::Speed(group) => {
+                let speeds = group.iter().map(|&i| body.state().velocities[i as usize].length());
+                MeasureValue::Scalar(speeds.sum::<f64>() / group.len().max(1) as f64)
+            }
+            Self::PanelForce(panel) => MeasureValue::Scalar(body.lift(*panel)),
+            Self::ContactForce(group, along) => {
+                let on_it = group.iter().map(|&i| body.contact_force(i as usize, time)).sum::<DVec3>();
+                MeasureValue::Scalar(-on_it.dot(*along))
+            }
+            Self::GreatestTension(lines) => {
+                let edges = tensions(body, lines);
+                MeasureValue::Scalar(edges.into_iter().reduce(f64::max).unwrap_or_default())
+            }
+            Self::MeanTension(lines) => {
+                let edges = tensions(body, lines);
+                MeasureValue::Scalar(edges.iter().sum::<f64>() / edges.len().max(1) as f64)
+            }
         }
     }
+}
+
+fn matrix(body: &Body) -> Option<&MatrixForce> {
+    body.parts().forces.iter().find_map(|force| force.downcast_ref())
+}
+
+/// A number of a matrix; zero where there is none.
+fn of_matrix(body: &Body, read: impl Fn(&MatrixForce) -> f64) -> MeasureValue {
+    MeasureValue::Scalar(matrix(body).map_or(0.0, read))
+}
+
+/// Forces in the edges of some of a body's centre lines [N].
+fn tensions(body: &Body, lines: &[usize]) -> Vec<f64> {
+    let all = body.tensions();
+    lines.iter().filter_map(|&line| all.get(line)).flatten().copied().collect()
 }
 
 /// A number of a two-layer body; zero for others.

@@ -23,6 +23,7 @@ pub(crate) mod measure;
 pub(crate) mod modes;
 pub(crate) mod neighbourhood;
 pub(crate) mod outside;
+mod outside_body;
 pub(crate) mod overlap;
 pub(crate) mod panel;
 pub(crate) mod rotation;

@@ -11,11 +11,14 @@ mod checkpoint;
 mod eased;
 mod grips;
 mod starts;
+mod totals;
+mod work;
 
 pub use checkpoint::Checkpoint;
 
 use eased::Eased;
 use grips::Grips;
+use work::OutsideWork;
 
 use super::body::{Body, Divergence};
 use super::body_contact::{Allowance, add_body_contact};
@@ -50,8 +53,8 @@ pub struct Probe {
 }
 
 impl Probe {
-    fn raise(&self, peak: &mut MeasureValue, body: &Body) {
-        let value = self.quantity.read(body);
+    fn raise(&self, peak: &mut MeasureValue, body: &Body, time: f64) {
+        let value = self.quantity.read(body, time);
         if value.magnitude() > peak.magnitude() {
             *peak = value;
         }
@@ -78,6 +81,7 @@ pub struct World {
     contact_current: bool,
     /// Force on every panel from below [N].
     lifts: Vec<f64>,
+    work: OutsideWork,
     /// Time at which frame 0 began [s]; not zero after an edit.
     since: f64,
     frame: u64,
@@ -104,6 +108,7 @@ impl World {
             eased: Eased::default(),
             grips: Grips::default(),
             contact_current: false,
+            work: OutsideWork::default(),
             since: 0.0,
             frame: 0,
         };
@@ -144,9 +149,9 @@ impl World {
         self.gravity.at(self.time())
     }
 
-    /// Force on a panel from below [N].
-    pub(super) fn lift(&self, panel: usize) -> f64 {
-        self.lifts[panel]
+    /// Force on a panel from below [N], by its index; zero where there is no such panel.
+    pub fn panel_force(&self, panel: usize) -> f64 {
+        self.lifts.get(panel).copied().unwrap_or_default()
     }
 
     /// The measures in the order of the scene.
@@ -200,6 +205,7 @@ impl World {
                 body.start_late();
             }
         }
+        self.work = before.work.taken_on(&goes_on);
         for panel in &mut self.panels {
             if let Some(old) = before.panels.iter().find(|old| old.id == panel.id) {
                 panel.height = old.height;
@@ -241,7 +247,10 @@ impl World {
             let bodies = self.bodies.iter_mut().enumerate();
             let (eased, grips) = (&self.eased, &mut self.grips);
             let lifts = bodies.map(|(body, of)| {
-                grips.of_panel([body, index], |grip| panel.add_contact(of, eased.panel(body, index), grip, time))
+                let eased = eased.panel(body, index);
+                let lift = grips.of_panel([body, index], |grip| panel.add_contact(of, eased, grip, time));
+                of.add_lift(lift);
+                lift
             });
             *lift = lifts.sum();
         }
@@ -266,6 +275,7 @@ impl World {
             self.frame += 1;
             return;
         }
+        self.work.begin(&self.bodies, (&self.panels, &self.lifts), self.time());
         for body in &mut self.bodies {
             body.save_last_good();
         }
@@ -288,17 +298,21 @@ impl World {
                 // Bodies that take turns many times in a frame would fill a trace with their steps.
                 let whole = self.plan.outer_steps == 1;
                 let _body = whole.then(|| tracing::info_span!("body", name = body.parts().name).entered());
-                let (probes, peaks) = (&self.probes, &mut self.peaks);
-                body.advance(time, count, &mut |body| {
+                let (probes, peaks, work) = (&self.probes, &mut self.peaks, &mut self.work);
+                body.advance(time, count, &mut |body, time| {
+                    if body.is_current() {
+                        work.add_held(index, body);
+                    }
                     for (probe, peak) in probes.iter().zip(peaks.iter_mut()) {
                         if probe.peak && probe.body == index && (body.is_current() || !probe.quantity.needs_forces()) {
-                            probe.raise(peak, body);
+                            probe.raise(peak, body, time);
                         }
                     }
                 });
             }
             let end = self.time_at(outer + 1);
             self.evaluate_contact(end, outer_dt);
+            self.work.add_panels(&self.panels, &self.lifts);
             self.half_kick(end, outer_dt, &asleep);
         }
         self.frame += 1;
@@ -306,9 +320,10 @@ impl World {
         for body in &mut self.bodies {
             body.update_net_forces(time);
         }
+        self.work.end(&self.bodies, time);
         for (probe, peak) in self.probes.iter().zip(&mut self.peaks) {
             if probe.peak {
-                probe.raise(peak, &self.bodies[probe.body]);
+                probe.raise(peak, &self.bodies[probe.body], time);
             }
         }
     }
@@ -322,7 +337,7 @@ impl World {
 
     /// Present values of the measures.
     pub fn measures(&self) -> Vec<MeasureValue> {
-        self.probes.iter().map(|probe| probe.quantity.read(&self.bodies[probe.body])).collect()
+        self.probes.iter().map(|probe| probe.quantity.read(&self.bodies[probe.body], self.time())).collect()
     }
 
     /// The first body that was stopped, if any.
@@ -338,6 +353,7 @@ impl World {
             peaks: self.peaks.clone(),
             contact_current: self.contact_current,
             lifts: self.lifts.clone(),
+            work: self.work.done(),
             eased: self.eased.clone(),
             grips: self.grips.clone(),
             since: self.since,
@@ -356,6 +372,7 @@ impl World {
         self.peaks.clone_from(&to.peaks);
         self.contact_current = to.contact_current;
         self.lifts.clone_from(&to.lifts);
+        self.work = OutsideWork::from_here_on(to.work.clone());
         self.eased.clone_from(&to.eased);
         self.grips.clone_from(&to.grips);
         self.since = to.since;

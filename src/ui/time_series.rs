@@ -222,9 +222,12 @@ impl TimeSeriesPanel {
     fn traces(&self, chart: &Chart, recorded: &RecordedSeries) -> Vec<Trace> {
         let shown = || chart.curves.iter().filter(|curve| !self.hidden.contains(&curve.name));
         // A ghost with other bodies or measures has other columns, of which these curves know nothing.
-        let ghost = recorded.ghost.iter().filter(|ghost| ghost.columns() == recorded.world.columns());
-        let ghosts = ghost.flat_map(|ghost| {
-            shown().map(|curve| Trace {
+        let is_there = |ghost: &TimeSeries, curve: &Curve| {
+            let mut columns = curve.sums.iter().flatten();
+            columns.all(|&column| ghost.columns().get(column) == recorded.world.columns().get(column))
+        };
+        let ghosts = recorded.ghost.iter().flat_map(|ghost| {
+            shown().filter(|curve| is_there(ghost, curve)).map(|curve| Trace {
                 name: format!("{}, ghost", curve.name),
                 width: THIN,
                 dashed: true,

@@ -15,6 +15,7 @@ mod lines;
 mod models;
 mod opened_models;
 mod pictures;
+mod repeated;
 mod simulate;
 mod starts;
 mod sweep;

@@ -14,8 +14,8 @@ struct Case {
 
 /// Whether it has a step that it cannot pass.
 fn is_explicit(kind: IntegratorKind) -> bool {
-    use IntegratorKind::{ExplicitEuler, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet};
-    [ExplicitEuler, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet].contains(&kind)
+    use IntegratorKind::{ExplicitEuler, Feynman, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet};
+    [ExplicitEuler, Feynman, LeapFrog, Midpoint, Rk4, SymplecticEuler, Verlet].contains(&kind)
 }
 
 /// The case of a number: free bodies that fall, spin or swing, and bodies that are driven from rest.

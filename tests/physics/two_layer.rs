@@ -210,7 +210,7 @@ fn masses_go_by_layer_then_by_region() {
 fn free_flight_keeps_both_momenta() {
     let thrown = json!({"initial": {"velocity": [1, 2, 0], "angular_velocity": [0, 0, 90],
         "deformation": [[1.2, 0.1, 0], [0, 0.9, 0], [0, 0, 1]]}});
-    for integrator in ["rk4", "leap_frog", "symplectic_euler", "backward_euler", "verlet", "midpoint"] {
+    for integrator in ["rk4", "leap_frog", "feynman", "symplectic_euler", "backward_euler", "verlet", "midpoint"] {
         for body_of in [ring(), ball(1), segment()] {
             let flying = with(with(body_of, thrown.clone()), json!({"integrator": integrator}));
             let scene =
@@ -224,7 +224,7 @@ fn free_flight_keeps_both_momenta() {
             let angular = (now.angular_momentum() - before.angular_momentum()).length();
             let share = angular / before.angular_momentum().length();
             let allowed = match integrator {
-                "leap_frog" | "symplectic_euler" => 1e-9,
+                "leap_frog" | "feynman" | "symplectic_euler" => 1e-9,
                 "rk4" => 1e-8,
                 "backward_euler" => 2e-2,
                 _ => 1e-4,

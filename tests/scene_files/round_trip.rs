@@ -240,6 +240,7 @@ fn body() -> impl Strategy<Value = Body> {
             spacing_ratio,
             damping: Damping { pair: 1.0 / 3.0, air: 0.1, extra: Extra::new() },
             volume_fraction_falloff: Falloff::Constant,
+            fibre_embedding: FibreEmbedding::All,
             precision: Precision::Fast,
             extra,
         },

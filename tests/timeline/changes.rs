@@ -99,7 +99,13 @@ fn another_name_keeps_the_readings_and_another_body_is_counted_as_lost() {
     let named = |text: &str| {
         worker.time_series(|recorded| recorded.world.columns().iter().any(|column| column.name.starts_with(text)))
     };
-    assert!(named("Renamed: ") && !named("Other: "));
+    // Columns are named by what does not change.
+    assert!(named("other: ") && !named("Renamed: "));
+    two.bodies[0].fibres.clear();
+    ask(&worker, SimCommand::Edit(Arc::new(two.clone())));
+    until(&worker, |p| p.status.edits == 2 && p.status.baking.is_none());
+    assert_eq!(rows(), (6, 0), "what is of fibres goes, and nothing else");
+    assert!(!named(&format!("{}: breaks", two.bodies[0].id)) && named("other: breaks"));
     two.bodies.pop();
     ask(&worker, SimCommand::Edit(Arc::new(two)));
     until(&worker, |p| p.status.bodies.len() == 1);

@@ -67,7 +67,7 @@ fn the_legend_has_present_values_and_leaves_lines_out() {
     let time = window.state().published().status.time;
     let mass: f64 = window.state().time_series(|recorded| {
         let row = recorded.world.last().expect("a row");
-        let momentum = recorded.world.columns().iter().position(|column| column.name == "linear_momentum y");
+        let momentum = recorded.world.columns().iter().position(|column| column.name.ends_with(": linear_momentum y"));
         -row[momentum.expect("the column")] / (9.81 * time)
     });
     // A half of m v².

@@ -2,7 +2,7 @@
 
 use super::check::{At, Checked, Ids, direction, require};
 use super::two_layer::known_regions;
-use crate::scene::{AnyBody, Measure, MeasureKind, Region, Scene, SceneError, TwoLayer};
+use crate::scene::{AnyBody, Body, Measure, MeasureKind, Region, Scene, SceneError, TwoLayer};
 
 /// `bodies` are the identifiers of the scene's bodies.
 pub(super) fn measures(at: &At<'_>, scene: &Scene, bodies: &Ids<'_>) -> Checked {
@@ -15,6 +15,7 @@ pub(super) fn measures(at: &At<'_>, scene: &Scene, bodies: &Ids<'_>) -> Checked 
         match scene.find_body(&measure.body) {
             Some(AnyBody::Solid(body)) => {
                 one_layer(&at, measure)?;
+                fibre(&at, measure, body)?;
                 kind(&at, measure, &own_regions(&at, &body.regions)?)?;
             }
             Some(AnyBody::TwoLayer(body)) => {
@@ -22,6 +23,11 @@ pub(super) fn measures(at: &At<'_>, scene: &Scene, bodies: &Ids<'_>) -> Checked 
                 kind(&at, measure, &known_regions(&at, body)?)?;
             }
             None => {}
+        }
+        if let MeasureKind::PanelForce(on) = &measure.kind {
+            let mut panels = Ids::of("panel");
+            scene.panels.iter().try_for_each(|panel| panels.add(&at, &panel.id))?;
+            panels.resolve(&at.field("panel_force").field("panel"), &on.panel)?;
         }
     }
     Ok(())
@@ -35,8 +41,16 @@ fn own_regions<'a>(at: &At<'_>, regions: &'a [Region]) -> Result<Ids<'a>, SceneE
 
 /// A fibre solid has no layers to measure.
 fn one_layer(at: &At<'_>, measure: &Measure) -> Checked {
-    let of_layers = matches!(measure.kind, MeasureKind::LayerOffset | MeasureKind::Volume | MeasureKind::InertiaRatio);
+    let of_layers = matches!(measure.kind, MeasureKind::LayerOffset | MeasureKind::InertiaRatio);
     require(at, &measure.kind, !of_layers, "is of two-layer bodies only", || "measure one of `two_layer`")
+}
+
+/// A fibre that is measured has to be there.
+fn fibre(at: &At<'_>, measure: &Measure, body: &Body) -> Checked {
+    let MeasureKind::FibreTension(of) = &measure.kind else { return Ok(()) };
+    let mut fibres = Ids::of("fibre");
+    body.fibres.iter().try_for_each(|fibre| fibres.add(at, &fibre.id))?;
+    fibres.resolve(&at.field("fibre_tension").field("fibre"), &of.fibre)
 }
 
 /// What a two-layer body has to measure depends on its shape.
@@ -50,9 +64,12 @@ fn layers(at: &At<'_>, measure: &Measure, body: &TwoLayer) -> Checked {
             let closed = body.shape.dimension() > 1;
             require(at, &measure.kind, closed, "has nothing enclosed to measure", || "measure a ring, a ball or a mesh")
         }
-        MeasureKind::Dissipated | MeasureKind::PlasticStrain => {
-            let problem = "is of fibre solids only";
-            require(at, &measure.kind, false, problem, || "measure one of `bodies`")
+        MeasureKind::Dissipated
+        | MeasureKind::PlasticStrain
+        | MeasureKind::Stress(_)
+        | MeasureKind::Strain(_)
+        | MeasureKind::FibreTension(_) => {
+            require(at, &measure.kind, false, "is of fibre solids only", || "measure one of `bodies`")
         }
         _ => Ok(()),
     }
@@ -68,7 +85,17 @@ fn kind(at: &At<'_>, measure: &Measure, regions: &Ids<'_>) -> Checked {
         MeasureKind::Shear(of) => ("shear", &of.region, Some(&of.against), None),
         MeasureKind::ReactionForce(of) => ("reaction_force", &of.region, None, Some(("along", &of.along))),
         MeasureKind::ReactionTorque(of) => ("reaction_torque", &of.region, None, Some(("along", &of.along))),
+        MeasureKind::Stress(of) => ("stress", &of.region, None, of.along.as_ref().map(|along| ("along", along))),
+        MeasureKind::Strain(of) => ("strain", &of.region, None, of.along.as_ref().map(|along| ("along", along))),
+        MeasureKind::Speed(of) => ("speed", &of.region, None, None),
+        MeasureKind::ContactForce(of) => {
+            let at = at.field("contact_force");
+            of.region.iter().try_for_each(|region| regions.resolve(&at.field("region"), region))?;
+            return direction(&at.field("along"), &of.along);
+        }
         MeasureKind::Size(_)
+        | MeasureKind::PanelForce(_)
+        | MeasureKind::FibreTension(_)
         | MeasureKind::LayerOffset
         | MeasureKind::Volume
         | MeasureKind::InertiaRatio

@@ -24,7 +24,11 @@ impl RecordedSeries {
             self.world.push(world);
         }
         match ghost {
-            Some(world) => self.ghost.get_or_insert_with(|| TimeSeries::new(world, MOST_ROWS)).push(world),
+            Some(world) => {
+                let ghost = self.ghost.get_or_insert_with(|| TimeSeries::new(world, MOST_ROWS));
+                ghost.continue_with(world, MOST_ROWS);
+                ghost.push(world);
+            }
             None => self.ghost = None,
         }
     }

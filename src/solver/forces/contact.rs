@@ -158,6 +158,17 @@ impl Contact {
         along * (stiffness + damping / h) + (DMat3::IDENTITY - along) * (held * (holding + sticking / h))
     }
 
+    /// Force [N] of all planes on a particle at `time` [s].
+    pub(crate) fn force_on(&self, time: f64, state: &ParticleState, i: usize) -> DVec3 {
+        let (x, v) = (state.positions[i], state.velocities[i]);
+        let force = |(index, plane): (usize, &Plane)| {
+            let [left, rate] = self.allowance(index, time).unwrap_or_default();
+            let gap = (x - plane.point).dot(plane.normal) + left;
+            self.law.force(gap, plane.normal, v + rate * plane.normal, self.stretch(index, i as u32, x))
+        };
+        self.planes.iter().enumerate().map(force).sum()
+    }
+
     /// When the body has been eased out of everything [s].
     pub(crate) fn end(&self) -> f64 {
         self.eased.iter().map(|(_, easing)| easing.end()).fold(f64::NEG_INFINITY, f64::max)

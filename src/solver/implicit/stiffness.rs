@@ -185,7 +185,7 @@ mod tests {
         let neighbourhood = Arc::new(Neighbourhood::on_lattice(&sample, kernel, D.powi(3)).expect("no thin part"));
         let embedder = Embedder::new(&sample.points, kernel);
         let at: Vec<DVec3> = (0..5).map(|k| D * DVec3::new(0.3, f64::from(k) - 2.0, 0.2)).collect();
-        let vertices = at.iter().map(|&x| embedder.compact_weights(x).expect("a point inside")).collect();
+        let vertices = at.iter().map(|&x| embedder.vertex_weights(x).expect("a point inside")).collect();
         let fibre = FibreRest::new(vertices, &at, 40.0, 1e-4, 0.5, vec![None; 3]);
         let n = sample.points.len();
         let state =

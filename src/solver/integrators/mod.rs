@@ -3,6 +3,7 @@
 mod backward_euler;
 mod bdf2;
 mod explicit_euler;
+mod feynman;
 mod fibres_implicit;
 mod implicit_midpoint;
 mod integrator;
@@ -19,6 +20,7 @@ mod verlet;
 pub(crate) use backward_euler::BackwardEuler;
 pub(crate) use bdf2::Bdf2;
 pub(crate) use explicit_euler::ExplicitEuler;
+pub(crate) use feynman::Feynman;
 pub(crate) use fibres_implicit::{FibresImplicit, work_of_a_step};
 pub(crate) use implicit_midpoint::ImplicitMidpoint;
 pub use integrator::Integrator;

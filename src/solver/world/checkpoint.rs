@@ -2,6 +2,7 @@
 
 use super::eased::Eased;
 use super::grips::Grips;
+use super::work::DoneWork;
 use crate::solver::body::checkpoint::BodyCheckpoint;
 use crate::solver::measure::MeasureValue;
 
@@ -15,6 +16,7 @@ pub struct Checkpoint {
     pub(super) peaks: Vec<MeasureValue>,
     pub(super) contact_current: bool,
     pub(super) lifts: Vec<f64>,
+    pub(super) work: DoneWork,
     pub(super) eased: Eased,
     pub(super) grips: Grips,
     pub(super) since: f64,
@@ -25,7 +27,10 @@ impl Checkpoint {
     /// Memory that it takes [bytes].
     pub fn bytes(&self) -> usize {
         let bodies: usize = self.bodies.iter().map(BodyCheckpoint::bytes).sum();
-        let rest = size_of_val(&*self.panels) + size_of_val(&*self.peaks) + size_of_val(&*self.lifts);
+        let rest = size_of_val(&*self.panels)
+            + size_of_val(&*self.peaks)
+            + size_of_val(&*self.lifts)
+            + size_of_val(&*self.work.on_bodies);
         size_of_val(self) + bodies + rest + self.eased.bytes() + self.grips.bytes()
     }
 }

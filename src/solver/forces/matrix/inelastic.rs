@@ -100,6 +100,11 @@ impl Inelastic {
         self.plastic.iter().map(|of| of.equivalent).fold(0.0, f64::max)
     }
 
+    /// What of the strain of a particle has yielded, in the rotated frame.
+    pub(super) fn plastic_strain(&self, i: usize) -> DMat3 {
+        self.plastic.get(i).map_or(DMat3::ZERO, PlasticStrain::matrix)
+    }
+
     /// Shear modulus [Pa] at a particle.
     fn mu(&self, i: usize) -> f64 {
         self.reference.elasticity.mu * self.reference.stiffening(i)
@@ -199,8 +204,7 @@ impl Inelastic {
     /// Equivalent stress [Pa] of what of the strain is elastic, at every particle.
     pub(crate) fn von_mises_stresses(&self, positions: &[DVec3]) -> Vec<f64> {
         let at = |i: usize| {
-            let plastic = self.plastic.get(i).map_or(DMat3::ZERO, PlasticStrain::matrix);
-            let elastic = deviator(self.strain(i, positions)) - plastic;
+            let elastic = deviator(self.strain(i, positions)) - self.plastic_strain(i);
             3.0 * self.mu(i) * (double_dot(elastic, elastic) / 1.5).sqrt()
         };
         (0..positions.len()).into_par_iter().with_min_len(CHUNK).map(at).collect()

@@ -88,6 +88,7 @@ mod inelastic;
 mod mean_rotation;
 mod pair_list;
 mod reference;
+mod regions;
 mod stencil;
 mod von_mises;
 

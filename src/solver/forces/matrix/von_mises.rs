@@ -30,7 +30,7 @@ impl MatrixForce {
 }
 
 /// `sqrt(2/3 e' : e')` of a symmetric strain, e' its deviator.
-fn von_mises_strain(strain: DMat3) -> f64 {
+pub(super) fn von_mises_strain(strain: DMat3) -> f64 {
     let third = (strain.x_axis.x + strain.y_axis.y + strain.z_axis.z) / 3.0;
     let deviator = strain - DMat3::from_diagonal(DVec3::splat(third));
     let square = deviator.x_axis.length_squared() + deviator.y_axis.length_squared() + deviator.z_axis.length_squared();

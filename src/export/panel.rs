@@ -9,7 +9,8 @@ use crate::solver::panel::Panel;
 use glam::DVec3;
 
 /// The corners of every side of a box, seen from outside.
-pub(super) const PANEL_SIDES: [[u32; 4]; 6] = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+pub(super) const PANEL_SIDES: [[u32; 4]; 6] =
+    [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
 /// How many they are.
 pub(super) const PANEL_VERTICES: usize = 8;

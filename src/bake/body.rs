@@ -85,10 +85,7 @@ pub(super) fn draft(
         orientation,
     );
     let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)));
-    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(match material.precision {
-        Precision::Exact => matrix,
-        Precision::Fast => matrix.fast(),
-    })];
+    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(in_precision(matrix, material.precision))];
     let rods = fibres::rods(body, &embedder, volume, &placed, path)?;
     let strongest = fibres::strongest(body, &placed, &rods);
     let mut matrix_alone = None;
@@ -154,6 +151,14 @@ pub(super) fn draft(
     };
     note_pins(scene, &body.pins, &parts, Following::of_solid(body), path, notes);
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
+}
+
+/// A matrix that computes its forces as exactly as is asked for.
+fn in_precision(matrix: MatrixForce, precision: Precision) -> MatrixForce {
+    match precision {
+        Precision::Exact => matrix,
+        Precision::Fast => matrix.fast(),
+    }
 }
 
 /// What of a material is not elastic, if anything.

@@ -170,12 +170,15 @@ impl Resistance {
         }
         let matrix = matrix.map_or(all, |mut matrix| highest_frequency_squared(&mut matrix, state, spacing).min(all));
         let wind = wind_rate(forces, state);
-        let rate = |force: &Box<dyn Force>| force.step_limit(state).damping_rate;
-        let viscous: f64 = forces.iter().filter(|force| force.downcast_ref::<Inelastic>().is_some()).map(rate).sum();
+        let viscous: f64 = forces
+            .iter()
+            .filter(|force| force.downcast_ref::<Inelastic>().is_some())
+            .map(|force| force.step_limit(state).damping_rate)
+            .sum();
         let of_the_body = forces
             .iter()
             .filter(|force| force.downcast_ref::<Flow>().is_none() && force.downcast_ref::<Inelastic>().is_none());
-        let damping: f64 = of_the_body.map(rate).sum();
+        let damping: f64 = of_the_body.map(|force| force.step_limit(state).damping_rate).sum();
         let implicit = fibres.is_none_or(FibreForce::takes_implicit_steps);
         Self { all, matrix, contact, pair: damping - air, viscous, air, wind, implicit }
     }

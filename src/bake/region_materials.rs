@@ -59,7 +59,9 @@ fn blend(values: &mut [f64], shares: &[f64], value: f64) {
 /// How far each particle is made of a region's material: 1 in it, smoothly less over its transition.
 fn shares(of: &RegionMaterial, region: &[u32], points: &[DVec3], spacing: f64) -> Vec<f64> {
     let mut is_inside = vec![false; points.len()];
-    region.iter().for_each(|&i| is_inside[i as usize] = true);
+    for &i in region {
+        is_inside[i as usize] = true;
+    }
     let inside: Vec<DVec3> = region.iter().map(|&i| points[i as usize]).collect();
     if of.transition == 0.0 {
         return is_inside.into_iter().map(|inside| f64::from(u8::from(inside))).collect();

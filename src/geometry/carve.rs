@@ -57,7 +57,7 @@ pub(crate) fn carve(
         let sample = chosen(whole, &kept);
         let thin = thin_places(&sample, hollows, radius);
         let at_rim = |&(i, _): &(usize, bool)| is_at_rim(sample.points[i], hollows, whole.spacing, radius, is_solid);
-        let (rims, walls): (Vec<(usize, bool)>, Vec<(usize, bool)>) = thin.into_iter().partition(at_rim);
+        let (rims, walls): (Vec<_>, Vec<_>) = thin.into_iter().partition(at_rim);
         // What was as thin before is no doing of a hollow.
         let before = Held { grid: PointGrid::new(&whole.points, radius), whole, hollows: &Hollows::default() };
         let walls: Vec<usize> = walls.into_iter().map(|(i, _)| i).filter(|&i| !before.is_single(kept[i])).collect();
@@ -66,7 +66,7 @@ pub(crate) fn carve(
         }
         let stray: Vec<usize> = rims.into_iter().filter(|(_, is_stray)| *is_stray).map(|(i, _)| i).collect();
         if stray.is_empty() {
-            let (kept, loose) = largest_piece(whole, kept, hollows);
+            let (kept, loose) = largest_piece(whole, &kept, hollows);
             return Ok(Carved { sample: chosen(whole, &kept), kept, inside, fine, loose });
         }
         fine += stray.len();
@@ -151,7 +151,7 @@ fn is_at_rim(
 }
 
 /// Of the pieces that hang together the one of most particles, and how many others are left.
-fn largest_piece(whole: &LatticeSample, kept: Vec<u32>, hollows: &Hollows) -> (Vec<u32>, usize) {
+fn largest_piece(whole: &LatticeSample, kept: &[u32], hollows: &Hollows) -> (Vec<u32>, usize) {
     // Pieces that were apart before may be: only those that hollows cut off are left out.
     let (piece_before, _) = whole.pieces();
     let index: HashMap<IVec3, usize> = kept.iter().enumerate().map(|(k, &i)| (whole.cells[i as usize], k)).collect();

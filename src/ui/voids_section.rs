@@ -69,7 +69,7 @@ pub(super) fn voids_section(ui: &mut Ui, cx: &mut Context, body: &Body) {
 
 fn id_of(what: &str, body: &Body) -> String {
     let is_free = |id: &String| body.voids.iter().all(|void| void.id != *id);
-    (1..).map(|n| format!("{what} {n}")).find(is_free).unwrap_or_default()
+    (1..=body.voids.len() + 1).map(|n| format!("{what} {n}")).find(is_free).unwrap_or_default()
 }
 
 /// A ball or box in the middle of the body that a person wants taken out.

@@ -149,7 +149,7 @@ impl Yielded {
     /// Every number of it that the motion goes on from.
     pub(super) fn remembered(&self, number: &mut dyn FnMut(f64)) {
         self.stretches.iter().copied().for_each(&mut *number);
-        self.binormals.iter().flat_map(|binormal| binormal.to_array()).for_each(number);
+        self.binormals.iter().flat_map(DVec3::to_array).for_each(number);
     }
 
     /// Memory of the lists [bytes].

@@ -21,6 +21,8 @@ pub(crate) mod model;
 pub(crate) mod model_report;
 pub(crate) mod nearest;
 pub(crate) mod neighbours;
+pub(crate) mod obstacle;
+pub(crate) mod obstacle_mesh;
 pub(crate) mod octahedron;
 pub(crate) mod offset;
 pub(crate) mod orient;

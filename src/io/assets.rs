@@ -3,7 +3,7 @@
 use super::{IoError, load_model};
 use crate::geometry::model::Model;
 use crate::geometry::solid::Solid;
-use crate::scene::{Assets, Scene};
+use crate::scene::{Assets, ModelFile, Scene};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -61,6 +61,18 @@ fn complete(
         progress(&format!("{}: looking for an inside", shape.path));
         let solid = Solid::new(&model).map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;
         assets.insert(shape, Arc::new(solid));
+    }
+    for (pointer, mesh) in scene.collider_meshes() {
+        if assets.obstacle(mesh).is_some() {
+            continue;
+        }
+        let path = folder.join(&mesh.path);
+        let asset = |error: IoError| IoError::Asset { pointer: format!("{pointer}/path"), error: Box::new(error) };
+        progress(&format!("{}: reading", mesh.path));
+        let mut model = read(&path).map_err(asset)?;
+        let file = ModelFile::from(mesh);
+        model.stand_up(file.up_axis(), file.scale);
+        assets.insert_obstacle_of(file, &model).map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;
     }
     Ok(())
 }

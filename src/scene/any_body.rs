@@ -4,7 +4,7 @@
 //! draws bodies numbers them in one row: the solids first, then the two-layer bodies. This is that row.
 
 use super::{
-    Body, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region, Scene, Shape, SharedDrive,
+    Body, ColliderMesh, ColliderShape, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region, Scene, Shape, SharedDrive,
     TwoLayer, TwoLayerShape,
 };
 
@@ -214,8 +214,22 @@ impl Scene {
         models.map(|(index, model)| (format!("{}/shape/mesh", self.body_pointer(index)), model))
     }
 
+    /// The models that colliders are made of, each with the pointer to the mesh that names it.
+    pub fn collider_meshes(&self) -> impl Iterator<Item = (String, &ColliderMesh)> {
+        self.colliders.iter().enumerate().filter_map(|(index, collider)| match &collider.shape {
+            ColliderShape::Mesh(mesh) => Some((format!("/colliders/{index}/shape/mesh"), mesh)),
+            _ => None,
+        })
+    }
+
     /// Where the scene names its models.
     pub fn model_paths_mut(&mut self) -> impl Iterator<Item = &mut String> {
-        self.all_bodies_mut().filter_map(AnyBodyMut::into_model_path)
+        let solids = self.bodies.iter_mut().map(AnyBodyMut::Solid);
+        let bodies = solids.chain(self.two_layer.iter_mut().map(AnyBodyMut::TwoLayer));
+        let colliders = self.colliders.iter_mut().filter_map(|collider| match &mut collider.shape {
+            ColliderShape::Mesh(mesh) => Some(&mut mesh.path),
+            _ => None,
+        });
+        bodies.filter_map(AnyBodyMut::into_model_path).chain(colliders)
     }
 }

@@ -13,6 +13,7 @@ mod assets;
 mod axis;
 mod body;
 mod building;
+mod collider;
 mod document;
 mod drive;
 mod extra;
@@ -39,6 +40,7 @@ pub use any_body::{AnyBody, AnyBodyMut};
 pub use assets::{Assets, ModelFile};
 pub use axis::{Axis, Side};
 pub use body::{Body, BodyKind};
+pub use collider::{Collider, ColliderBox, ColliderCapsule, ColliderMesh, ColliderShape, ColliderSphere};
 pub use document::{MAX_PARTICLES, SCENE_VERSION, Scene, Units};
 pub use drive::{AfterLast, Drive, DriveKey, DriveKeys, Interpolation, SharedDrive, Wave};
 pub use extra::Extra;
@@ -48,7 +50,7 @@ pub use fibre::{
 pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
 pub use material::{Damping, Falloff, Mass, Material, Precision, USUAL_SUPPORT_RADIUS};
-pub use measure::{Advance, Along, Between, Extent, Measure, MeasureKind, OfRegion, OverTime, Reaction, Turned};
+pub use measure::{Advance, Along, Between, Extent, Measure, MeasureKind, OfRegion, OnCollider, OverTime, Reaction, Turned};
 #[cfg(feature = "gui")]
 pub(crate) use naming::UNTITLED;
 pub use paint::{Dab, MAX_DABS, add_dab, painted};

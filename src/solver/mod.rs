@@ -7,6 +7,7 @@
 
 pub(crate) mod body;
 pub(crate) mod body_contact;
+pub(crate) mod collider;
 pub(crate) mod constraint;
 pub(crate) mod drive;
 pub(crate) mod dynamics;
@@ -40,6 +41,7 @@ mod wide;
 pub(crate) mod world;
 
 pub use body::{Body, BodyParts, Divergence, FibreLine, RestScale};
+pub use collider::{Collider, Pose};
 pub use dynamics::{Dynamics, Fallbacks};
 pub use easing::Easing;
 pub use embedding::EmbeddingWeights;

@@ -1,6 +1,7 @@
 //! The work that is done on a world from outside over one outer step: by prescribed motions, and by forces such as wind.
 
 use super::body::Body;
+use super::forces::ColliderContact;
 use super::world::World;
 use glam::DVec3;
 
@@ -12,6 +13,8 @@ pub(crate) struct Outside {
     pushed: Vec<Vec<[DVec3; 2]>>,
     /// Height of every panel [m], and the force on it from below [N].
     panels: Vec<[f64; 2]>,
+    /// Work that colliders have done so far [J].
+    by_colliders: f64,
 }
 
 /// A particle that is held along some axes; of the others all is zero.
@@ -28,11 +31,14 @@ impl Outside {
     pub(crate) fn of(world: &World) -> Self {
         let panels = world.panels().iter().enumerate().map(|(index, panel)| [panel.height, world.lift(index)]);
         let pushed = world.bodies().iter().map(|body| pushed(body, world.time()));
-        Self { bodies: world.bodies().iter().map(held).collect(), pushed: pushed.collect(), panels: panels.collect() }
+        let by_colliders = world.bodies().iter().filter_map(Body::collider_contact).map(ColliderContact::work).sum();
+        let bodies = world.bodies().iter().map(held).collect();
+        Self { bodies, pushed: pushed.collect(), panels: panels.collect(), by_colliders }
     }
 
     /// The work done [J] from then until `now`, by the mean of the forces at both ends: all that a held particle gained in
-    /// motion and gave to what it is tied to, what forces from outside pushed, and what driven panels did.
+    /// motion and gave to what it is tied to, what forces from outside pushed, and what driven panels and
+    /// colliders did.
     pub(crate) fn work_until(&self, now: &Self, world: &World) -> f64 {
         let particles = self.bodies.iter().zip(&now.bodies).flat_map(|(before, now)| before.iter().zip(now));
         let of_pins: f64 = particles
@@ -45,7 +51,8 @@ impl Outside {
         let driven = panels.filter(|(panel, _)| panel.driven.is_some());
         let pushed = self.pushed.iter().zip(&now.pushed).flat_map(|(before, now)| before.iter().zip(now));
         let of_forces: f64 = pushed.map(|([x, f], [y, g])| 0.5 * (*f + *g).dot(*y - *x)).sum();
-        of_pins + of_forces - driven.map(|(_, (a, b))| 0.5 * (a[1] + b[1]) * (b[0] - a[0])).sum::<f64>()
+        let of_colliders = now.by_colliders - self.by_colliders;
+        of_pins + of_forces + of_colliders - driven.map(|(_, (a, b))| 0.5 * (a[1] + b[1]) * (b[0] - a[0])).sum::<f64>()
     }
 }
 

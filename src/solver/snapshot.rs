@@ -1,6 +1,7 @@
 //! What the solver shows of itself: plain positions at one time.
 
 use super::body::Body;
+use super::collider::Pose;
 pub(crate) use super::field::FieldKind;
 pub use super::forces::fibre::breaking::{BreakPlace, FibreBreak};
 pub(crate) use super::forces::springs::SpringKind;
@@ -22,6 +23,8 @@ pub struct Snapshot {
     pub bodies: Vec<BodySnapshot>,
     /// Heights of the panels' undersides [m] in the order of the scene.
     pub panels: Vec<f64>,
+    /// Where the colliders are, in the order of the scene.
+    pub colliders: Vec<Pose>,
     /// A field over the bodies, where one was asked for.
     pub field: Option<FieldSnapshot>,
     /// What the fibres carry, where that was asked for.
@@ -240,7 +243,8 @@ impl Snapshot {
             })
             .collect();
         let panels = world.panels().iter().map(|panel| panel.height).collect();
-        Self { time: world.time(), bodies, panels, field: None, tension: None }
+        let colliders = world.colliders().iter().map(|collider| collider.pose(world.time())).collect();
+        Self { time: world.time(), bodies, panels, colliders, field: None, tension: None }
     }
 }
 

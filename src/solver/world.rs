@@ -19,11 +19,13 @@ use grips::Grips;
 
 use super::body::{Body, Divergence};
 use super::body_contact::{Allowance, add_body_contact};
+use super::collider::Collider;
 use super::forces::Gravity;
 use super::measure::{MeasureValue, Quantity};
 use super::overlap::Overlap;
 use super::panel::Panel;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// How a frame is divided. Everything here is chosen from the scene when it is baked, never from timing.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,6 +65,8 @@ impl Probe {
 pub struct World {
     bodies: Vec<Body>,
     panels: Vec<Panel>,
+    /// Bodies touch them on their own.
+    colliders: Arc<[Collider]>,
     probes: Vec<Probe>,
     /// Greatest value of every probe so far, by magnitude, with its sign.
     peaks: Vec<MeasureValue>,
@@ -87,7 +91,7 @@ impl World {
     /// A world at time zero.
     pub(crate) fn new(
         bodies: Vec<Body>,
-        panels: Vec<Panel>,
+        (panels, colliders): (Vec<Panel>, Arc<[Collider]>),
         probes: Vec<Probe>,
         plan: StepPlan,
         gravity: Gravity,
@@ -96,6 +100,7 @@ impl World {
             lifts: vec![0.0; panels.len()],
             bodies,
             panels,
+            colliders,
             probes,
             peaks: Vec::new(),
             plan,
@@ -137,6 +142,16 @@ impl World {
     /// The panels in the order of the scene.
     pub fn panels(&self) -> &[Panel] {
         &self.panels
+    }
+
+    /// The colliders in the order of the scene.
+    pub fn colliders(&self) -> &[Collider] {
+        &self.colliders
+    }
+
+    /// Force of all bodies on a collider [N].
+    pub fn force_on_collider(&self, collider: usize) -> DVec3 {
+        self.bodies.iter().filter_map(Body::collider_contact).map(|contact| contact.force_on(collider)).sum()
     }
 
     /// Gravity as it is now [m/s²].

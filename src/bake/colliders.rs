@@ -3,6 +3,7 @@
 use super::error::BakeError;
 use super::supports;
 use crate::geometry::obstacle::Obstacle;
+use crate::geometry::obstacle_surface::surface;
 use crate::scene::{self, Assets, ColliderShape, Scene};
 use crate::solver::collider::Collider;
 use crate::solver::forces::{ColliderContact, ContactLaw, Force};
@@ -15,11 +16,13 @@ pub(super) fn colliders(scene: &Scene, assets: &Assets) -> Result<Arc<[Collider]
 }
 
 fn collider(of: &scene::Collider, index: usize, assets: &Assets) -> Result<Collider, BakeError> {
+    let obstacle = obstacle(&of.shape, index, assets)?;
     let translation = DVec3::from_array(of.placement.translation);
     Ok(Collider {
         id: of.id.clone(),
         name: of.title().to_owned(),
-        obstacle: Arc::new(obstacle(&of.shape, index, assets)?),
+        surface: surface(&obstacle).into(),
+        obstacle: Arc::new(obstacle),
         rotation: of.placement.rotation.quaternion(),
         translation,
         motion: supports::motion(&of.motion, &[], &[], &[translation]),

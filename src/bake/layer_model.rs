@@ -86,7 +86,8 @@ impl LayerModel {
 
     /// Mean distance between particles that an edge of the outer layer joins [m].
     pub(super) fn spacing(&self) -> f64 {
-        let lengths = self.edges.iter().map(|edge| self.points[edge[0] as usize].distance(self.points[edge[1] as usize]));
+        let lengths =
+            self.edges.iter().map(|edge| self.points[edge[0] as usize].distance(self.points[edge[1] as usize]));
         lengths.sum::<f64>() / self.edges.len().max(1) as f64
     }
 

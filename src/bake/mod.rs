@@ -122,7 +122,9 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Resu
                 let body = sampling.effective(body);
                 body::draft(scene, &body, (&sampling, &colliders), &path, &mut notes, progress)?
             }
-            AnyBody::TwoLayer(body) => two_layer::draft(scene, body, (assets, &colliders), &path, &mut notes, progress)?,
+            AnyBody::TwoLayer(body) => {
+                two_layer::draft(scene, body, (assets, &colliders), &path, &mut notes, progress)?
+            }
         });
     }
     let plan = step_plan::step_plan(scene, &drafts, &colliders)?;

@@ -48,6 +48,7 @@ impl Command {
             Self::SetGravity(gravity) => scene.gravity = *gravity,
             Self::SetRoom(room) => scene.room = room.clone(),
             Self::SetPanels(panels) => scene.panels.clone_from(panels),
+            Self::SetColliders(colliders) => scene.colliders.clone_from(colliders),
         }
         Ok(())
     }

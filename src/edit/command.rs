@@ -1,6 +1,6 @@
 //! Changes of the document.
 
-use crate::scene::{Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, Room, Time, TwoLayer};
+use crate::scene::{Collider, Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, Room, Time, TwoLayer};
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
 /// replayed.
@@ -95,6 +95,8 @@ pub enum Command {
     SetRoom(Room),
     /// Changes the panels.
     SetPanels(Vec<Panel>),
+    /// Changes the colliders.
+    SetColliders(Vec<Collider>),
 }
 
 /// Something that a person sees in the list of the document's parts.
@@ -155,6 +157,7 @@ impl Command {
             Self::SetGravity(_) => "Change gravity".to_owned(),
             Self::SetRoom(_) => "Change room".to_owned(),
             Self::SetPanels(_) => "Change panels".to_owned(),
+            Self::SetColliders(_) => "Change colliders".to_owned(),
         }
     }
 }

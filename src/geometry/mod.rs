@@ -23,6 +23,7 @@ pub(crate) mod nearest;
 pub(crate) mod neighbours;
 pub(crate) mod obstacle;
 pub(crate) mod obstacle_mesh;
+pub(crate) mod obstacle_surface;
 pub(crate) mod octahedron;
 pub(crate) mod offset;
 pub(crate) mod orient;

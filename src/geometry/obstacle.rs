@@ -106,6 +106,9 @@ impl Obstacle {
         let mut gone = 0.0;
         for _ in 0..MOST_STEPS {
             let Foot { gap, normal } = self.nearest(from + way * (gone / length));
+            if gap <= 0.0 && gone == 0.0 {
+                return None;
+            }
             // No surface is nearer than the gap, so that this far the way is free.
             if gap <= 1e-9 * length {
                 return (way.dot(normal) < 0.0).then_some(Entry { share: (gone / length).min(1.0), normal });

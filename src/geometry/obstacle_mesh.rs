@@ -104,9 +104,8 @@ impl ObstacleMesh {
     pub(crate) fn foot(&self, x: DVec3, reach: f64) -> Option<Foot> {
         let (face, at, squared) = self.nearest(x, reach * reach)?;
         let sheet_side = |n: DVec3| if n.dot(x - at) < 0.0 { -n } else { n };
-        let inside = self.far.as_ref().is_some_and(|far| {
-            Winding::new(&self.points, &self.faces, &self.bvh, far).at(x) > 0.5
-        });
+        let inside =
+            self.far.as_ref().is_some_and(|far| Winding::new(&self.points, &self.faces, &self.bvh, far).at(x) > 0.5);
         let distance = squared.sqrt();
         let sign = if inside { -1.0 } else { 1.0 };
         let size = at.abs().max_element().max(1e-3);

@@ -4,8 +4,8 @@
 //! draws bodies numbers them in one row: the solids first, then the two-layer bodies. This is that row.
 
 use super::{
-    Body, ColliderMesh, ColliderShape, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region, Scene, Shape, SharedDrive,
-    TwoLayer, TwoLayerShape,
+    Body, ColliderMesh, ColliderShape, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region,
+    Scene, Shape, SharedDrive, TwoLayer, TwoLayerShape,
 };
 
 /// A body of either kind.

@@ -50,7 +50,9 @@ pub use fibre::{
 pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
 pub use material::{Damping, Falloff, Mass, Material, Precision, USUAL_SUPPORT_RADIUS};
-pub use measure::{Advance, Along, Between, Extent, Measure, MeasureKind, OfRegion, OnCollider, OverTime, Reaction, Turned};
+pub use measure::{
+    Advance, Along, Between, Extent, Measure, MeasureKind, OfRegion, OnCollider, OverTime, Reaction, Turned,
+};
 #[cfg(feature = "gui")]
 pub(crate) use naming::UNTITLED;
 pub use paint::{Dab, MAX_DABS, add_dab, painted};

@@ -100,6 +100,8 @@ pub struct ColliderReport {
     pub name: String,
     /// Force of all bodies on it [N].
     pub force: [f64; 3],
+    /// Work that it has done on the bodies so far [J].
+    pub work: f64,
     /// Where its own origin is [m].
     pub translation: [f64; 3],
 }
@@ -131,7 +133,12 @@ impl Report {
             wall_seconds,
             real_time_factor: if wall_seconds > 0.0 { seconds / wall_seconds } else { 0.0 },
             bodies: world.bodies().iter().map(|body| BodyReport::new(body, seconds)).collect(),
-            colliders: world.colliders().iter().enumerate().map(|(index, of)| ColliderReport::new(world, index, of)).collect(),
+            colliders: world
+                .colliders()
+                .iter()
+                .enumerate()
+                .map(|(index, of)| ColliderReport::new(world, index, of))
+                .collect(),
             measures: world
                 .probes()
                 .iter()
@@ -177,6 +184,7 @@ impl ColliderReport {
             id: of.id.clone(),
             name: of.name.clone(),
             force: world.force_on_collider(index).to_array(),
+            work: world.work_of_collider(index),
             translation: of.pose(world.time()).translation.to_array(),
         }
     }

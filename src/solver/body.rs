@@ -1,18 +1,18 @@
 //! One body: a [`ParticleState`] with a list of forces, the grabs at its end, and an integrator that steps it.
 
 pub(super) mod checkpoint;
+mod colliders;
 mod parts;
 mod rest;
 
 pub use parts::{BodyParts, FibreLine, RestScale};
 
-use super::constraint::held;
 use super::dynamics::{Dynamics, Fallbacks, energies};
 use super::easing::Easing;
 use super::embedding::EmbeddingWeights;
 use super::energy::Energies;
 use super::forces::fibre::breaking::FibreBreak;
-use super::forces::{ColliderContact, Contact, Force, Grab, Plane};
+use super::forces::{Contact, Force, Grab, Plane};
 use super::integrators::Integrator;
 use super::state::ParticleState;
 use glam::DVec3;
@@ -35,11 +35,6 @@ pub struct Divergence {
 /// The contact with the room among some forces.
 fn room_contact(forces: &[Box<dyn Force>]) -> Option<&Contact> {
     forces.iter().find_map(|force| force.downcast_ref())
-}
-
-/// The contact with colliders among some forces.
-fn collider_contact(forces: &mut [Box<dyn Force>]) -> Option<&mut ColliderContact> {
-    forces.iter_mut().find_map(|force| force.downcast_mut())
 }
 
 /// One body of a world.
@@ -220,19 +215,6 @@ impl Body {
         self.update_net_forces(time);
     }
 
-    /// The colliders that it touches, and how; none of a body in a world without any.
-    pub(crate) fn collider_contact(&self) -> Option<&ColliderContact> {
-        self.parts.forces.iter().find_map(|force| force.downcast_ref())
-    }
-
-    /// Eases it out of colliders, one of each or none, from a time [s].
-    pub(super) fn ease_out_of_colliders(&mut self, eased: Vec<Option<Easing>>, time: f64) {
-        if collider_contact(&mut self.parts.forces).is_some_and(|contact| contact.ease_out(eased)) {
-            self.current = false;
-        }
-        self.update_net_forces(time);
-    }
-
     /// Time steps taken.
     pub fn steps(&self) -> u64 {
         self.steps
@@ -319,9 +301,7 @@ impl Body {
             }
             let dt = self.parts.dt;
             let start = time + f64::from(k) * dt;
-            if let Some(contact) = collider_contact(&mut self.parts.forces) {
-                contact.begin_step(start, &self.parts.state);
-            }
+            self.begin_at_colliders(start);
             let (mut dynamics, state, integrator) = self.dynamics();
             integrator.step(&mut dynamics, state, start, dt);
             let end = start + dt;
@@ -331,12 +311,7 @@ impl Body {
             if layers.as_ref().is_some_and(|layers| layers.put_back(state, granted)) {
                 self.current = false;
             }
-            let BodyParts { forces, constraints, state, .. } = &mut self.parts;
-            let n = state.len();
-            let put_back = |contact: &mut ColliderContact| contact.put_back(end, state, || held(constraints, n));
-            if collider_contact(forces).is_some_and(put_back) {
-                self.current = false;
-            }
+            self.put_back_from_colliders(end);
             for force in &mut self.parts.forces {
                 if force.end_step(end, &self.parts.state) {
                     self.current = false;

@@ -14,6 +14,8 @@ pub struct Collider {
     pub name: String,
     /// What it is, in its own frame.
     pub(crate) obstacle: Arc<Obstacle>,
+    /// Corners of its surface in its own frame [m], three to a face, each with its normal.
+    pub(crate) surface: Arc<[[DVec3; 2]]>,
     /// How its own frame is turned at the start.
     pub(crate) rotation: DQuat,
     /// Where its own origin is at the start [m].

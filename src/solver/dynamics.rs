@@ -209,7 +209,9 @@ impl Dynamics<'_> {
     pub(super) fn floats(&self, time: f64, state: &ParticleState) -> bool {
         let is_own = |force: &dyn Force| {
             force.downcast_ref::<Contact>().is_some_and(|contact| !contact.is_touched(time, &state.positions))
-                || force.downcast_ref::<ColliderContact>().is_some_and(|of| of.touching(time, &state.positions).is_empty())
+                || force
+                    .downcast_ref::<ColliderContact>()
+                    .is_some_and(|of| of.touching(time, &state.positions).is_empty())
                 || force.downcast_ref::<MatrixForce>().is_some()
                 || force.downcast_ref::<FibreForce>().is_some()
                 || force.downcast_ref::<PairDamping>().is_some()

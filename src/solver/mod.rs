@@ -54,8 +54,8 @@ pub use measure::MeasureValue;
 pub use overlap::{Against, Overlap};
 pub use panel::Panel;
 pub use snapshot::{
-    BodySnapshot, BreakPlace, FibreBreak, FibreSnapshot, FieldSnapshot, LayersSnapshot, SkinEmbedding, Snapshot,
-    TensionSnapshot,
+    BodySnapshot, BreakPlace, ColliderSnapshot, FibreBreak, FibreSnapshot, FieldSnapshot, LayersSnapshot,
+    SkinEmbedding, Snapshot, TensionSnapshot,
 };
 pub use state::ParticleState;
 pub use swing::Swing;

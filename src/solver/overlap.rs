@@ -153,13 +153,7 @@ pub(super) fn with_panel(
 }
 
 /// How a body overlaps with a collider at a time [s]. The way out is that of the particle that lies deepest.
-pub(super) fn with_collider(
-    index: usize,
-    body: &Body,
-    number: usize,
-    gravity: DVec3,
-    time: f64,
-) -> Option<Overlap> {
+pub(super) fn with_collider(index: usize, body: &Body, number: usize, gravity: DVec3, time: f64) -> Option<Overlap> {
     let contact = body.collider_contact()?;
     let (collider, law) = (&contact.colliders()[number], contact.law(number));
     let pose = collider.pose(time);

@@ -154,6 +154,11 @@ impl World {
         self.bodies.iter().filter_map(Body::collider_contact).map(|contact| contact.force_on(collider)).sum()
     }
 
+    /// Work that a collider has done on all bodies so far [J].
+    pub fn work_of_collider(&self, collider: usize) -> f64 {
+        self.bodies.iter().filter_map(Body::collider_contact).map(|contact| contact.work_of(collider)).sum()
+    }
+
     /// Gravity as it is now [m/s²].
     pub(crate) fn gravity(&self) -> DVec3 {
         self.gravity.at(self.time())

@@ -31,6 +31,7 @@ pub fn kind(command: &Command) -> usize {
         Command::SetGravity(_) => 13,
         Command::SetRoom(_) => 14,
         Command::SetPanels(_) => 15,
+        Command::SetColliders(_) => 16,
     }
 }
 
@@ -101,7 +102,7 @@ fn of_matter() -> impl Strategy<Value = Command> {
 
 fn of_world() -> impl Strategy<Value = Command> {
     let scene = every_field();
-    let (time, panels) = (scene.time.clone(), scene.panels.clone());
+    let (time, panels, colliders) = (scene.time.clone(), scene.panels.clone(), scene.colliders.clone());
     prop_oneof![
         (0.0..3.0f64).prop_map(move |duration| {
             let mut time = time.clone();
@@ -116,6 +117,10 @@ fn of_world() -> impl Strategy<Value = Command> {
                 panel.height = height;
             }
             Command::SetPanels(panels)
+        }),
+        (0..=4usize, -0.1..1.0f64).prop_map(move |(count, friction)| {
+            let colliders = colliders[..count].iter().cloned();
+            Command::SetColliders(colliders.map(|collider| collider.with_friction(friction)).collect())
         }),
     ]
 }

@@ -44,9 +44,13 @@ fn moves(at: &At<'_>, collider: &Collider) -> Checked {
     if let Motion::Ramp(ramp) = &collider.motion {
         let at = at.field("ramp");
         let metres = matches!(ramp.distance, Distance::Metres(_));
-        require(&at.field("distance"), &ramp.distance, metres, "is a share of a body, and this is none", || {
-            "give {\"metres\": 0.01}"
-        })?;
+        require(
+            &at.field("distance"),
+            &ramp.distance,
+            metres,
+            "is a share of a body, and this is none",
+            || "give {\"metres\": 0.01}",
+        )?;
     }
     Ok(())
 }

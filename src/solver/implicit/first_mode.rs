@@ -30,9 +30,8 @@ pub(crate) fn first_mode(parts: &BodyParts) -> Option<f64> {
         masses: parts.state.masses.clone(),
     };
     let mut forces = parts.forces.clone();
-    forces.retain(|force| {
-        force.downcast_ref::<Contact>().is_none() && force.downcast_ref::<ColliderContact>().is_none()
-    });
+    forces
+        .retain(|force| force.downcast_ref::<Contact>().is_none() && force.downcast_ref::<ColliderContact>().is_none());
     let stiffness = Stiffness::around(&forces, &at, 0.0, SMALL * parts.reach);
     let elimination = Arc::new(Elimination::new(&stiffness)?);
     let held = held(&parts.constraints, n);

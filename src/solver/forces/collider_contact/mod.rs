@@ -113,6 +113,11 @@ impl ColliderContact {
         -(touched.pushes.unwrap_or_default().force + touched.blow)
     }
 
+    /// Work that one of them has done on the body so far [J].
+    pub(crate) fn work_of(&self, index: usize) -> f64 {
+        self.touched[index].work
+    }
+
     /// Work that they have done on the body so far [J].
     pub(crate) fn work(&self) -> f64 {
         self.touched.iter().map(|touched| touched.work).sum()
@@ -167,8 +172,7 @@ impl ColliderContact {
             let Some(Foot { gap, normal }) = self.foot(index, &pose, left, &law, x) else { continue };
             let velocity = state.velocities[i] - pose.velocity_at(x) + rate * normal;
             let held = self.touched[index].grip.of(i as u32);
-            let stretch =
-                held.map_or(DVec3::ZERO, |place| (x - pose.to_world(place)).reject_from_normalized(normal));
+            let stretch = held.map_or(DVec3::ZERO, |place| (x - pose.to_world(place)).reject_from_normalized(normal));
             found(i, &law, &pose, Touch { gap, normal, velocity, stretch });
         }
     }
@@ -180,9 +184,10 @@ impl ColliderContact {
             let (law, pose, left) = (self.law(index), collider.pose(time), self.allowance(index, time).0);
             let [min, max] = collider.bounds(&pose, law.radius);
             let near = move |x: DVec3| x.cmpge(min).all() && x.cmple(max).all();
-            let found = positions.iter().enumerate().filter(move |&(_, &x)| {
-                near(x) && self.foot(index, &pose, left, &law, x).is_some()
-            });
+            let found = positions
+                .iter()
+                .enumerate()
+                .filter(move |&(_, &x)| near(x) && self.foot(index, &pose, left, &law, x).is_some());
             found.map(move |(i, _)| (i as u32, index as u32))
         };
         (0..self.colliders.len()).flat_map(touching).collect()

@@ -9,6 +9,9 @@ use glam::{BVec3, DVec3};
 /// Depth up to which a particle is pushed out, in distances between particles; deeper ones are put back.
 const DEEPEST: f64 = 0.15;
 
+/// Share of the particles' distance by which a place may be off.
+const ROUND_OFF: f64 = 1e-6;
+
 /// Share of the distance at which points are kept off a sheet that is always left of it.
 const LEFT_OF_A_SHEET: f64 = 0.2;
 
@@ -21,12 +24,7 @@ impl ColliderContact {
 
     /// Puts back what went through a collider, or too deep into one, in the step that ends at a time [s]; `held` are the
     /// axes along which each particle is held. Whether there was any.
-    pub(crate) fn put_back(
-        &mut self,
-        time: f64,
-        state: &mut ParticleState,
-        held: impl Fn() -> Vec<BVec3>,
-    ) -> bool {
+    pub(crate) fn put_back(&mut self, time: f64, state: &mut ParticleState, held: impl Fn() -> Vec<BVec3>) -> bool {
         if self.before.len() != state.len() || time <= self.began {
             return false;
         }
@@ -49,12 +47,12 @@ impl ColliderContact {
                 }
                 let way = [start.to_local(from), end.to_local(x)];
                 let Some((place, normal)) = self.caught(index, way, &law, least) else { continue };
-                let held = known.get_or_insert_with(&held);
-                if held[i].any() {
+                let held = known.get_or_insert_with(&held)[i];
+                if held.all() {
                     continue;
                 }
                 let normal = end.rotation * normal;
-                state.positions[i] = end.to_world(place);
+                state.positions[i] = DVec3::select(held, x, end.to_world(place));
                 let carried = end.velocity_at(state.positions[i]);
                 let velocity = state.velocities[i] - carried;
                 let into = velocity.dot(normal);
@@ -62,7 +60,7 @@ impl ColliderContact {
                     // What a blow takes along the surface is bounded as friction is.
                     let along = velocity.reject_from_normalized(normal);
                     let taken = along.clamp_length_max(law.friction * -into);
-                    let change = -into * normal - taken;
+                    let change = DVec3::select(held, DVec3::ZERO, -into * normal - taken);
                     state.velocities[i] += change;
                     let impulse = state.masses[i] * change;
                     struck.add(impulse, state.positions[i] - end.translation);
@@ -89,7 +87,9 @@ impl ColliderContact {
             let at = from.lerp(to, entry.share);
             let place = at + (to - at).reject_from_normalized(entry.normal) + least * entry.normal;
             // Along a surface that bends the other way it would be in it again, or through it.
-            let free = obstacle.foot(place, f64::INFINITY, deep).is_some_and(|foot| foot.gap >= least * (1.0 + 1e-9));
+            let free = obstacle
+                .foot(place, f64::INFINITY, deep)
+                .is_some_and(|foot| foot.gap >= least - ROUND_OFF * self.spacing);
             let clear = obstacle.entry(from, place).is_none() || least < 0.0;
             return Some((if free && clear { place } else { at + least * entry.normal }, entry.normal));
         }

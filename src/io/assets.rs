@@ -1,6 +1,8 @@
 //! Loading what a scene refers to.
 
 use super::{IoError, load_model};
+#[cfg(feature = "gui")]
+use super::{collect::from_folder, paths::resolved};
 use crate::geometry::model::Model;
 use crate::geometry::solid::Solid;
 use crate::scene::{Assets, ModelFile, Scene};
@@ -75,4 +77,21 @@ fn complete(
         assets.insert_obstacle_of(file, &model).map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;
     }
     Ok(())
+}
+
+/// Reads the model of a file for a collider and puts it in; gives the path by which a scene whose paths are relative to
+/// `folder` names it.
+///
+/// # Errors
+/// A file that cannot be read, or that has no face.
+#[cfg(feature = "gui")]
+pub(crate) fn add_collider_model(assets: &mut Assets, file: &Path, folder: &Path) -> Result<String, IoError> {
+    let model = load_model(file)?;
+    let path = match resolved(file).zip(resolved(folder).filter(|_| !folder.as_os_str().is_empty())) {
+        Some((file, folder)) => from_folder(&file, &folder),
+        None => resolved(file).unwrap_or_else(|| file.to_owned()).to_string_lossy().into_owned(),
+    };
+    let refused = |refusal| IoError::from(refusal).within(file);
+    assets.insert_obstacle_of(path.as_str(), &model).map_err(refused)?;
+    Ok(path)
 }

@@ -60,7 +60,7 @@
 //!   filled and moved inwards, rigs of skins. Knows nothing of scenes or physics.
 //! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not
 //!   ([`sketch::lift()`]); layouts of fibres to start from ([`sketch::pattern`]). Pure functions.
-//! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, time, measures; data, constructors and
+//! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, colliders, time, measures; data, constructors and
 //!   validation.
 //! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
 //!   fibre, as pure functions: [`edit::fibre_ops`].
@@ -116,6 +116,7 @@
 //! | what does not spring back | `solver::forces::matrix` (`inelastic`, `flow_rule`), `solver::forces::fibre::yielding` |
 //! | implicit steps: the matrix, how a stage is solved, what becomes of one that is not | `solver::implicit` |
 //! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact` |
+//! | colliders: how far a point is from one; where they are; how bodies touch them | `geometry::obstacle`; `solver::collider`; `solver::forces::ColliderContact` |
 //! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::easing`; what is said of it: `bake::overlaps` |
 //! | pins that cannot be meant | `bake::pins` |
 //! | the recording, and what asks for it | `sim::recording`; [`sim::SimCommand`] |
@@ -169,6 +170,8 @@
 //! The scene:
 //! - *scene*: the document. *Assets*: the solids that its meshes stand for. *Solid*: a mesh with an inside.
 //! - *room*: the floor, walls and ceiling. *Panel*: a rigid horizontal plate that falls or is driven.
+//! - *collider*: a rigid thing, still or moved, that bodies touch and that nothing pushes away; *obstacle*: what it is, about its
+//!   own origin. *Sheet*: an obstacle of no thickness, touched from both sides.
 //! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved. One that is new to a motion
 //!   takes hold of the region where it finds it. *Pinned point*: what a drag has left where it pulls.
 //! - *measure*: a quantity read off a body, such as the twist of one region against another. *Probe*: a measure in a world.

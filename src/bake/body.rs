@@ -14,6 +14,7 @@ use super::{drives, fibres, regime, room, supports};
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
+use crate::solver::collider::Collider;
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
     AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, InelasticLaw, MatrixForce, PairDamping,
@@ -35,7 +36,7 @@ const REST_FORCE: f64 = 2e-7;
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
-    sampling: &ParticleSampling<'_>,
+    (sampling, colliders): (&ParticleSampling<'_>, &Arc<[Collider]>),
     path: &str,
     notes: &mut Vec<Note>,
     progress: &mut Tell<'_>,
@@ -100,7 +101,7 @@ pub(super) fn draft(
 
     progress(name, BakeStage::StableStep)?;
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
-    let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
+    let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
     let resistance = Resistance::measured(&forces, matrix_alone, &state, spacing, contact_limit, material.damping.air);
     let stable_steps = stable_steps(|integrator| resistance.stable_step(integrator));
@@ -117,6 +118,7 @@ pub(super) fn draft(
     if !contact.planes.is_empty() {
         forces.push(Box::new(contact));
     }
+    forces.extend(super::colliders::contact(colliders, law, spacing));
 
     let constraints = supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?;
     let parts = BodyParts {

@@ -84,6 +84,13 @@ impl LayerModel {
         Self { points, outer, edges, faces: Vec::new(), dimension, radius, skin: None }
     }
 
+    /// Mean distance between particles that an edge of the outer layer joins [m].
+    pub(super) fn spacing(&self) -> f64 {
+        let lengths =
+            self.edges.iter().map(|edge| self.points[edge[0] as usize].distance(self.points[edge[1] as usize]));
+        lengths.sum::<f64>() / self.edges.len().max(1) as f64
+    }
+
     /// The surface of a mesh; `at` is the shape's pointer.
     fn of_mesh(mesh: &ClosedMesh, assets: &Assets, at: &str, notes: &mut Vec<Note>) -> Result<Self, BakeError> {
         let file = format!("{at}/path");

@@ -53,6 +53,15 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
                     let held = held(draft, &group, &kind, &of.region)?;
                     Quantity::ReactionTorque(group, held, unit(of.along))
                 }
+                MeasureKind::ColliderForce(of) => {
+                    let index = scene.colliders.iter().position(|collider| collider.id == of.collider);
+                    Quantity::ColliderForce(index.ok_or_else(|| BakeError::Unknown {
+                        path: format!("{kind}/collider_force/collider"),
+                        what: "collider",
+                        id: of.collider.clone(),
+                        known: known(scene.colliders.iter().map(|collider| collider.id.as_str())),
+                    })?)
+                }
                 MeasureKind::Size(of) => Quantity::Size(of.axis.index()),
                 MeasureKind::LayerOffset => Quantity::LayerOffset,
                 MeasureKind::Volume => {

@@ -2,6 +2,7 @@
 //! scene gives the same world, bit for bit.
 
 mod body;
+mod colliders;
 mod draft;
 mod drives;
 mod error;
@@ -115,18 +116,21 @@ pub fn bake_with_progress(
 fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Result<Baked, BakeError> {
     let mut notes = Vec::new();
     let mut drafts = Vec::new();
+    let colliders = colliders::colliders(scene, assets)?;
     for (index, body) in scene.all_bodies().enumerate() {
         let path = scene.body_pointer(index);
         drafts.push(match body {
             AnyBody::Solid(body) => {
                 let sampling = particle_sampling::sample_particles(body, assets, &path, &mut notes, progress)?;
                 let body = sampling.effective(body);
-                body::draft(scene, &body, &sampling, &path, &mut notes, progress)?
+                body::draft(scene, &body, (&sampling, &colliders), &path, &mut notes, progress)?
             }
-            AnyBody::TwoLayer(body) => two_layer::draft(scene, body, assets, &path, &mut notes, progress)?,
+            AnyBody::TwoLayer(body) => {
+                two_layer::draft(scene, body, (assets, &colliders), &path, &mut notes, progress)?
+            }
         });
     }
-    let plan = step_plan::step_plan(scene, &drafts)?;
+    let plan = step_plan::step_plan(scene, &drafts, &colliders)?;
     for (index, (draft, &substeps)) in drafts.iter_mut().zip(&plan.substeps).enumerate() {
         let dt = plan.frame_seconds / f64::from(plan.outer_steps) / f64::from(substeps);
         draft.parts.dt = dt;
@@ -151,7 +155,7 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Resu
     let thin = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.thin)).collect();
     let (bodies, regions) = drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
     let gravity = Gravity::new(DVec3::from_array(scene.gravity), drives::gravity(scene));
-    let world = World::new(bodies, room::panels(scene), probes, plan, gravity);
+    let world = World::new(bodies, (room::panels(scene), colliders), probes, plan, gravity);
     overlaps::note_overlaps(scene, &world, &mut notes);
     Ok(Baked { world, notes, regions, fractions, thin, stable_steps })
 }

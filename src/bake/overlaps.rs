@@ -17,6 +17,9 @@ pub(super) fn note_overlaps(scene: &Scene, world: &World, notes: &mut Vec<Note>)
         let (what, ways) = match overlap.against {
             Against::Plane(normal) => (format!("the {}", room::side(normal)), "out of it"),
             Against::Panel(panel) => (format!("the panel \"{}\"", world.panels()[panel].id), "out below it"),
+            Against::Collider(collider) => {
+                (format!("the collider \"{}\"", world.colliders()[collider].name), "out of it")
+            }
             Against::Body(other) => (format!("the body \"{}\"", world.bodies()[other].parts().name), "apart"),
         };
         let wholly = if overlap.inside == particles { "wholly " } else { "" };

@@ -5,6 +5,7 @@ use super::error::BakeError;
 use super::integrator::implicit_steps;
 use crate::scene::{Scene, TimeStep};
 use crate::solver::body_contact::stiffness_between;
+use crate::solver::collider::Collider;
 use crate::solver::integrators::{Integrator, LeapFrog};
 use crate::solver::world::StepPlan;
 
@@ -13,7 +14,7 @@ const MOST_STEPS: f64 = 1e6;
 
 /// Divides a frame so that no body steps beyond its share of the stable step. Bodies that share a panel step together;
 /// bodies that may meet share outer steps short enough for the contact between them.
-pub(super) fn step_plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, BakeError> {
+pub(super) fn step_plan(scene: &Scene, drafts: &[Draft], colliders: &[Collider]) -> Result<StepPlan, BakeError> {
     let (frame_seconds, wanted, for_contact): (f64, Vec<u32>, u32) = match &scene.time.step {
         TimeStep::Automatic(automatic) => {
             let frame = scene.time.frame_seconds();
@@ -36,6 +37,13 @@ pub(super) fn step_plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, Bak
                 f64::INFINITY => implicit_steps(frame) as u32,
                 stable_dt => count(stable_dt),
             });
+            let fastest = colliders.iter().map(|of| of.greatest_speed(scene.time.duration)).fold(0.0, f64::max);
+            let wanted = wanted.zip(drafts).map(|(wanted, draft)| match meeting_step(draft, fastest) {
+                Some(step) if !colliders.is_empty() && frame / step <= MOST_STEPS => {
+                    wanted.max((frame / step).ceil() as u32)
+                }
+                _ => wanted,
+            });
             let wanted = wanted.collect();
             let under_panels = if scene.panels.is_empty() { f64::INFINITY } else { stable_panel_step(drafts) };
             (frame, wanted, count(stable_contact_step(drafts).min(under_panels)))
@@ -52,6 +60,16 @@ pub(super) fn step_plan(scene: &Scene, drafts: &[Draft]) -> Result<StepPlan, Bak
     };
     let substeps = wanted.iter().map(|count| count.div_ceil(outer_steps)).collect();
     Ok(StepPlan { frame_seconds, outer_steps, substeps })
+}
+
+/// Share of a particle's reach by which it comes nearer to a collider in a step.
+const NEARER: f64 = 0.1;
+
+/// Greatest step [s] in which a body at its present speed is not flung past a collider of this greatest speed [m/s]; none
+/// where neither moves.
+fn meeting_step(draft: &Draft, fastest: f64) -> Option<f64> {
+    let own = draft.parts.state.velocities.iter().map(|v| v.length()).fold(0.0, f64::max);
+    (own + fastest > 0.0).then(|| NEARER * draft.parts.reach / (own + fastest))
 }
 
 /// Greatest outer step [s] that resolves the contact of panels with bodies whose own steps are not bounded; those of all

@@ -103,7 +103,9 @@ pub(super) fn constraints(
     Ok(found)
 }
 
-fn motion(motion: &Motion, drives: &[SharedDrive], rest: &[DVec3], start: &[DVec3]) -> PrescribedMotion {
+/// A prescribed motion of what starts at `start` [m]; a turn without an origin goes about the middle of that, and `rest` is what
+/// shares of an extent are of.
+pub(super) fn motion(motion: &Motion, drives: &[SharedDrive], rest: &[DVec3], start: &[DVec3]) -> PrescribedMotion {
     let course =
         |start: f64, duration: f64, easing: Easing| Course { start, duration, smooth: easing == Easing::Smooth };
     let center = || start.iter().sum::<DVec3>() / start.len() as f64;

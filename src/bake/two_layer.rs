@@ -11,6 +11,7 @@ use super::start::{deformed, give_impulse, spin, to_world};
 use super::{drives, limits, room, supports};
 use crate::scene::{Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, TwoLayer};
 use crate::solver::body::{BodyParts, RestScale};
+use crate::solver::collider::Collider;
 use crate::solver::constraint::{Constraint, PrescribedMotion};
 use crate::solver::embedding::EmbeddingWeights;
 use crate::solver::forces::pressure::Surface;
@@ -28,7 +29,7 @@ const REST_FORCE: f64 = 1e-7;
 pub(super) fn draft(
     scene: &Scene,
     body: &TwoLayer,
-    assets: &Assets,
+    (assets, colliders): (&Assets, &Arc<[Collider]>),
     path: &str,
     notes: &mut Vec<Note>,
     progress: &mut Tell<'_>,
@@ -62,7 +63,7 @@ pub(super) fn draft(
     };
     let integrator = integrator(kind);
     let contact = Contact::new(room::planes(scene), contact_law(scene, body));
-    let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
+    let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
     let probed = |body: &TwoLayer| {
@@ -84,6 +85,7 @@ pub(super) fn draft(
     if !contact.planes.is_empty() {
         forces.push(Box::new(contact));
     }
+    forces.extend(super::colliders::contact(colliders, law, model.spacing()));
     let mut constraints = in_plane(body, &model, &state);
     constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
     let parts = BodyParts {

@@ -55,6 +55,7 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
         list.meshes.extend(mesh.map(|mesh| Mesh { colour: theme.ghost, casts_shadow: false, ..mesh }));
     }
     surroundings::panels(scene, snapshot, &mut list);
+    surroundings::colliders(snapshot, &mut list);
     if display.room {
         surroundings::walls(scene, &mut list);
     }

@@ -186,11 +186,11 @@ pub struct Ground {
 /// Something that can be pointed at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PickId {
-    /// Body in the order of the scene; 0 for a panel.
+    /// Body in the order of the scene; 0 for a panel or a collider.
     pub body: u32,
     /// What it is.
     pub kind: PickKind,
-    /// Which one: of the body's fibres or particles, of the fibre's vertices, of the scene's panels; 0 for a skin.
+    /// Which one: of the body's fibres or particles, of the fibre's vertices, of the scene's panels or colliders; 0 for a skin.
     pub index: u32,
 }
 
@@ -210,6 +210,8 @@ pub enum PickKind {
     },
     /// A panel.
     Panel,
+    /// A collider.
+    Collider,
 }
 
 /// What pick numbers stand for.

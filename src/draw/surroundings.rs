@@ -1,4 +1,4 @@
-//! What is around the bodies: ground, room, panels, and the strokes in the planes in which they were drawn.
+//! What is around the bodies: ground, room, panels, colliders, and the strokes in the planes in which they were drawn.
 
 use super::list::{DrawList, Faces, Ground, Line, Mesh, PickId, PickKind, Points, Size, SurfaceStyle, Vertex};
 use super::options::Display;
@@ -19,7 +19,7 @@ const DOT_RADIUS: f32 = 5.0;
 /// Strokes stay readable over the model.
 const STROKE_THROUGH: f32 = 0.55;
 
-/// What is worth framing: bodies, panels, and the floor below them when it is near.
+/// What is worth framing: bodies, panels, colliders, and the floor below them when it is near.
 pub(super) fn bounds(scene: &Scene, snapshot: &Snapshot) -> Option<Bounds> {
     let bodies = snapshot.bodies.iter().flat_map(|body| {
         let solid = if body.skin.is_empty() { &body.particles } else { &body.skin };
@@ -30,7 +30,9 @@ pub(super) fn bounds(scene: &Scene, snapshot: &Snapshot) -> Option<Bounds> {
         let [a, b] = panel.size.map(|extent| 0.5 * extent);
         [DVec3::new(x - a, height, z - b), DVec3::new(x + a, height, z + b)]
     });
-    let bounds = Bounds::of(bodies.chain(panels))?;
+    let colliders = snapshot.colliders.iter().filter(|collider| !collider.is_endless);
+    let colliders = colliders.flat_map(|collider| collider.in_world().map(|[x, _]| x));
+    let bounds = Bounds::of(bodies.chain(panels).chain(colliders))?;
     Some(match scene.room.floor {
         Some(floor) if floor < bounds.min.y && bounds.min.y - floor < FLOOR_REACH * bounds.radius() => {
             Bounds { min: bounds.min.with_y(floor), ..bounds }
@@ -66,6 +68,25 @@ pub(super) fn panels(scene: &Scene, snapshot: &Snapshot, list: &mut DrawList) {
             tints: Vec::new(),
             surface: SurfaceStyle::Solid,
             casts_shadow: true,
+            pick,
+        });
+    }
+}
+
+/// Colliders where the snapshot has them.
+pub(super) fn colliders(snapshot: &Snapshot, list: &mut DrawList) {
+    for (index, collider) in snapshot.colliders.iter().enumerate() {
+        let pick = list.register(PickId { body: 0, kind: PickKind::Collider, index: index as u32 }, 1);
+        let corners = collider.in_world();
+        let vertices: Vec<Vertex> =
+            corners.map(|[x, normal]| Vertex { position: list.local(x), normal: normal.as_vec3() }).collect();
+        let indices = (0..vertices.len() as u32).collect();
+        list.meshes.push(Mesh {
+            faces: Faces::Free(vertices, indices),
+            colour: list.theme.panel,
+            tints: Vec::new(),
+            surface: SurfaceStyle::Solid,
+            casts_shadow: !collider.is_endless,
             pick,
         });
     }

@@ -63,6 +63,13 @@ impl Command {
                     _ => true,
                 });
             }
+            Self::SetColliders(colliders) => {
+                scene.colliders.clone_from(colliders);
+                scene.measures.retain(|measure| match &measure.kind {
+                    MeasureKind::ColliderForce(on) => colliders.iter().any(|collider| collider.id == on.collider),
+                    _ => true,
+                });
+            }
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! Changes of the document.
 
 use crate::scene::{
-    Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, RegionMaterial, Room, Time, TwoLayer, Void,
+    Collider, Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, RegionMaterial, Room, Time, TwoLayer, Void,
 };
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
@@ -111,6 +111,8 @@ pub enum Command {
     SetRoom(Room),
     /// Changes the panels.
     SetPanels(Vec<Panel>),
+    /// Changes the colliders.
+    SetColliders(Vec<Collider>),
 }
 
 /// Something that a person sees in the list of the document's parts.
@@ -173,6 +175,7 @@ impl Command {
             Self::SetGravity(_) => "Change gravity".to_owned(),
             Self::SetRoom(_) => "Change room".to_owned(),
             Self::SetPanels(_) => "Change panels".to_owned(),
+            Self::SetColliders(_) => "Change colliders".to_owned(),
         }
     }
 }

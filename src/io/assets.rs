@@ -1,9 +1,11 @@
 //! Loading what a scene refers to.
 
 use super::{IoError, load_model};
+#[cfg(feature = "gui")]
+use super::{collect::from_folder, paths::resolved};
 use crate::geometry::model::Model;
 use crate::geometry::solid::Solid;
-use crate::scene::{Assets, Scene};
+use crate::scene::{Assets, ModelFile, Scene};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -62,5 +64,34 @@ fn complete(
         let solid = Solid::new(&model).map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;
         assets.insert(shape, Arc::new(solid));
     }
+    for (pointer, mesh) in scene.collider_meshes() {
+        if assets.obstacle(mesh).is_some() {
+            continue;
+        }
+        let path = folder.join(&mesh.path);
+        let asset = |error: IoError| IoError::Asset { pointer: format!("{pointer}/path"), error: Box::new(error) };
+        progress(&format!("{}: reading", mesh.path));
+        let mut model = read(&path).map_err(asset)?;
+        let file = ModelFile::from(mesh);
+        model.stand_up(file.up_axis(), file.scale);
+        assets.insert_obstacle_of(file, &model).map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;
+    }
     Ok(())
+}
+
+/// Reads the model of a file for a collider and puts it in; gives the path by which a scene whose paths are relative to
+/// `folder` names it.
+///
+/// # Errors
+/// A file that cannot be read, or that has no face.
+#[cfg(feature = "gui")]
+pub(crate) fn add_collider_model(assets: &mut Assets, file: &Path, folder: &Path) -> Result<String, IoError> {
+    let model = load_model(file)?;
+    let path = match resolved(file).zip(resolved(folder).filter(|_| !folder.as_os_str().is_empty())) {
+        Some((file, folder)) => from_folder(&file, &folder),
+        None => resolved(file).unwrap_or_else(|| file.to_owned()).to_string_lossy().into_owned(),
+    };
+    let refused = |refusal| IoError::from(refusal).within(file);
+    assets.insert_obstacle_of(path.as_str(), &model).map_err(refused)?;
+    Ok(path)
 }

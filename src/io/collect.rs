@@ -171,7 +171,7 @@ pub(crate) fn with_models_from(mut scene: Scene, from: &Path, path: &Path) -> Re
 }
 
 /// The path of a file from a folder, both whole, with slashes as every system reads them.
-fn from_folder(file: &Path, folder: &Path) -> String {
+pub(super) fn from_folder(file: &Path, folder: &Path) -> String {
     let (file, folder): (Vec<_>, Vec<_>) = (file.components().collect(), folder.components().collect());
     let shared = file.iter().zip(&folder).take_while(|(a, b)| a == b).count();
     if shared == 0 {

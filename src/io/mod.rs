@@ -37,7 +37,7 @@ mod trace;
 pub(crate) use assets::complete_assets;
 pub use assets::load_assets;
 #[cfg(feature = "gui")]
-pub(crate) use assets::load_assets_by;
+pub(crate) use assets::{add_collider_model, load_assets_by};
 pub(crate) use atomic::{check_writable, make_folder, write_atomically};
 #[cfg(feature = "gui")]
 pub(crate) use beside::put_beside;

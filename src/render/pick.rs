@@ -173,7 +173,7 @@ impl Picking {
                 if far > self.reach.pow(2) {
                     continue;
                 }
-                let rank = (matches!(id.kind, PickKind::Skin | PickKind::Panel), far);
+                let rank = (matches!(id.kind, PickKind::Skin | PickKind::Panel | PickKind::Collider), far);
                 if best.is_none_or(|(least, _)| rank < least) {
                     let depth = f64::from(f32::from_bits(word(at + 4)?));
                     let offset = DVec2::new(f64::from(x), f64::from(y)) - f64::from(self.reach);

@@ -4,8 +4,8 @@
 //! draws bodies numbers them in one row: the solids first, then the two-layer bodies. This is that row.
 
 use super::{
-    Body, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region, Scene, Shape, SharedDrive,
-    TwoLayer, TwoLayerShape, VoidMesh, VoidShape,
+    Body, ColliderMesh, ColliderShape, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region,
+    Scene, Shape, SharedDrive, TwoLayer, TwoLayerShape, VoidMesh, VoidShape,
 };
 
 /// A body of either kind.
@@ -229,8 +229,22 @@ impl Scene {
         models.map(|(index, pointer, model)| (self.body_pointer(index) + &pointer, model))
     }
 
+    /// The models that colliders are made of, each with the pointer to the mesh that names it.
+    pub fn collider_meshes(&self) -> impl Iterator<Item = (String, &ColliderMesh)> {
+        self.colliders.iter().enumerate().filter_map(|(index, collider)| match &collider.shape {
+            ColliderShape::Mesh(mesh) => Some((format!("/colliders/{index}/shape/mesh"), mesh)),
+            _ => None,
+        })
+    }
+
     /// Where the scene names its models.
     pub fn model_paths_mut(&mut self) -> impl Iterator<Item = &mut String> {
-        self.all_bodies_mut().flat_map(AnyBodyMut::into_model_paths)
+        let solids = self.bodies.iter_mut().map(AnyBodyMut::Solid);
+        let bodies = solids.chain(self.two_layer.iter_mut().map(AnyBodyMut::TwoLayer));
+        let colliders = self.colliders.iter_mut().filter_map(|collider| match &mut collider.shape {
+            ColliderShape::Mesh(mesh) => Some(&mut mesh.path),
+            _ => None,
+        });
+        bodies.flat_map(AnyBodyMut::into_model_paths).chain(colliders)
     }
 }

@@ -1,18 +1,20 @@
 //! What a scene refers to but does not hold: the solids that its meshes stand for.
 
-use super::{Axis, ClosedMesh, MeshShape};
+use super::{Axis, ClosedMesh, ColliderMesh, MeshShape};
 use crate::geometry::file_mesh::FileMesh;
 use crate::geometry::mesh::TriangleMesh;
 use crate::geometry::model::{MeshData, Model, UpAxis};
 use crate::geometry::model_report::Refusal;
+use crate::geometry::obstacle_mesh::ObstacleMesh;
 use crate::geometry::solid::Solid;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Solids by the files that shapes name, each loaded and checked once. Copies share them.
+/// Solids, and surfaces of colliders, by the files that shapes name, each loaded and checked once. Copies share them.
 #[derive(Clone, Debug, Default)]
 pub struct Assets {
     solids: BTreeMap<Key, Arc<Solid>>,
+    obstacles: BTreeMap<Key, Arc<ObstacleMesh>>,
 }
 
 /// A model as a shape names it: all that its solid follows from, but for the content of the file.
@@ -35,6 +37,12 @@ impl<'a> From<&'a MeshShape> for ModelFile<'a> {
 impl<'a> From<&'a ClosedMesh> for ModelFile<'a> {
     fn from(shape: &'a ClosedMesh) -> Self {
         Self { path: &shape.path, scale: shape.scale, up: shape.up }
+    }
+}
+
+impl<'a> From<&'a ColliderMesh> for ModelFile<'a> {
+    fn from(mesh: &'a ColliderMesh) -> Self {
+        Self { path: &mesh.path, scale: mesh.scale, up: mesh.up }
     }
 }
 
@@ -104,17 +112,40 @@ impl Assets {
     /// [`Refusal`] where nothing is inside.
     pub fn insert_mesh<'a>(&mut self, shape: impl Into<ModelFile<'a>>, mesh: &TriangleMesh) -> Result<(), Refusal> {
         let file = shape.into();
-        let mut model = Model::default();
-        model.add(MeshData {
-            name: file.path.to_owned(),
-            positions: mesh.positions.clone(),
-            triangles: mesh.triangles.clone(),
-            ..MeshData::default()
-        });
-        model.file = Some(Arc::new(FileMesh::of_triangles(file.path, mesh.positions.clone(), &mesh.triangles)));
-        model.stand_up(file.up_axis(), file.scale);
-        self.insert(file, Arc::new(Solid::new(&model)?));
+        self.insert(file, Arc::new(Solid::new(&model_of(file, mesh))?));
         Ok(())
+    }
+
+    /// The surface that a collider stands for, once it has been put in.
+    pub(crate) fn obstacle<'a>(&self, mesh: impl Into<ModelFile<'a>>) -> Option<&Arc<ObstacleMesh>> {
+        self.obstacles.get(&Key::of(mesh.into()))
+    }
+
+    /// Puts in the surface of a model, upright and in metres, that a collider stands for.
+    ///
+    /// # Errors
+    /// [`Refusal`] where there is no face.
+    pub(crate) fn insert_obstacle_of<'a>(
+        &mut self,
+        mesh: impl Into<ModelFile<'a>>,
+        model: &Model,
+    ) -> Result<(), Refusal> {
+        self.obstacles.insert(Key::of(mesh.into()), Arc::new(ObstacleMesh::new(model)?));
+        Ok(())
+    }
+
+    /// Puts in a mesh in memory, closed or open, for colliders that have its name for their file. Vertices are [m] with Y
+    /// up, unless the collider says otherwise.
+    ///
+    /// # Errors
+    /// [`Refusal`] where there is no face.
+    pub fn insert_obstacle<'a>(
+        &mut self,
+        collider: impl Into<ModelFile<'a>>,
+        mesh: &TriangleMesh,
+    ) -> Result<(), Refusal> {
+        let file = collider.into();
+        self.insert_obstacle_of(file, &model_of(file, mesh))
     }
 
     /// Number of solids.
@@ -126,4 +157,18 @@ impl Assets {
     pub fn is_empty(&self) -> bool {
         self.solids.is_empty()
     }
+}
+
+/// A mesh in memory as a model, upright and in metres.
+fn model_of(file: ModelFile<'_>, mesh: &TriangleMesh) -> Model {
+    let mut model = Model::default();
+    model.add(MeshData {
+        name: file.path.to_owned(),
+        positions: mesh.positions.clone(),
+        triangles: mesh.triangles.clone(),
+        ..MeshData::default()
+    });
+    model.file = Some(Arc::new(FileMesh::of_triangles(file.path, mesh.positions.clone(), &mesh.triangles)));
+    model.stand_up(file.up_axis(), file.scale);
+    model
 }

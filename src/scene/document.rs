@@ -1,6 +1,6 @@
 //! The scene as a whole.
 
-use super::{Body, Drive, Extra, Measure, Panel, Room, Time, TimeStep, TwoLayer, Wind};
+use super::{Body, Collider, Drive, Extra, Measure, Panel, Room, Time, TimeStep, TwoLayer, Wind};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -48,6 +48,9 @@ pub struct Scene {
     /// Rigid horizontal panels that fall on the bodies or are driven.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub panels: Vec<Panel>,
+    /// Rigid things that the bodies touch, still or moved.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub colliders: Vec<Collider>,
     /// Frame rate, length and time step.
     #[serde(default)]
     pub time: Time,
@@ -77,6 +80,7 @@ impl Default for Scene {
             wind: None,
             room: Room::default(),
             panels: Vec::new(),
+            colliders: Vec::new(),
             time: Time::default(),
             bodies: Vec::new(),
             two_layer: Vec::new(),
@@ -110,6 +114,13 @@ impl Scene {
     #[must_use]
     pub fn with_panel(mut self, panel: Panel) -> Self {
         self.panels.push(panel);
+        self
+    }
+
+    /// With one collider more.
+    #[must_use]
+    pub fn with_collider(mut self, collider: Collider) -> Self {
+        self.colliders.push(collider);
         self
     }
 

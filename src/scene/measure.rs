@@ -54,6 +54,8 @@ pub enum MeasureKind {
     ReactionForce(Reaction),
     /// Torque with which the body turns the pins of a region, about a direction through the region's centre [N m].
     ReactionTorque(Reaction),
+    /// Force with which the body pushes on a collider [N], a vector.
+    ColliderForce(OnCollider),
     /// Extent of the whole body along an axis [m].
     Size(Along),
     /// Distance between the centres of mass of the two layers of a two-layer body [m].
@@ -158,6 +160,11 @@ impl MeasureKind {
         Self::ReactionTorque(Reaction { region: region.into(), along: along.into(), extra: Extra::new() })
     }
 
+    /// Force with which the body pushes on a collider [N], a vector.
+    pub fn collider_force(collider: impl Into<String>) -> Self {
+        Self::ColliderForce(OnCollider { collider: collider.into(), extra: Extra::new() })
+    }
+
     /// Extent of the whole body along an axis [m].
     pub fn size(axis: Axis) -> Self {
         Self::Size(Along { axis, extra: Extra::new() })
@@ -181,6 +188,16 @@ pub struct Advance {
 pub struct Along {
     /// World axis.
     pub axis: Axis,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// A collider.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OnCollider {
+    /// Identifier of the collider.
+    pub collider: String,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,

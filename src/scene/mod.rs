@@ -13,6 +13,7 @@ mod assets;
 mod axis;
 mod body;
 mod building;
+mod collider;
 mod document;
 mod drive;
 mod extra;
@@ -41,6 +42,7 @@ pub use any_body::{AnyBody, AnyBodyMut};
 pub use assets::{Assets, ModelFile};
 pub use axis::{Axis, Side};
 pub use body::{Body, BodyKind};
+pub use collider::{Collider, ColliderBox, ColliderCapsule, ColliderMesh, ColliderShape, ColliderSphere};
 pub use document::{MAX_PARTICLES, SCENE_VERSION, Scene, Units};
 pub use drive::{AfterLast, Drive, DriveKey, DriveKeys, Interpolation, SharedDrive, Wave};
 pub use extra::Extra;
@@ -54,8 +56,8 @@ pub use material::{
     Damping, Falloff, FibreEmbedding, Mass, Material, Plasticity, Precision, USUAL_SUPPORT_RADIUS, Viscosity,
 };
 pub use measure::{
-    Advance, Along, Between, Extent, Measure, MeasureKind, OfFibre, OfRegion, OnPanel, OverEdges, OverTime, Reaction,
-    Strained, Touching, Turned,
+    Advance, Along, Between, Extent, Measure, MeasureKind, OfFibre, OfRegion, OnCollider, OnPanel, OverEdges, OverTime,
+    Reaction, Strained, Touching, Turned,
 };
 #[cfg(feature = "gui")]
 pub(crate) use naming::UNTITLED;

@@ -1,6 +1,6 @@
 //! What things are called where a person reads of them.
 
-use super::{AnyBody, Body, Fibre, Panel, Scene, TwoLayer, Void};
+use super::{AnyBody, Body, Collider, Fibre, Panel, Scene, TwoLayer, Void};
 
 macro_rules! titles {
     ($($thing:ty)*) => {
@@ -13,7 +13,7 @@ macro_rules! titles {
     };
 }
 
-titles! { Body Fibre Panel TwoLayer Void }
+titles! { Body Collider Fibre Panel TwoLayer Void }
 
 /// What a scene without a name is called.
 pub(crate) const UNTITLED: &str = "Untitled";

@@ -3,8 +3,11 @@
 use super::runner::Runner;
 use crate::scene::Scene;
 use crate::solver::body::Body;
+use crate::solver::collider::Collider;
 use crate::solver::energy::Energies;
+use crate::solver::forces::ColliderContact;
 use crate::solver::measure::MeasureValue;
+use crate::solver::world::World;
 use serde::Serialize;
 use std::hash::{DefaultHasher, Hasher};
 
@@ -27,6 +30,9 @@ pub struct Report {
     pub real_time_factor: f64,
     /// One entry a body.
     pub bodies: Vec<BodyReport>,
+    /// One entry a collider; left out where there is none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub colliders: Vec<ColliderReport>,
     /// One entry a measure.
     pub measures: Vec<MeasureReport>,
     /// What was noticed while the scene was put together.
@@ -81,8 +87,24 @@ pub struct BodyReport {
     pub linear_momentum: [f64; 3],
     /// Angular momentum about the world's origin [kg m²/s].
     pub angular_momentum: [f64; 3],
-    /// Hash of all positions and velocities, and of what has yielded, equal only for equal bits; to be compared on one machine.
+    /// Hash of all positions and velocities, of what has yielded, and of where it holds on to colliders, equal only for equal
+    /// bits; to be compared on one machine.
     pub state_hash: String,
+}
+
+/// One collider.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ColliderReport {
+    /// Identifier in the scene.
+    pub id: String,
+    /// Name a person reads.
+    pub name: String,
+    /// Force of all bodies on it [N].
+    pub force: [f64; 3],
+    /// Work that it has done on the bodies so far [J].
+    pub work: f64,
+    /// Where its own origin is [m].
+    pub translation: [f64; 3],
 }
 
 /// One measure.
@@ -112,6 +134,12 @@ impl Report {
             wall_seconds,
             real_time_factor: if wall_seconds > 0.0 { seconds / wall_seconds } else { 0.0 },
             bodies: world.bodies().iter().map(|body| BodyReport::new(body, seconds)).collect(),
+            colliders: world
+                .colliders()
+                .iter()
+                .enumerate()
+                .map(|(index, of)| ColliderReport::new(world, index, of))
+                .collect(),
             measures: world
                 .probes()
                 .iter()
@@ -148,6 +176,18 @@ impl Report {
         };
         let measure = self.measures.iter().find(|measure| is_null(&measure.value));
         self.bodies.iter().find_map(body).or_else(|| measure.map(|measure| format!("measure \"{}\"", measure.name)))
+    }
+}
+
+impl ColliderReport {
+    fn new(world: &World, index: usize, of: &Collider) -> Self {
+        Self {
+            id: of.id.clone(),
+            name: of.name.clone(),
+            force: world.force_on_collider(index).to_array(),
+            work: world.work_of_collider(index),
+            translation: of.pose(world.time()).translation.to_array(),
+        }
     }
 }
 
@@ -192,6 +232,11 @@ fn state_hash(body: &Body) -> String {
     }
     for force in &body.parts().forces {
         force.remembered(&mut |number| hasher.write_u64(number.to_bits()));
+    }
+    for (collider, particle, place) in body.collider_contact().into_iter().flat_map(ColliderContact::held) {
+        hasher.write_usize(collider);
+        hasher.write_u32(particle);
+        place.to_array().iter().for_each(|component| hasher.write_u64(component.to_bits()));
     }
     format!("{:016x}", hasher.finish())
 }

@@ -1,6 +1,7 @@
 //! One body: a [`ParticleState`] with a list of forces, the grabs at its end, and an integrator that steps it.
 
 pub(super) mod checkpoint;
+mod colliders;
 mod parts;
 mod rest;
 mod touching;
@@ -316,6 +317,7 @@ impl Body {
             }
             let dt = self.parts.dt;
             let start = time + f64::from(k) * dt;
+            self.begin_at_colliders(start);
             let (mut dynamics, state, integrator) = self.dynamics();
             integrator.step(&mut dynamics, state, start, dt);
             let end = start + dt;
@@ -325,6 +327,7 @@ impl Body {
             if layers.as_ref().is_some_and(|layers| layers.put_back(state, granted)) {
                 self.current = false;
             }
+            self.put_back_from_colliders(end);
             for force in &mut self.parts.forces {
                 if force.end_step(end, &self.parts.state) {
                     self.current = false;

@@ -117,6 +117,24 @@ impl PrescribedMotion {
         }
     }
 
+    /// How far it has turned what it moves at `time` [s], and how fast that turns [rad/s].
+    pub(crate) fn turning(&self, time: f64) -> (DQuat, DVec3) {
+        let turned = |axis: DVec3, angle: f64, rate: f64| (DQuat::from_axis_angle(axis, angle), rate * axis);
+        match self {
+            Self::Turn { axis, angle, course, .. } => {
+                let (progress, rate) = course.at(time);
+                turned(*axis, progress * angle, rate * angle)
+            }
+            Self::Driven { drive, turn: Some((axis, _, angle)), .. } => {
+                let (value, rate) = drive.at(time);
+                turned(*axis, value * angle, rate * angle)
+            }
+            Self::Driven { turn: None, .. } | Self::Fixed | Self::Ramp { .. } | Self::Keyframes(_) => {
+                (DQuat::IDENTITY, DVec3::ZERO)
+            }
+        }
+    }
+
     /// Where something starts that is at `position` [m] at `time` [s].
     fn start_of(&self, time: f64, position: DVec3) -> DVec3 {
         match self {

@@ -3,11 +3,12 @@
 use super::constraint::{Constraint, held};
 use super::energy::Energies;
 use super::forces::{
-    AirDrag, Contact, FibreForce, Force, Grab, Gravity, Inelastic, MatrixForce, PairDamping, Pressure, Springs,
+    AirDrag, ColliderContact, Contact, FibreForce, Force, Grab, Gravity, Inelastic, MatrixForce, PairDamping, Pressure,
+    Springs,
 };
 use super::linear_algebra::vectors::axpy;
 use super::state::ParticleState;
-use glam::{BVec3, DVec3};
+use glam::{BVec3, DMat3, DVec3};
 
 /// How often implicit steps were not what was asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -148,8 +149,51 @@ impl Dynamics<'_> {
     }
 
     /// The contact with the room, if there is any.
-    pub(super) fn contact(&self) -> Option<&Contact> {
+    fn contact(&self) -> Option<&Contact> {
         self.forces.iter().find_map(|force| force.downcast_ref())
+    }
+
+    /// The contact with colliders, if there are any.
+    fn colliders(&self) -> Option<&ColliderContact> {
+        self.forces.iter().find_map(|force| force.downcast_ref())
+    }
+
+    /// Particles that touch the room or a collider at a time [s], with what they touch: the planes of the room by their
+    /// index, then the colliders.
+    pub(super) fn touching(&self, time: f64, positions: &[DVec3]) -> Vec<(u32, u32)> {
+        let mut touching = self.contact().map_or_else(Vec::new, |contact| contact.touching(time, positions));
+        if let Some(contact) = self.colliders() {
+            let planes = self.planes();
+            touching.extend(contact.touching(time, positions).into_iter().map(|(i, of)| (i, planes + of)));
+        }
+        touching
+    }
+
+    /// Whether there is anything that it may touch.
+    pub(super) fn may_touch(&self) -> bool {
+        self.contact().is_some() || self.colliders().is_some()
+    }
+
+    fn planes(&self) -> u32 {
+        self.contact().map_or(0, |contact| contact.planes.len() as u32)
+    }
+
+    /// How what a particle touches, by its number among all, resists it [N/m].
+    pub(super) fn resistance(&self, what: u32, time: f64, particle: u32, moving: [DVec3; 2], h: f64) -> DMat3 {
+        let collider = what.checked_sub(self.planes());
+        match (collider, self.contact(), self.colliders()) {
+            (Some(index), _, Some(colliders)) => colliders.resistance(index as usize, time, particle, moving, h),
+            (None, Some(contact), _) => contact.resistance(what as usize, time, particle, moving, h),
+            _ => DMat3::ZERO,
+        }
+    }
+
+    /// Unit vector out of what a particle at `x` [m] touches, by its number among all.
+    pub(super) fn normal(&self, what: u32, time: f64, x: DVec3) -> Option<DVec3> {
+        match what.checked_sub(self.planes()) {
+            Some(index) => self.colliders()?.normal(index as usize, time, x),
+            None => Some(self.contact()?.planes[what as usize].normal),
+        }
     }
 
     /// Gravity at a time [s], in m/s².
@@ -166,6 +210,9 @@ impl Dynamics<'_> {
     pub(super) fn floats(&self, time: f64, state: &ParticleState) -> bool {
         let is_own = |force: &dyn Force| {
             force.downcast_ref::<Contact>().is_some_and(|contact| !contact.is_touched(time, &state.positions))
+                || force
+                    .downcast_ref::<ColliderContact>()
+                    .is_some_and(|of| of.touching(time, &state.positions).is_empty())
                 || force.downcast_ref::<MatrixForce>().is_some()
                 || force.downcast_ref::<FibreForce>().is_some()
                 || force.downcast_ref::<Inelastic>().is_some()

@@ -47,6 +47,8 @@ pub(crate) enum Quantity {
     ReactionForce(Group, Vec<DVec3>, DVec3),
     /// Torque on the pins of a group about a unit direction through the group's centre [N m].
     ReactionTorque(Group, Vec<DVec3>, DVec3),
+    /// Force on a collider, by its index [N].
+    ColliderForce(usize),
     /// Extent of all particles along an axis [m].
     Size(usize),
     /// Distance between the centres of a two-layer body's layers [m].
@@ -91,6 +93,7 @@ impl Quantity {
             Self::Shear(..) => "shear",
             Self::ReactionForce(..) => "reaction_force",
             Self::ReactionTorque(..) => "reaction_torque",
+            Self::ColliderForce(_) => "collider_force",
             Self::Size(_) => "size",
             Self::LayerOffset => "layer_offset",
             Self::Volume(_) => "volume",
@@ -116,6 +119,7 @@ impl Quantity {
             Self::Volume(unit) => unit,
             Self::Twist(..) => "degrees",
             Self::ReactionForce(..)
+            | Self::ColliderForce(_)
             | Self::PanelForce(_)
             | Self::ContactForce(..)
             | Self::GreatestTension(_)
@@ -142,7 +146,7 @@ impl Quantity {
 
     /// Whether the value is a vector.
     pub(crate) fn is_vector(&self) -> bool {
-        matches!(self, Self::MeanDisplacement(..) | Self::Shear(..))
+        matches!(self, Self::MeanDisplacement(..) | Self::Shear(..) | Self::ColliderForce(_))
     }
 
     /// Value at the present time [s].
@@ -184,6 +188,9 @@ impl Quantity {
                     .map(|(&i, &held)| (now[i as usize] - center).cross(body.net_force(i as usize) * held))
                     .sum();
                 MeasureValue::Scalar(torque.dot(*along))
+            }
+            Self::ColliderForce(collider) => {
+                MeasureValue::Vector(body.collider_contact().map_or(DVec3::ZERO, |contact| contact.force_on(*collider)))
             }
             Self::Size(axis) => {
                 let (least, most) =

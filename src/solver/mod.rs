@@ -7,6 +7,7 @@
 
 pub(crate) mod body;
 pub(crate) mod body_contact;
+pub(crate) mod collider;
 pub(crate) mod constraint;
 pub(crate) mod drive;
 pub(crate) mod dynamics;
@@ -41,6 +42,7 @@ mod wide;
 pub(crate) mod world;
 
 pub use body::{Body, BodyParts, Divergence, FibreLine, RestScale};
+pub use collider::{Collider, Pose};
 pub use dynamics::{Dynamics, Fallbacks};
 pub use easing::Easing;
 pub use embedding::EmbeddingWeights;
@@ -53,8 +55,8 @@ pub use measure::MeasureValue;
 pub use overlap::{Against, Overlap};
 pub use panel::Panel;
 pub use snapshot::{
-    BodySnapshot, BreakPlace, FibreBreak, FibreSnapshot, FieldSnapshot, LayersSnapshot, SkinEmbedding, Snapshot,
-    TensionSnapshot,
+    BodySnapshot, BreakPlace, ColliderSnapshot, FibreBreak, FibreSnapshot, FieldSnapshot, LayersSnapshot,
+    SkinEmbedding, Snapshot, TensionSnapshot,
 };
 pub use state::ParticleState;
 pub use swing::Swing;

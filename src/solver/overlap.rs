@@ -19,6 +19,8 @@ pub enum Against {
     Plane(DVec3),
     /// A panel, by its index.
     Panel(usize),
+    /// A collider, by its index.
+    Collider(usize),
     /// Another body, by its index.
     Body(usize),
 }
@@ -148,6 +150,39 @@ pub(super) fn with_panel(
     let (depth, inside, at, easing) = behind(body, DVec3::NEG_Y, depth_of, gravity, time)?;
     let out = DVec3::NEG_Y * depth;
     Some(Overlap { body: index, against: Against::Panel(number), out, inside, at, easing })
+}
+
+/// How a body overlaps with a collider at a time [s]. The way out is that of the particle that lies deepest.
+pub(super) fn with_collider(index: usize, body: &Body, number: usize, gravity: DVec3, time: f64) -> Option<Overlap> {
+    let contact = body.collider_contact()?;
+    let (collider, law) = (&contact.colliders()[number], contact.law(number));
+    let pose = collider.pose(time);
+    let [min, max] = collider.bounds(&pose, law.radius);
+    // What is kept off a sheet is eased off it; a body that lies across one is not torn out to either side.
+    let slack = touching_depth(body) + law.radius - body.parts().contact.radius;
+    let (mut way, mut depth, mut energy, mut inside, mut sum) = (DVec3::ZERO, 0.0, 0.0, 0, DVec3::ZERO);
+    for &x in &body.state().positions {
+        if !(x.cmpge(min).all() && x.cmple(max).all()) {
+            continue;
+        }
+        let Some(foot) = collider.obstacle.foot(pose.to_local(x), law.radius, f64::INFINITY) else { continue };
+        energy += law.energy(foot.gap, DVec3::ZERO);
+        let sunk = law.radius - foot.gap;
+        if sunk > depth {
+            (depth, way) = (sunk, pose.rotation * foot.normal);
+        }
+        if sunk > slack {
+            inside += 1;
+            sum += x;
+        }
+    }
+    if inside == 0 || law.stiffness <= 0.0 {
+        return None;
+    }
+    let (easing, doubtful) = eased(depth, energy, body.state().mass(), gravity, extent(body, way), time);
+    let against = Against::Collider(number);
+    let at = sum / inside as f64;
+    doubtful.then(|| Overlap { body: index, against, out: depth * way, inside, at, easing })
 }
 
 /// How two bodies overlap at a time [s], the second's place in the world being what is asked for, and how they are eased

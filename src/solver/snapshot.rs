@@ -1,12 +1,14 @@
 //! What the solver shows of itself: plain positions at one time.
 
 use super::body::Body;
+use super::collider::{Collider, Pose};
 pub(crate) use super::field::FieldKind;
 pub use super::forces::fibre::breaking::{BreakPlace, FibreBreak};
 pub(crate) use super::forces::springs::SpringKind;
 use super::layers::Layers;
 use super::skin::Skin;
 use super::world::World;
+use crate::geometry::obstacle::Obstacle;
 use crate::geometry::rig::Rig;
 use glam::{DVec3, Vec3};
 use std::borrow::Cow;
@@ -22,10 +24,41 @@ pub struct Snapshot {
     pub bodies: Vec<BodySnapshot>,
     /// Heights of the panels' undersides [m] in the order of the scene.
     pub panels: Vec<f64>,
+    /// The colliders, in the order of the scene.
+    pub colliders: Vec<ColliderSnapshot>,
     /// A field over the bodies, where one was asked for.
     pub field: Option<FieldSnapshot>,
     /// What the fibres carry, where that was asked for.
     pub tension: Option<TensionSnapshot>,
+}
+
+/// A collider at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColliderSnapshot {
+    /// Identifier of the scene.
+    pub id: String,
+    /// Corners of its surface in its own frame [m], three to a face, each with its unit normal.
+    pub surface: Arc<[[DVec3; 2]]>,
+    /// Whether it goes on beyond what is shown of it.
+    pub is_endless: bool,
+    /// Where it is.
+    pub pose: Pose,
+}
+
+impl ColliderSnapshot {
+    fn of(collider: &Collider, time: f64) -> Self {
+        Self {
+            id: collider.id.clone(),
+            surface: Arc::clone(&collider.surface),
+            is_endless: matches!(*collider.obstacle, Obstacle::HalfSpace),
+            pose: collider.pose(time),
+        }
+    }
+
+    /// Corners of its surface in the world [m], three to a face, each with its unit normal.
+    pub(crate) fn in_world(&self) -> impl Iterator<Item = [DVec3; 2]> {
+        self.surface.iter().map(|[x, normal]| [self.pose.to_world(*x), self.pose.rotation * *normal])
+    }
 }
 
 /// What the fibres of a world carry along themselves at one time.
@@ -240,7 +273,8 @@ impl Snapshot {
             })
             .collect();
         let panels = world.panels().iter().map(|panel| panel.height).collect();
-        Self { time: world.time(), bodies, panels, field: None, tension: None }
+        let colliders = world.colliders().iter().map(|of| ColliderSnapshot::of(of, world.time())).collect();
+        Self { time: world.time(), bodies, panels, colliders, field: None, tension: None }
     }
 }
 

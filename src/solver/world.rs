@@ -22,11 +22,13 @@ use work::OutsideWork;
 
 use super::body::{Body, Divergence};
 use super::body_contact::{Allowance, add_body_contact};
+use super::collider::Collider;
 use super::forces::Gravity;
 use super::measure::{MeasureValue, Quantity};
 use super::overlap::Overlap;
 use super::panel::Panel;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// How a frame is divided. Everything here is chosen from the scene when it is baked, never from timing.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,6 +68,8 @@ impl Probe {
 pub struct World {
     bodies: Vec<Body>,
     panels: Vec<Panel>,
+    /// Bodies touch them on their own.
+    colliders: Arc<[Collider]>,
     probes: Vec<Probe>,
     /// Greatest value of every probe so far, by magnitude, with its sign.
     peaks: Vec<MeasureValue>,
@@ -91,7 +95,7 @@ impl World {
     /// A world at time zero.
     pub(crate) fn new(
         bodies: Vec<Body>,
-        panels: Vec<Panel>,
+        (panels, colliders): (Vec<Panel>, Arc<[Collider]>),
         probes: Vec<Probe>,
         plan: StepPlan,
         gravity: Gravity,
@@ -100,6 +104,7 @@ impl World {
             lifts: vec![0.0; panels.len()],
             bodies,
             panels,
+            colliders,
             probes,
             peaks: Vec::new(),
             plan,
@@ -142,6 +147,21 @@ impl World {
     /// The panels in the order of the scene.
     pub fn panels(&self) -> &[Panel] {
         &self.panels
+    }
+
+    /// The colliders in the order of the scene.
+    pub fn colliders(&self) -> &[Collider] {
+        &self.colliders
+    }
+
+    /// Force of all bodies on a collider [N].
+    pub fn force_on_collider(&self, collider: usize) -> DVec3 {
+        self.bodies.iter().filter_map(Body::collider_contact).map(|contact| contact.force_on(collider)).sum()
+    }
+
+    /// Work that a collider has done on all bodies so far [J].
+    pub fn work_of_collider(&self, collider: usize) -> f64 {
+        self.bodies.iter().filter_map(Body::collider_contact).map(|contact| contact.work_of(collider)).sum()
     }
 
     /// Gravity as it is now [m/s²].

@@ -10,6 +10,7 @@ mod autosave;
 mod body_tab;
 mod breaks;
 mod clipboard;
+mod colliders_section;
 mod comparison;
 mod context;
 mod controls;

@@ -1,11 +1,11 @@
-//! The left panel: bodies and fibres by name, colour and visibility.
+//! The left panel: bodies and fibres by name, colour and visibility, and colliders.
 
 use super::context::{Context, Request, Step};
 use super::editing::{Editing, brush_panel};
 use super::inspector::inspector;
 use super::theme::{self, GRID, SIDE_WIDTH};
 use crate::edit::{Command, Item};
-use crate::scene::{AnyBody, Fibre};
+use crate::scene::{AnyBody, Collider, Fibre};
 use crate::solver::snapshot::{FibreSnapshot, SpringKind};
 use egui::{
     Color32, Id, Panel, Pos2, Rect, RichText, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo,
@@ -21,6 +21,7 @@ pub(super) fn left_panel(ui: &mut Ui, cx: &mut Context, editing: &mut Editing) {
             bodies(ui, cx);
             layers(ui, cx);
             fibres(ui, cx);
+            colliders(ui, cx);
             brush_panel(editing, ui, cx);
         });
     });
@@ -127,6 +128,25 @@ fn fibres(ui: &mut Ui, cx: &mut Context) {
         ui.separator();
         inspector(ui, cx, &id);
     }
+}
+
+/// The colliders by name: a click chooses one and shows what it is.
+fn colliders(ui: &mut Ui, cx: &mut Context) {
+    let listed = |of: &Collider| (of.id.clone(), of.title().to_owned(), of.shape.word());
+    let colliders: Vec<_> = cx.scene().colliders.iter().map(listed).collect();
+    if colliders.is_empty() {
+        return;
+    }
+    ui.heading("Colliders");
+    for (id, name, kind) in colliders {
+        let chosen = cx.selection.collider() == Some(&id);
+        let label = ui.selectable_label(chosen, name);
+        if label.on_hover_text(format!("A {kind} that bodies touch; its numbers stand under World")).clicked() {
+            cx.selection.choose_collider(id);
+            cx.request(Request::ShowWorld);
+        }
+    }
+    ui.add_space(2.0 * GRID);
 }
 
 /// Whether a fibre acts: the solid was put together with it, or is still to be.

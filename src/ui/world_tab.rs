@@ -1,5 +1,6 @@
-//! The right panel's second tab: gravity, room, panels, pins, impulse, time step.
+//! The right panel's second tab: gravity, room, panels, colliders, pins, impulse, time step.
 
+use super::colliders_section::colliders_section;
 use super::context::{Context, Step};
 use super::field::{NumberField, vector};
 use super::panels_section::panels_section;
@@ -47,6 +48,7 @@ impl WorldTab {
             cx.edit(&Command::SetRoom(room), Step::Present);
         }
         section("Panels").show(ui, |ui| panels_section(ui, cx));
+        section("Colliders").show(ui, |ui| colliders_section(ui, cx));
         section("Pins").show(ui, |ui| pins_section(ui, cx));
         section("Impulse").show(ui, |ui| self.impulse(ui, cx));
         section("Time step").show(ui, |ui| time_section(ui, cx));

@@ -10,7 +10,7 @@ use sinew::edit::{Command, Item};
 use sinew::scene::{Dab, Fibre, FibreSource, IntegratorKind, Region, RegionMaterial, Room, Selector, Void};
 
 /// Number of kinds of commands.
-pub const KINDS: usize = 18;
+pub const KINDS: usize = 19;
 
 /// Which kind a command is. Without a wildcard: a new kind is to be put in here and into [`any_command`].
 pub fn kind(command: &Command) -> usize {
@@ -33,6 +33,7 @@ pub fn kind(command: &Command) -> usize {
         Command::SetPanels(_) => 15,
         Command::SetVoids { .. } => 16,
         Command::SetRegionMaterials { .. } => 17,
+        Command::SetColliders(_) => 18,
     }
 }
 
@@ -110,7 +111,7 @@ fn of_matter() -> impl Strategy<Value = Command> {
 
 fn of_world() -> impl Strategy<Value = Command> {
     let scene = every_field();
-    let (time, panels) = (scene.time.clone(), scene.panels.clone());
+    let (time, panels, colliders) = (scene.time.clone(), scene.panels.clone(), scene.colliders.clone());
     prop_oneof![
         (0.0..3.0f64).prop_map(move |duration| {
             let mut time = time.clone();
@@ -125,6 +126,10 @@ fn of_world() -> impl Strategy<Value = Command> {
                 panel.height = height;
             }
             Command::SetPanels(panels)
+        }),
+        (0..=4usize, -0.1..1.0f64).prop_map(move |(count, friction)| {
+            let colliders = colliders[..count].iter().cloned();
+            Command::SetColliders(colliders.map(|collider| collider.with_friction(friction)).collect())
         }),
     ]
 }

@@ -7,11 +7,17 @@ use crate::scene::{AnyBody, Body, Measure, MeasureKind, Region, Scene, SceneErro
 /// `bodies` are the identifiers of the scene's bodies.
 pub(super) fn measures(at: &At<'_>, scene: &Scene, bodies: &Ids<'_>) -> Checked {
     let mut names = Ids::of("measure");
+    let mut colliders = Ids::of("collider");
+    scene.colliders.iter().try_for_each(|of| colliders.add(at, &of.id))?;
     for (index, measure) in scene.measures.iter().enumerate() {
         let at = at.item(index);
         names.add(&at.field("name"), &measure.name)?;
         bodies.resolve(&at.field("body"), &measure.body)?;
         let at = at.field("kind");
+        if let MeasureKind::ColliderForce(of) = &measure.kind {
+            let at = at.field("collider_force");
+            colliders.resolve(&at.field("collider"), &of.collider)?;
+        }
         match scene.find_body(&measure.body) {
             Some(AnyBody::Solid(body)) => {
                 one_layer(&at, measure)?;
@@ -101,7 +107,8 @@ fn kind(at: &At<'_>, measure: &Measure, regions: &Ids<'_>) -> Checked {
         | MeasureKind::InertiaRatio
         | MeasureKind::ActivationWork
         | MeasureKind::Dissipated
-        | MeasureKind::PlasticStrain => return Ok(()),
+        | MeasureKind::PlasticStrain
+        | MeasureKind::ColliderForce(_) => return Ok(()),
     };
     let at = at.field(name);
     regions.resolve(&at.field("region"), region)?;

@@ -5,6 +5,7 @@
 
 mod bodies;
 mod check;
+mod collider;
 mod drives;
 mod error;
 mod lines;
@@ -51,6 +52,7 @@ impl Scene {
         }
         room(&root.field("room"), &self.room)?;
         panels(&root.field("panels"), &self.panels)?;
+        collider::colliders(&root.field("colliders"), &self.colliders)?;
         time(&root.field("time"), &self.time)?;
         let bodies = bodies::bodies(&root, self)?;
         measure::measures(&root.field("measures"), self, &bodies)

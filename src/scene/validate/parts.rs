@@ -119,8 +119,12 @@ fn pin(at: &At<'_>, pin: &Pin, drives: &[SharedDrive]) -> Checked {
         "holds the region along no axis",
         || "name an axis at least, such as [\"x\", \"y\", \"z\"]",
     )?;
-    let at = at.field("motion");
-    match &pin.motion {
+    motion(&at.field("motion"), &pin.motion, drives)
+}
+
+/// A prescribed motion; `drives` are those that its body shares.
+pub(super) fn motion(at: &At<'_>, motion: &Motion, drives: &[SharedDrive]) -> Checked {
+    match motion {
         Motion::Fixed => Ok(()),
         Motion::Ramp(ramp) => {
             let at = at.field("ramp");

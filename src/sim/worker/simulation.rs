@@ -48,6 +48,7 @@ impl Simulation {
         self.motion.status.edits += documents;
         match command {
             SimCommand::Edit(scene) => self.edit(scene),
+            SimCommand::Models(assets) => self.assets = assets,
             SimCommand::Open(scene, assets) => self.open(scene, assets),
             SimCommand::Reset => self.reset(),
             SimCommand::Compare { integrators, dt } => {

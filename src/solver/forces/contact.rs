@@ -64,6 +64,27 @@ impl ContactLaw {
         Some(stretch.reject_from_normalized(normal).clamp_length_max(longest))
     }
 
+    /// How a touch at signed distance `gap` [m] resists [N/m], where velocities change by `1/h` of positions: by stiffness
+    /// and damping along the normal, and across it as far as it sticks.
+    pub(super) fn resistance(&self, [gap, h]: [f64; 2], normal: DVec3, velocity: DVec3, stretch: DVec3) -> DMat3 {
+        let Self { stiffness, damping, friction, sticking, holding, .. } = *self;
+        let along = outer(normal, normal);
+        let push = self.push(gap, velocity.dot(normal));
+        let (pull, each) = self.pull(normal, velocity, stretch);
+        let pull = each * pull.length();
+        let held = if pull <= friction * push { 1.0 } else { friction * push / pull };
+        along * (stiffness + damping / h) + (DMat3::IDENTITY - along) * (held * (holding + sticking / h))
+    }
+
+    /// What it asks of the time step.
+    pub(super) fn step_limit(&self, state: &ParticleState) -> StepLimit {
+        let lightest = state.masses.iter().copied().fold(f64::INFINITY, f64::min);
+        StepLimit {
+            frequency_squared: self.stiffness.max(self.holding) / lightest,
+            damping_rate: self.damping.max(self.sticking) / lightest,
+        }
+    }
+
     /// Elastic energy [J] at signed distance `gap` [m], with what holds stretched by `stretch` [m] along the surface.
     pub(crate) fn energy(&self, gap: f64, stretch: DVec3) -> f64 {
         let depth = self.radius - gap;
@@ -147,15 +168,10 @@ impl Contact {
         [x, velocity]: [DVec3; 2],
         h: f64,
     ) -> DMat3 {
-        let ContactLaw { radius, stiffness, damping, friction, sticking, holding } = self.law;
         let normal = self.planes[index].normal;
         let velocity = velocity + self.allowance(index, time).map_or(0.0, |[_, rate]| rate) * normal;
-        let along = outer(normal, normal);
-        let push = self.law.push(radius - self.depth(index, time, x), velocity.dot(normal));
-        let (pull, each) = self.law.pull(normal, velocity, self.stretch(index, particle, x));
-        let pull = each * pull.length();
-        let held = if pull <= friction * push { 1.0 } else { friction * push / pull };
-        along * (stiffness + damping / h) + (DMat3::IDENTITY - along) * (held * (holding + sticking / h))
+        let gap = self.law.radius - self.depth(index, time, x);
+        self.law.resistance([gap, h], normal, velocity, self.stretch(index, particle, x))
     }
 
     /// Force [N] of all planes on a particle at `time` [s].
@@ -205,11 +221,7 @@ impl Force for Contact {
     }
 
     fn step_limit(&self, state: &ParticleState) -> StepLimit {
-        let lightest = state.masses.iter().copied().fold(f64::INFINITY, f64::min);
-        StepLimit {
-            frequency_squared: self.law.stiffness.max(self.law.holding) / lightest,
-            damping_rate: self.law.damping.max(self.law.sticking) / lightest,
-        }
+        self.law.step_limit(state)
     }
 
     fn bytes(&self) -> usize {

@@ -31,6 +31,11 @@ impl<K: Copy + Ord> Grip<K> {
         self.held = held;
     }
 
+    /// All that is held, by ascending keys.
+    pub(crate) fn all(&self) -> impl Iterator<Item = (K, DVec3)> {
+        self.held.iter().copied()
+    }
+
     /// Whether nothing is held.
     pub(crate) fn is_empty(&self) -> bool {
         self.held.is_empty()

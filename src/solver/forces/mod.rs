@@ -2,6 +2,7 @@
 
 mod air_drag;
 mod bricks;
+mod collider_contact;
 mod contact;
 pub(crate) mod fibre;
 mod flow;
@@ -15,6 +16,7 @@ pub(crate) mod pressure;
 pub(crate) mod springs;
 
 pub(crate) use air_drag::AirDrag;
+pub(crate) use collider_contact::ColliderContact;
 pub(crate) use contact::{Contact, ContactLaw, Plane};
 pub(crate) use fibre::FibreForce;
 pub(crate) use flow::{Flow, FlowSurface};

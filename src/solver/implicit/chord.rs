@@ -3,7 +3,7 @@
 use super::cholesky::{Elimination, Factor, Matrix};
 use super::stiffness::Stiffness;
 use crate::solver::dynamics::Dynamics;
-use crate::solver::forces::{Contact, Force, MatrixForce, Pressure};
+use crate::solver::forces::{ColliderContact, Contact, Force, MatrixForce, Pressure};
 use crate::solver::state::ParticleState;
 use glam::{DMat3, DVec3};
 use std::sync::Arc;
@@ -30,7 +30,7 @@ struct Basis {
     turns: Option<Vec<DMat3>>,
 }
 
-/// A particle at a plane of the room, by their indices.
+/// A particle, and the plane of the room or the collider that it touches, by their numbers.
 type Touch = (u32, u32);
 
 /// A factor and what it is of.
@@ -47,7 +47,7 @@ pub(super) struct Chord {
     basis: Option<Arc<Basis>>,
     /// Factors of the basis, the last used last.
     kept: Vec<Kept>,
-    /// The contact with the room that is in the matrix.
+    /// The contact with the room and with colliders that is in the matrix.
     touching: Arc<[Touch]>,
     /// How the particles are turned against the basis.
     turns: Vec<DMat3>,
@@ -90,7 +90,9 @@ impl Chord {
         let turns_with_it = dynamics.matrix().is_some();
         if turns_with_it {
             // At rest, where it is positive; touching comes and goes and is added by itself.
-            forces.retain(|force| force.downcast_ref::<Contact>().is_none());
+            forces.retain(|force| {
+                force.downcast_ref::<Contact>().is_none() && force.downcast_ref::<ColliderContact>().is_none()
+            });
             at.positions.copy_from_slice(dynamics.rest);
             at.velocities.fill(DVec3::ZERO);
         } else {
@@ -140,12 +142,11 @@ impl Chord {
         true
     }
 
-    /// Adds how the room resists the particles that touch it.
+    /// Adds how the room and colliders resist the particles that touch them.
     fn add_contact(&self, dynamics: &Dynamics<'_>, state: &ParticleState, time: f64, h: f64, diagonal: &mut [DMat3]) {
-        let Some(contact) = dynamics.contact() else { return };
-        for &(i, plane) in &*self.touching {
+        for &(i, what) in &*self.touching {
             let moving = [state.positions[i as usize], state.velocities[i as usize]];
-            let resistance = contact.resistance(plane as usize, time, i, moving, h);
+            let resistance = dynamics.resistance(what, time, i, moving, h);
             let turn = self.turns.get(i as usize).copied().unwrap_or(DMat3::IDENTITY);
             diagonal[i as usize] += turn.transpose() * resistance * turn;
         }
@@ -176,7 +177,7 @@ fn turns_of(matrix: &MatrixForce, n: usize) -> Vec<DMat3> {
     (0..n).map(|i| DMat3::from_quat(matrix.rotation(i))).collect()
 }
 
-/// The particles that touch the room, with the planes that they touch.
+/// The particles that touch the room or colliders, with what they touch.
 fn touching(dynamics: &Dynamics<'_>, state: &ParticleState, time: f64) -> Arc<[Touch]> {
-    dynamics.contact().map_or_else(Vec::new, |contact| contact.touching(time, &state.positions)).into()
+    dynamics.touching(time, &state.positions).into()
 }

@@ -4,7 +4,7 @@ use super::cholesky::{Elimination, Factor, Matrix};
 use super::stiffness::Stiffness;
 use crate::solver::body::BodyParts;
 use crate::solver::constraint::{Constraint, held};
-use crate::solver::forces::Contact;
+use crate::solver::forces::{ColliderContact, Contact};
 use crate::solver::linear_algebra::vectors::{axpy, divide, dot};
 use crate::solver::state::ParticleState;
 use glam::{DMat3, DVec3};
@@ -30,7 +30,8 @@ pub(crate) fn first_mode(parts: &BodyParts) -> Option<f64> {
         masses: parts.state.masses.clone(),
     };
     let mut forces = parts.forces.clone();
-    forces.retain(|force| force.downcast_ref::<Contact>().is_none());
+    forces
+        .retain(|force| force.downcast_ref::<Contact>().is_none() && force.downcast_ref::<ColliderContact>().is_none());
     let stiffness = Stiffness::around(&forces, &at, 0.0, SMALL * parts.reach);
     let elimination = Arc::new(Elimination::new(&stiffness)?);
     let held = held(&parts.constraints, n);

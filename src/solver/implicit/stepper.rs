@@ -111,19 +111,22 @@ impl Stepper {
     }
 }
 
-/// Whether the body, which touches the room or would do so at the end of a free step of `dt` [s], moves along its normal too
+/// Whether the body, which touches the room or a collider or would do so at the end of a free step of `dt` [s], moves along its normal too
 /// fast for such steps: what touches it, or the whole by its present speed or the one to which the present forces bring it.
 fn strikes(dynamics: &Dynamics<'_>, state: &ParticleState, time: f64, dt: f64) -> bool {
-    let Some(contact) = dynamics.contact() else { return false };
+    if !dynamics.may_touch() {
+        return false;
+    }
     let most = STRIKING * dynamics.reach / dt;
     let ahead: Vec<DVec3> = state.positions.iter().zip(&state.velocities).map(|(&x, &v)| x + dt * v).collect();
-    let [touching, will] = [(time, &state.positions), (time + dt, &ahead)].map(|(time, x)| contact.touching(time, x));
+    let [touching, will] = [(time, &state.positions), (time + dt, &ahead)].map(|(time, x)| dynamics.touching(time, x));
     if touching.is_empty() && will.is_empty() {
         return false;
     }
     let (whole, gains) = (state.linear_momentum() / state.mass(), dt * dynamics.acceleration_of_the_whole(state));
-    touching.iter().chain(&will).any(|&(i, plane)| {
-        let normal = contact.planes[plane as usize].normal;
+    let now = touching.iter().map(|touch| (touch, time, &state.positions));
+    now.chain(will.iter().map(|touch| (touch, time + dt, &ahead))).any(|(&(i, what), time, positions)| {
+        let Some(normal) = dynamics.normal(what, time, positions[i as usize]) else { return false };
         let speeds = [state.velocities[i as usize], whole, whole + gains];
         speeds.iter().any(|speed| speed.dot(normal).abs() > most)
     })

@@ -2,7 +2,7 @@
 
 use super::World;
 use super::eased::Eased;
-use crate::solver::overlap::{EasedPair, of_bodies, with_panel, with_plane};
+use crate::solver::overlap::{EasedPair, of_bodies, with_collider, with_panel, with_plane};
 use crate::solver::panel::Panel;
 
 impl World {
@@ -53,6 +53,21 @@ impl World {
                 }
             }
             self.bodies[index].ease_out(&out_of, time);
+            let mut out_of = Vec::new();
+            for (number, collider) in self.colliders.iter().enumerate() {
+                let known = old(index).and_then(|(world, was)| {
+                    let same = world.colliders.iter().position(|known| known == collider)?;
+                    Some(world.bodies[was].collider_contact()?.easing(same).copied())
+                });
+                out_of.push(known.unwrap_or_else(|| {
+                    let found = with_collider(index, &self.bodies[index], number, gravity, time)?;
+                    overlaps.push(found);
+                    found.easing
+                }));
+            }
+            if !out_of.is_empty() {
+                self.bodies[index].ease_out_of_colliders(out_of, time);
+            }
         }
         self.overlaps = overlaps;
         self.eased = eased;

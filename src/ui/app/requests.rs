@@ -17,6 +17,7 @@ impl App {
                 Request::ForgetRecent => self.recent = RecentFiles::default(),
                 Request::Activate(index) => self.activate(index),
                 Request::ShowPatterns => self.right_panel.show_tab(PropertyTab::Patterns),
+                Request::ShowWorld => self.right_panel.show_tab(PropertyTab::World),
                 Request::StretchStrokes => self.views.sketching().stretch(&mut self.cx),
                 Request::FillRegion(corners) => self.patterns.fill_region(corners),
             }

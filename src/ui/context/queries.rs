@@ -107,6 +107,9 @@ impl Context {
                 self.selection.forget_pin();
             }
         }
+        if self.selection.collider().is_some_and(|id| self.scene().colliders.iter().all(|known| known.id != *id)) {
+            self.selection.clear();
+        }
         if let Some(chosen) = self.selection.vertices().map(<[usize]>::to_vec) {
             let count = self.active_vertices().len();
             if chosen.iter().any(|&k| k >= count) {

@@ -19,6 +19,8 @@ pub(crate) enum Request {
     Activate(usize),
     /// Shows the layouts of fibres.
     ShowPatterns,
+    /// Shows what surrounds the bodies.
+    ShowWorld,
     /// Takes the refused strokes by stretching the second onto the first.
     StretchStrokes,
     /// Fills this part of the body with the chosen pattern: least and greatest corner, model frame [m].

@@ -6,6 +6,7 @@ pub(crate) struct Selection {
     fibres: Vec<String>,
     vertices: Option<Vec<usize>>,
     pin: Option<ChosenPin>,
+    collider: Option<String>,
 }
 
 /// A pin, by what it is known by.
@@ -65,7 +66,7 @@ impl Selection {
         if self.fibres.len() == before {
             self.fibres.push(fibre.to_owned());
         }
-        (self.vertices, self.pin) = (None, None);
+        (self.vertices, self.pin, self.collider) = (None, None, None);
     }
 
     /// The pin that is chosen.
@@ -76,6 +77,16 @@ impl Selection {
     /// Chooses a pin, and nothing else.
     pub(crate) fn choose_pin(&mut self, pin: ChosenPin) {
         *self = Self { pin: Some(pin), ..Self::default() };
+    }
+
+    /// The collider that is chosen, by its identifier.
+    pub(crate) fn collider(&self) -> Option<&String> {
+        self.collider.as_ref()
+    }
+
+    /// Chooses a collider, and nothing else.
+    pub(crate) fn choose_collider(&mut self, collider: String) {
+        *self = Self { collider: Some(collider), ..Self::default() };
     }
 
     /// Chooses no pin any more.

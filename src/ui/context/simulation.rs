@@ -90,6 +90,11 @@ impl Simulation {
         self.send_ghost(document);
     }
 
+    /// Hands over the models that the document names from its next edit on.
+    pub(crate) fn take_models(&self, document: &OpenDocument) {
+        self.ask(SimCommand::Models(Arc::clone(&document.assets)));
+    }
+
     /// Hands over another document, which begins anew.
     pub(crate) fn open(&mut self, document: &OpenDocument) {
         self.grabbed = None;

@@ -16,6 +16,8 @@ pub(crate) enum PathPurpose {
     Save,
     /// To write the time series as a table.
     Export,
+    /// To add a model as a collider.
+    Collider,
 }
 
 /// What is open over the window.

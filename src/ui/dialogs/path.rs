@@ -20,6 +20,9 @@ pub(super) fn ask_path(
     let (title, verb, hint) = match purpose {
         PathPurpose::Open => ("Open a scene or a model", "Open", scene_hint),
         PathPurpose::Save => ("Save the scene", "Save", scene_hint),
+        PathPurpose::Collider => {
+            ("Add a model that bodies touch", "Add", "Path of an .obj, .stl, .ply, .gltf or .glb model")
+        }
         PathPurpose::Export => ("Export readings of every frame", "Export", "Path of a .csv table"),
     };
     ui.heading(title);
@@ -65,6 +68,9 @@ fn browse(purpose: PathPurpose, ctx: Context) -> Receiver<Option<PathBuf>> {
         let scenes = || rfd::FileDialog::new().add_filter("sinew scene", &["json"]);
         let picked = match purpose {
             PathPurpose::Open => scenes().add_filter("model", &["obj", "stl", "ply", "gltf", "glb"]).pick_file(),
+            PathPurpose::Collider => {
+                rfd::FileDialog::new().add_filter("model", &["obj", "stl", "ply", "gltf", "glb"]).pick_file()
+            }
             PathPurpose::Save => scenes().set_file_name("scene.json").save_file(),
             PathPurpose::Export => {
                 rfd::FileDialog::new().add_filter("table", &["csv"]).set_file_name("readings.csv").save_file()

@@ -7,7 +7,7 @@ use super::limits::{Resistance, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
 use super::pins::{Following, note_pins};
-use super::stage::{BakeStage, Tell};
+use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{drives, fibres, room, supports};
 use crate::geometry::kernel::Kernel;
@@ -44,14 +44,15 @@ pub(super) fn draft(
     let kernel = Kernel::new(material.support_radius);
     let volume = spacing.powi(3);
 
-    progress(name, BakeStage::Neighbours)?;
     let ParticleSampling { sample, volume: shape_volume, size, .. } = sampling;
-    let neighbourhood = Neighbourhood::on_lattice(sample, kernel, volume)
-        .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
+    let neighbourhood = unless_stopped(progress, (name, BakeStage::Neighbours), |stop| {
+        Neighbourhood::on_lattice_unless(sample, kernel, volume, stop).transpose()
+    })?
+    .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);
 
-    progress(name, BakeStage::Embedding)?;
-    let embedder = Embedder::new(&sample.points, kernel);
+    let embedding = (name, BakeStage::Embedding);
+    let embedder = unless_stopped(progress, embedding, |stop| Embedder::new_unless(&sample.points, kernel, stop))?;
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);
@@ -89,11 +90,12 @@ pub(super) fn draft(
     let flow = scene.wind.as_ref().and(skin.as_deref()).and_then(|skin| drives::wind(scene, skin.flow_surface()));
     forces.extend(flow.map(|flow| Box::new(flow) as Box<dyn Force>));
 
-    progress(name, BakeStage::StableStep)?;
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty();
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
-    let resistance = Resistance::measured(&forces, matrix_alone, &state, spacing, contact_limit, material.damping.air);
+    let resistance = unless_stopped(progress, (name, BakeStage::StableStep), |stop| {
+        Resistance::measured(&forces, matrix_alone, &state, spacing, contact_limit, material.damping.air, stop)
+    })?;
     let stable_steps = stable_steps(|integrator| resistance.stable_step(integrator));
     let stepping = stepping(scene, body, &stable_steps, &forces, &state);
     notes.extend(stepping.note(path));

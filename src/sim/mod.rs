@@ -3,6 +3,7 @@
 
 mod command;
 mod convergence;
+mod journal;
 pub(crate) mod recording;
 mod report;
 mod runner;
@@ -15,6 +16,7 @@ mod worker;
 
 pub use command::SimCommand;
 pub use convergence::{Convergence, convergence_order};
+pub use journal::{Asked, Journal, JournalEntry};
 #[cfg(feature = "gui")]
 pub(crate) use recording::DEFAULT_MEMORY;
 pub use report::{BodyReport, MeasureReport, Report};
@@ -24,4 +26,4 @@ pub use series::{Column, ColumnKind, TimeSeries};
 pub use status::{ComparedRun, ComparedSample, PinnedPoint, Published, RecordingStatus, Status, Stepping};
 pub use study::Study;
 pub use trial::Trial;
-pub use worker::{RecordedSeries, Worker};
+pub use worker::{RecordedSeries, Rerun, Worker};

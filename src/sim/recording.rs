@@ -20,6 +20,12 @@ impl StoredState {
         Self { build: Arc::clone(build), state: runner.checkpoint() }
     }
 
+    /// Advances a runner in this state by a frame, unless `stop` says in the midst of it that it is no longer wanted: false
+    /// then, and the runner is in this state again.
+    pub(super) fn advance_unless(&self, runner: &mut Runner, stop: &dyn Fn() -> bool) -> bool {
+        runner.advance_frame_from(&self.state, stop)
+    }
+
     /// Whether it is one of a runner that was put together as `build`.
     pub(super) fn is_of(&self, build: &Arc<Runner>) -> bool {
         Arc::ptr_eq(&self.build, build)
@@ -50,20 +56,28 @@ pub(super) struct RecordedFrame {
     /// Simulated time [s].
     time: f64,
     /// The document's world.
-    pub(super) world: StoredState,
+    pub(super) world: Arc<StoredState>,
     /// The ghost's, where there was one.
-    pub(super) ghost: Option<StoredState>,
+    pub(super) ghost: Option<Arc<StoredState>>,
     /// Body whose last grab followed the pointer.
     grabbed: Option<usize>,
+    /// Frames that had been computed by then, this one among them.
+    pub(super) number: u64,
     /// Fibres broken so far.
     breaks: usize,
     bytes: usize,
 }
 
 impl RecordedFrame {
-    /// A frame of a world, a ghost beside it and what is grabbed.
-    pub(super) fn new(world: StoredState, runner: &Runner, ghost: Option<StoredState>, grabbed: Option<usize>) -> Self {
-        let bytes = |stored: &StoredState| stored.state.bytes();
+    /// A frame of a world by its number, a ghost beside it and what is grabbed.
+    pub(super) fn new(
+        world: Arc<StoredState>,
+        runner: &Runner,
+        ghost: Option<Arc<StoredState>>,
+        grabbed: Option<usize>,
+        number: u64,
+    ) -> Self {
+        let bytes = |stored: &Arc<StoredState>| stored.state.bytes();
         Self {
             time: runner.world().time(),
             bytes: size_of::<Self>() + bytes(&world) + ghost.as_ref().map_or(0, bytes),
@@ -71,6 +85,7 @@ impl RecordedFrame {
             world,
             ghost,
             grabbed,
+            number,
         }
     }
 

@@ -292,11 +292,20 @@ impl Body {
         }
     }
 
-    /// Takes `count` steps from `time` [s]; `after_step` sees the body after each.
-    pub(super) fn advance(&mut self, time: f64, count: u32, after_step: &mut dyn FnMut(&Self)) {
+    /// Takes `count` steps from `time` [s]; `after_step` sees the body after each. False where `stop`, asked before each, ended it.
+    pub(super) fn advance(
+        &mut self,
+        time: f64,
+        count: u32,
+        stop: &dyn Fn() -> bool,
+        after_step: &mut dyn FnMut(&Self),
+    ) -> bool {
         for k in 0..count {
             if self.divergence.is_some() {
-                return;
+                return true;
+            }
+            if stop() {
+                return false;
             }
             let dt = self.parts.dt;
             let start = time + f64::from(k) * dt;
@@ -318,6 +327,7 @@ impl Body {
             self.guard(end);
             after_step(self);
         }
+        true
     }
 
     /// What an integrator sees of the body, the state that it steps, and the integrator.

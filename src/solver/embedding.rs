@@ -6,6 +6,7 @@
 //! a fibre vertex passes on: `sum phi²` says by how much.
 
 use crate::geometry::kernel::Kernel;
+use crate::geometry::lattice::ASK_EVERY;
 use crate::geometry::neighbours::PointGrid;
 use glam::{DMat3, DVec3};
 
@@ -70,14 +71,27 @@ const NEGLIGIBLE: f64 = 0.06;
 const LEAST_WEIGHT: f64 = 1e-30;
 
 impl<'a> Embedder<'a> {
-    /// Weights over particles at `points` (rest, model frame).
+    /// [`Self::new_unless`] that nothing stops.
+    #[cfg(test)]
     pub(crate) fn new(points: &'a [DVec3], kernel: Kernel) -> Self {
+        Self::new_unless(points, kernel, &mut || false).unwrap_or_else(|| unreachable!("nothing stops it"))
+    }
+
+    /// Weights over particles at `points` (rest, model frame); none where `stop`, asked again and again, says that they are no
+    /// longer wanted.
+    pub(crate) fn new_unless(points: &'a [DVec3], kernel: Kernel, stop: &mut dyn FnMut() -> bool) -> Option<Self> {
         let grid = PointGrid::new(points, kernel.support_radius);
         let mut this = Self { points, grid, kernel, median_sum: 0.0 };
-        let mut sums: Vec<f64> = points.iter().map(|&point| this.kernel_sum(point).0).collect();
+        let mut sums: Vec<f64> = Vec::with_capacity(points.len());
+        for some in points.chunks(ASK_EVERY) {
+            if stop() {
+                return None;
+            }
+            sums.extend(some.iter().map(|&point| this.kernel_sum(point).0));
+        }
         sums.sort_by(f64::total_cmp);
         this.median_sum = sums.get(sums.len() / 2).copied().unwrap_or(0.0);
-        this
+        Some(this)
     }
 
     fn kernel_sum(&self, at: DVec3) -> (f64, usize) {

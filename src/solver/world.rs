@@ -256,10 +256,16 @@ impl World {
     /// Advances by one frame. A body that diverges stops in the state of the frame before; the others go on. Bodies at rest
     /// that nothing comes near take no steps.
     pub fn advance_frame(&mut self) {
+        self.advance_frame_unless(&|| false);
+    }
+
+    /// [`Self::advance_frame`] unless `stop`, asked before every step, says that the frame is no longer wanted: false then,
+    /// and the world has to go back to a checkpoint.
+    pub(crate) fn advance_frame_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
         let asleep = self.asleep();
         if !asleep.contains(&false) && !asleep.is_empty() {
             self.frame += 1;
-            return;
+            return true;
         }
         for body in &mut self.bodies {
             body.save_last_good();
@@ -284,13 +290,16 @@ impl World {
                 let whole = self.plan.outer_steps == 1;
                 let _body = whole.then(|| tracing::info_span!("body", name = body.parts().name).entered());
                 let (probes, peaks) = (&self.probes, &mut self.peaks);
-                body.advance(time, count, &mut |body| {
+                let is_whole = body.advance(time, count, stop, &mut |body| {
                     for (probe, peak) in probes.iter().zip(peaks.iter_mut()) {
                         if probe.peak && probe.body == index && (body.is_current() || !probe.quantity.needs_forces()) {
                             probe.raise(peak, body);
                         }
                     }
                 });
+                if !is_whole {
+                    return false;
+                }
             }
             let end = self.time_at(outer + 1);
             self.evaluate_contact(end, outer_dt);
@@ -306,6 +315,7 @@ impl World {
                 probe.raise(peak, &self.bodies[probe.body]);
             }
         }
+        true
     }
 
     /// What each measure is to report: its present value, or the greatest one over time with its sign.

@@ -14,6 +14,7 @@ mod lines;
 mod models;
 mod opened_models;
 mod pictures;
+mod replay;
 mod simulate;
 mod starts;
 mod sweep;

@@ -71,6 +71,8 @@ actions! {
     SaveAs in File [ctrl_shift(Key::S)] "Save as…": "Writes the scene to another file";
     Export in File [] "Export readings…":
         "Writes energies, momenta and measures of every frame since the start as a table, CSV";
+    SaveJournal in File [] "Save journal":
+        "Writes what was asked of the motion since its start beside the scene; `sinew replay` makes it again";
     Recover in File [] "Recover unsaved…": "Lists changes that were not saved when the program ended";
     Quit in File [ctrl(Key::Q)] "Quit": "Closes the window";
     Undo in Edit [ctrl(Key::Z)] "Undo": "Takes the last change of the scene back";

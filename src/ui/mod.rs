@@ -21,6 +21,7 @@ mod field;
 pub(crate) mod gallery;
 mod input_order;
 mod inspector;
+mod loading;
 mod material_fields;
 mod material_presets;
 pub(crate) mod menu;

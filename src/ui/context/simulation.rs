@@ -2,7 +2,7 @@
 
 use super::OpenDocument;
 use crate::scene::Scene;
-use crate::sim::{Published, RecordedSeries, SimCommand, Worker};
+use crate::sim::{Journal, Published, RecordedSeries, SimCommand, Worker};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -178,6 +178,11 @@ impl Simulation {
     /// Looks at the numbers of every frame since the start. The solver waits meanwhile: to be read, not to be worked with.
     pub(crate) fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
         self.worker.time_series(read)
+    }
+
+    /// What was asked of the motion since its start.
+    pub(crate) fn journal(&self) -> Journal {
+        self.worker.journal()
     }
 
     /// What is grabbed by the pointer.

@@ -3,6 +3,7 @@
 use crate::ui::action::Action;
 use crate::ui::autosave::Reply;
 use crate::ui::gallery::Example;
+use crate::ui::loading::Loaded;
 use std::path::PathBuf;
 
 /// What a dialog came to in a frame.
@@ -23,6 +24,8 @@ pub(crate) enum Answer {
     Reply(Reply),
     /// An example was chosen.
     Example(&'static Example),
+    /// What was being read is there, or cannot be read.
+    Loaded(Box<Loaded>),
     /// What was asked about a pattern is to be done.
     Pattern,
 }

@@ -38,6 +38,7 @@
 //! | fill a mesh, from a file or from memory | [`scene::Body::from_mesh`], [`scene::Assets::insert_mesh`] |
 //! | put a scene together | [`bake::bake`] |
 //! | run it | [`sim::Runner`]; on a thread of its own, to be paused, pulled and replayed: [`sim::Worker`] |
+//! | make again what was done to it there | [`sim::Journal`], [`sim::Rerun`] |
 //! | read what it shows | [`solver::World`], [`sim::Report`], [`sim::TimeSeries`], [`solver::Snapshot`] |
 //! | write shapes for other programs | [`io::write_obj`], [`io::FrameFolder`], [`io::write_glb`] |
 //! | open a model as a scene of its own | [`io::open_model`] |
@@ -120,6 +121,7 @@
 //! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::easing`; what is said of it: `bake::overlaps` |
 //! | pins that cannot be meant | `bake::pins` |
 //! | the recording, and what asks for it | `sim::recording`; [`sim::SimCommand`] |
+//! | what ends a frame or a bake on the way | `sim::worker::stop`, asked by [`sim::Runner::advance_frame_unless`] |
 //! | where a force or an integrator is added | [below](#a-force-and-an-integrator-of-your-own) |
 //! | the stable step | `solver::stable_step` of fibre solids, `solver::modes` of two-layer bodies; what sets it: `bake::limits` |
 //! | how a frame is divided into steps | `bake::step_plan`, carried out by [`solver::World::advance_frame`] |
@@ -205,6 +207,7 @@
 //!   the last frames, many more of them.
 //! - *taken motion*: a scene as it was put together and the frames that are kept of it, shared with who writes them to files.
 //! - *work*: what pins that move, driven panels and wind have done on bodies ([`solver::World::work`]).
+//! - *journal*: what was asked of a motion from its start on, frame by frame, and what every frame came to.
 //! - *checkpoint*: all that a world goes on from, bit for bit.
 //! - *ghost*: the scene without its fibres, or before the last edit, run in step beside it.
 //! - *study*, *trial*: a scene under several integrators and steps, put together once; under one.

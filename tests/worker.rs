@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use sinew::io::scene_from_json;
-use sinew::scene::Scene;
-use sinew::sim::{Published, SimCommand, Worker};
+use sinew::scene::{Assets, Scene};
+use sinew::sim::{Asked, Journal, Published, Rerun, SimCommand, Worker};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
@@ -41,7 +41,7 @@ fn center(published: &Published) -> DVec3 {
 #[test]
 fn plays_pauses_steps_and_resets() {
     let worker = Worker::start(scene(""), Arc::default(), false, || {});
-    let first = until(&worker, |_| true);
+    let first = until(&worker, |p| !p.snapshot.bodies.is_empty());
     assert_eq!(first.status.time, 0.0);
     assert!(worker.send(SimCommand::Step));
     let stepped = until(&worker, |p| p.status.time > 0.0);
@@ -109,10 +109,10 @@ fn a_ghost_without_fibres_is_that_scene_alone_bit_for_bit() {
     bare.bodies[0].fibres.clear();
     let bare = Arc::new(bare);
     let worker = Worker::start(Arc::new(scene), Arc::default(), false, || {});
-    until(&worker, |_| true);
+    until(&worker, |p| !p.snapshot.bodies.is_empty());
     assert!(worker.send(SimCommand::Ghost(Some(Arc::clone(&bare)))));
     until(&worker, |p| p.ghost.is_some());
-    let baked = sinew::bake::bake(&bare, &sinew::scene::Assets::default()).expect("a scene that bakes");
+    let baked = sinew::bake::bake(&bare, &Assets::default()).expect("a scene that bakes");
     let start = sinew::sim::Runner::new(baked);
     let strike = |body| SimCommand::Strike { body, impulse: DVec3::new(1e-3, 0.0, 0.0) };
     for round in 0..2 {
@@ -180,7 +180,7 @@ fn every_frame_is_recorded_though_its_picture_is_missed() {
 
 #[test]
 fn of_more_rows_than_are_kept_the_oldest_go() {
-    let baked = sinew::bake::bake(&scene(""), &sinew::scene::Assets::default()).expect("it bakes");
+    let baked = sinew::bake::bake(&scene(""), &Assets::default()).expect("it bakes");
     let mut runner = sinew::sim::Runner::new(baked);
     let mut series = sinew::sim::TimeSeries::new(runner.world(), 5);
     for _ in 0..8 {
@@ -274,5 +274,99 @@ fn a_grab_behind_an_edit_takes_hold_of_a_body_of_the_edited_scene() {
     assert!(worker.send(SimCommand::Edit(Arc::new(one))));
     assert!(worker.send(SimCommand::Grab { body: 0, vertex: 0, target }));
     drop(shut);
-    until(&worker, |p| p.status.edits == 1 && p.snapshot.bodies[0].surface()[0].distance(target) < 2e-3);
+    let is_there = |p: &Published| p.snapshot.bodies.first().is_some_and(|b| b.surface()[0].distance(target) < 2e-3);
+    until(&worker, |p| p.status.edits == 1 && is_there(p));
+}
+
+/// A million steps to a frame, which takes longer than any test may wait for.
+fn endless(speed: f64) -> Arc<Scene> {
+    let mut scene = (*renamed("endless", speed)).clone();
+    scene.time.step = sinew::scene::TimeStep::manual(1e-9, 1_000_000);
+    Arc::new(scene)
+}
+
+#[test]
+fn what_is_asked_for_in_the_midst_of_a_frame_without_end_is_done() {
+    let worker = Worker::start(endless(0.1), Arc::default(), true, || {});
+    let first = until(&worker, |p| p.status.playing && !p.snapshot.bodies.is_empty());
+    // A pause leaves all as it was before the frame.
+    assert!(worker.send(SimCommand::Pause));
+    let paused = until(&worker, |p| !p.status.playing);
+    assert_eq!((paused.status.time, &paused.snapshot), (0.0, &first.snapshot));
+    // A step that was asked for is ended by a pause, too.
+    assert!(worker.send(SimCommand::Step));
+    assert!(worker.send(SimCommand::Field(None)));
+    assert!(worker.send(SimCommand::Pause));
+    assert!(worker.send(SimCommand::Play));
+    until(&worker, |p| p.status.playing);
+    // An edit, and a drag.
+    assert!(worker.send(SimCommand::Edit(renamed("edited", 0.1))));
+    let edited = until(&worker, |p| p.status.bodies[0].name == "edited" && p.status.time > 0.0);
+    assert!((center(&edited).x - 0.1 * edited.status.time).abs() < 1e-9, "{}", center(&edited));
+    assert!(worker.send(SimCommand::Edit(endless(0.1))));
+    until(&worker, |p| p.status.edits == 2);
+    assert!(worker.send(SimCommand::Grab { body: 0, vertex: 0, target: DVec3::Y }));
+    assert!(worker.send(SimCommand::PinGrab));
+    until(&worker, |p| !p.pinned.is_empty());
+    // Another document, and the end.
+    assert!(worker.send(SimCommand::Open(renamed("opened", 0.1), Arc::default())));
+    until(&worker, |p| p.status.bodies.first().is_some_and(|body| body.name == "opened") && p.status.time > 0.0);
+    assert!(worker.send(SimCommand::Open(endless(0.1), Arc::default())));
+    until(&worker, |p| p.status.bodies.first().is_some_and(|body| body.name == "endless"));
+    drop(worker);
+}
+
+#[test]
+fn a_journal_makes_a_motion_again_bit_for_bit() {
+    let worker = Worker::start(scene(""), Arc::default(), false, || {});
+    until(&worker, |p| !p.snapshot.bodies.is_empty());
+    let ask = |command: SimCommand| assert!(worker.send(command));
+    let frames = |count: usize| {
+        let mut end = 0.0;
+        for _ in 0..count {
+            let before = worker.journal().hashes.len();
+            ask(SimCommand::Step);
+            end = until(&worker, |_| worker.journal().hashes.len() > before).status.time;
+        }
+        end
+    };
+    frames(2);
+    ask(SimCommand::Strike { body: 0, impulse: DVec3::new(0.0, 1e-3, 0.0) });
+    frames(2);
+    ask(SimCommand::Grab { body: 0, vertex: 3, target: DVec3::new(0.0, 0.04, 0.0) });
+    frames(1);
+    ask(SimCommand::MoveGrab(DVec3::new(0.01, 0.05, 0.0)));
+    ask(SimCommand::MoveGrab(DVec3::new(0.02, 0.06, 0.01)));
+    frames(2);
+    ask(SimCommand::PinGrab);
+    ask(SimCommand::Speed(0.5));
+    let mut stiff = (*scene("")).clone();
+    stiff.bodies[0].material.young_modulus = 2e5;
+    ask(SimCommand::Edit(Arc::new(stiff)));
+    let end = frames(3);
+    // What came after the frame that is gone on from was never there; the edit is, from then on.
+    ask(SimCommand::Show(0.5 * end));
+    ask(SimCommand::Strike { body: 0, impulse: DVec3::new(1e-3, 0.0, 0.0) });
+    frames(2);
+    ask(SimCommand::ReleaseAll);
+    frames(1);
+    let journal = worker.journal();
+    assert!((7..10).contains(&journal.frames()), "{}", journal.frames());
+    let text = serde_json::to_string(&journal).expect("JSON");
+    let read: Journal = serde_json::from_str(&text).expect("the journal");
+    assert_eq!(read, journal);
+    let rerun = |journal: Journal| {
+        let mut rerun = Rerun::new(journal, Assets::default()).expect("a scene that bakes");
+        let mut agreed = 0;
+        while rerun.advance().expect("it goes on") {
+            agreed += u64::from(rerun.agrees());
+        }
+        agreed
+    };
+    assert_eq!(rerun(read.clone()), journal.frames());
+    // Anything else that is asked is another motion from there on.
+    let mut other = read;
+    let struck = other.asked.iter_mut().find(|entry| matches!(entry.what, Asked::Strike { .. }));
+    struck.expect("a strike").what = Asked::Strike { body: 0, impulse: [0.0, 2e-3, 0.0] };
+    assert_eq!(rerun(other), 2);
 }

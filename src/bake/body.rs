@@ -8,7 +8,7 @@ use super::note::Note;
 use super::particle_sampling::ParticleSampling;
 use super::pins::{Following, note_pins};
 use super::region_materials::varied;
-use super::stage::{BakeStage, Tell};
+use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{drives, fibres, regime, room, supports};
 use crate::geometry::kernel::Kernel;
@@ -47,14 +47,17 @@ pub(super) fn draft(
     let kernel = Kernel::new(material.support_radius);
     let volume = spacing.powi(3);
 
-    progress(name, BakeStage::Neighbours)?;
     let ParticleSampling { sample, volume: shape_volume, size, .. } = sampling;
-    let neighbourhood = Neighbourhood::around(sample, kernel, volume, &sampling.hollows)
-        .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
+    let neighbourhood = unless_stopped(progress, (name, BakeStage::Neighbours), |stop| {
+        Neighbourhood::around(sample, kernel, volume, &sampling.hollows, stop).transpose()
+    })?
+    .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
     let neighbourhood = Arc::new(neighbourhood);
 
-    progress(name, BakeStage::Embedding)?;
-    let around = Embedder::around(&sample.points, kernel, sampling.hollows.clone());
+    let embedding = (name, BakeStage::Embedding);
+    let around = unless_stopped(progress, embedding, |stop| {
+        Embedder::around(&sample.points, kernel, sampling.hollows.clone(), stop)
+    })?;
     let embedder = match material.fibre_embedding {
         FibreEmbedding::Compact => around,
         FibreEmbedding::All => around.with_all_in_reach(),
@@ -99,11 +102,12 @@ pub(super) fn draft(
     let flow = scene.wind.as_ref().and(skin.as_deref()).and_then(|skin| drives::wind(scene, skin.flow_surface()));
     forces.extend(flow.map(|flow| Box::new(flow) as Box<dyn Force>));
 
-    progress(name, BakeStage::StableStep)?;
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
-    let resistance = Resistance::measured(&forces, matrix_alone, &state, spacing, contact_limit, material.damping.air);
+    let resistance = unless_stopped(progress, (name, BakeStage::StableStep), |stop| {
+        Resistance::measured(&forces, matrix_alone, &state, spacing, contact_limit, material.damping.air, stop)
+    })?;
     let stable_steps = stable_steps(|integrator| resistance.stable_step(integrator));
     let stepping = stepping(scene, body, &stable_steps, &forces, &state);
     notes.extend(stepping.note(path));

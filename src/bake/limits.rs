@@ -149,7 +149,7 @@ pub(super) struct Resistance {
 
 impl Resistance {
     /// Of a body under `forces`, those of the `matrix` alone where it has fibres, and a contact that may come; `air` is the
-    /// rate of air drag among the forces.
+    /// rate of air drag among the forces. None where `stop`, asked again and again, says that it is no longer wanted.
     pub(super) fn measured(
         forces: &[Box<dyn Force>],
         matrix: Option<Vec<Box<dyn Force>>>,
@@ -157,18 +157,22 @@ impl Resistance {
         spacing: f64,
         contact: StepLimit,
         air: f64,
-    ) -> Self {
+        stop: &mut dyn FnMut() -> bool,
+    ) -> Option<Self> {
         // On copies: the forces' warm starts must be those of the start when the run begins.
-        let at_extreme = |greatest: bool| {
+        let mut at_extreme = |greatest: bool| {
             let mut copies: Vec<_> = forces.iter().map(|force| force.clone_at_extreme(greatest)).collect();
-            highest_frequency_squared(&mut copies, state, spacing)
+            highest_frequency_squared(&mut copies, state, spacing, stop)
         };
         let fibres = forces.iter().find_map(|force| force.downcast_ref::<FibreForce>());
-        let mut all = at_extreme(true);
+        let mut all = at_extreme(true)?;
         if fibres.is_some_and(FibreForce::is_driven) {
-            all = all.max(at_extreme(false));
+            all = all.max(at_extreme(false)?);
         }
-        let matrix = matrix.map_or(all, |mut matrix| highest_frequency_squared(&mut matrix, state, spacing).min(all));
+        let matrix = match matrix {
+            Some(mut matrix) => highest_frequency_squared(&mut matrix, state, spacing, stop)?.min(all),
+            None => all,
+        };
         let wind = wind_rate(forces, state);
         let viscous: f64 = forces
             .iter()
@@ -180,7 +184,7 @@ impl Resistance {
             .filter(|force| force.downcast_ref::<Flow>().is_none() && force.downcast_ref::<Inelastic>().is_none());
         let damping: f64 = of_the_body.map(|force| force.step_limit(state).damping_rate).sum();
         let implicit = fibres.is_none_or(FibreForce::takes_implicit_steps);
-        Self { all, matrix, contact, pair: damping - air, viscous, air, wind, implicit }
+        Some(Self { all, matrix, contact, pair: damping - air, viscous, air, wind, implicit })
     }
 
     /// Greatest stable step [s].

@@ -8,7 +8,7 @@ use super::voids::Hollowing;
 use crate::geometry::clip::DrawnSurface;
 use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
-use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box};
+use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box_unless};
 use crate::geometry::mesh::box_surface;
 use crate::geometry::solid::Solid;
 use crate::scene::{Assets, Body, BoxShape, Rotation, Shape};
@@ -61,7 +61,7 @@ pub(super) fn sample_particles<'a>(
     let mut filled = |done, of| progress(body.title(), BakeStage::Sampling { done, of });
     filled(0, 1)?;
     let mut sampling = match &body.shape {
-        Shape::Box(shape) => fill_box_shape(body, shape, path)?,
+        Shape::Box(shape) => fill_box_shape(body, shape, path, &mut || filled(0, 1).is_err())?,
         Shape::Mesh(shape) => {
             let file = format!("{path}/shape/mesh/path");
             let solid = assets.solid(shape).ok_or_else(|| BakeError::NotLoaded { path: file.clone() })?;
@@ -86,17 +86,23 @@ pub(super) fn sample_particles<'a>(
         }
     };
     filled(1, 1)?;
-    sampling.note_sampling(path, notes);
+    sampling.note_sampling(path, notes, &mut || filled(1, 1).is_err())?;
     if !body.voids.is_empty() {
         sampling.take_out_voids(body, assets, path, notes)?;
     }
     Ok(sampling)
 }
 
-fn fill_box_shape<'a>(body: &Body, shape: &BoxShape, path: &str) -> Result<ParticleSampling<'a>, BakeError> {
+fn fill_box_shape<'a>(
+    body: &Body,
+    shape: &BoxShape,
+    path: &str,
+    stop: &mut dyn FnMut() -> bool,
+) -> Result<ParticleSampling<'a>, BakeError> {
     let spacing = body.material.spacing();
     let solid = Cuboid { center: DVec3::from_array(shape.center), size: DVec3::from_array(shape.size) };
-    let sample = fill_box(&solid, spacing, lattice_axes(&shape.lattice_rotation));
+    let axes = lattice_axes(&shape.lattice_rotation);
+    let sample = fill_box_unless(&solid, spacing, axes, stop).ok_or(BakeError::Cancelled)?;
     if sample.points.is_empty() {
         return Err(BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing });
     }
@@ -202,8 +208,17 @@ impl ParticleSampling<'_> {
         Skin::try_embed(&shape, &self.sample.points, kernel, &self.hollows, progress)
     }
 
-    fn note_sampling(&self, path: &str, notes: &mut Vec<Note>) {
-        let (_, pieces) = self.sample.pieces();
+    /// Notes what came of filling it.
+    ///
+    /// # Errors
+    /// [`BakeError::Cancelled`] where `stop` says that it is no longer wanted.
+    fn note_sampling(
+        &self,
+        path: &str,
+        notes: &mut Vec<Note>,
+        stop: &mut dyn FnMut() -> bool,
+    ) -> Result<(), BakeError> {
+        let (_, pieces) = self.sample.pieces_unless(stop).ok_or(BakeError::Cancelled)?;
         if pieces > 1 {
             notes.push(Note {
                 path: format!("{path}/shape"),
@@ -227,5 +242,6 @@ impl ParticleSampling<'_> {
                 warning: true,
             });
         }
+        Ok(())
     }
 }

@@ -7,6 +7,19 @@ use std::fmt;
 /// [`BakeError::Cancelled`].
 pub(super) type Tell<'a> = dyn FnMut(&str, BakeStage) -> Result<(), BakeError> + 'a;
 
+/// Does a piece of work of a stage that asks again and again whether it is still wanted, and gives none where it is not.
+///
+/// # Errors
+/// [`BakeError::Cancelled`] there.
+pub(super) fn unless_stopped<T>(
+    progress: &mut Tell<'_>,
+    (name, stage): (&str, BakeStage),
+    work: impl FnOnce(&mut dyn FnMut() -> bool) -> Option<T>,
+) -> Result<T, BakeError> {
+    progress(name, stage)?;
+    work(&mut || progress(name, stage).is_err()).ok_or(BakeError::Cancelled)
+}
+
 /// What is being worked on, for progress on long bakes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BakeStage {

@@ -6,7 +6,7 @@ use super::integrator::{integrator, stable_steps, step_parameter};
 use super::layer_model::LayerModel;
 use super::note::Note;
 use super::pins::{Following, note_pins};
-use super::stage::{BakeStage, Tell};
+use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{drives, limits, room, supports};
 use crate::scene::{Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, TwoLayer};
@@ -56,7 +56,6 @@ pub(super) fn draft(
     }
     let mut forces = own_forces(scene, body, &model, &layers, &state);
 
-    progress(name, BakeStage::StableStep)?;
     let kind = match body.integrator {
         IntegratorChoice::Automatic => IntegratorKind::LeapFrog,
         IntegratorChoice::Given(kind) => kind,
@@ -74,7 +73,9 @@ pub(super) fn draft(
         }
         forces
     };
-    let modes = fastest_modes(&mut probed(body), &at_rest, model.radius);
+    let modes = unless_stopped(progress, (name, BakeStage::StableStep), |stop| {
+        fastest_modes(&mut probed(body), &at_rest, model.radius, stop)
+    })?;
     let wind = limits::wind_rate(&forces, &at_rest);
     let stable_dt = modes.greatest_stable_step(integrator.as_ref(), wind);
     let stable_steps = stable_steps(|integrator| modes.greatest_stable_step(integrator, wind));

@@ -27,8 +27,12 @@ pub(super) struct Drive {
     pub end: RunEnd,
 }
 
+/// A frame after one that took longer is ended in the midst by an interruption; what would have to be kept for that at every
+/// frame is not worth it for shorter ones.
+const LONG: Duration = Duration::from_millis(200);
+
 /// Advances `runner` by at most `frames` frames; `each` sees it before the first and after every frame. An interruption ends it
-/// with the frame at hand.
+/// with the frame before, or with the one at hand where they are short.
 ///
 /// # Errors
 /// What `each` gives, at once.
@@ -42,13 +46,23 @@ pub(super) fn drive(
     let mut stepping = Duration::ZERO;
     each(runner)?;
     let mut end = RunEnd::Time;
+    // Nothing is known of the first.
+    let mut is_long = true;
     while runner.world().frame() < frames {
         if let Some(signal) = interruption.signal() {
             end = RunEnd::Interrupted(signal);
             break;
         }
         let begun = Instant::now();
-        runner.advance_frame();
+        if is_long {
+            // All is as it was before where it was ended: the next turn says so.
+            if !runner.advance_frame_unless(&|| interruption.signal().is_some()) {
+                continue;
+            }
+        } else {
+            runner.advance_frame();
+        }
+        is_long = begun.elapsed() > LONG;
         stepping += begun.elapsed();
         each(runner)?;
         if runner.all_stopped() {

@@ -26,6 +26,14 @@ pub enum CliError {
         /// What is wrong with it.
         source: BakeError,
     },
+    /// A journal whose motion cannot be made again.
+    #[error("{}: {problem}", printable(path))]
+    Journal {
+        /// Where it is.
+        path: PathBuf,
+        /// Why.
+        problem: String,
+    },
     /// Frames a second asked of a scene whose frames follow from its time step.
     #[error(
         "--fps: the scene steps by hand (/time/step/manual), so a frame lasts dt x substeps_per_frame = {frame} s; \

@@ -28,6 +28,7 @@ mod picture;
 mod prepare;
 mod render;
 mod repeat;
+mod replay;
 mod schema;
 mod simulate;
 mod summary;
@@ -77,6 +78,8 @@ pub enum Command {
     Compare(compare::Compare),
     /// Run a scene with a body filled more and more finely, and extrapolate its measures
     Converge(converge::Converge),
+    /// Make the motion of a journal again, and say whether it comes to the same bits
+    Replay(replay::Replay),
     /// Look a scene or a model over without running it
     Check(check::Check),
     /// Write the fibres of a scene as lines for other programs, or read lines as fibres
@@ -109,6 +112,7 @@ pub fn run(command: &Command, console: &mut Console) -> ExitCode {
         Command::Sweep(args) => sweep::run(args, &Interruption::listening(), console),
         Command::Compare(args) => compare::run(args, &Interruption::listening(), console),
         Command::Converge(args) => converge::run(args, &Interruption::listening(), console),
+        Command::Replay(args) => replay::run(args, &Interruption::listening(), console),
         Command::Check(args) => check::run(args, console),
         Command::Fibres(args) => fibres::run(args, console),
         Command::Collect(args) => collect::run(args, console),

@@ -37,6 +37,9 @@ impl Cuboid {
     }
 }
 
+/// Points after which a long piece of work asks once more whether it is still wanted.
+pub(crate) const ASK_EVERY: usize = 1 << 13;
+
 /// Lattice positions tried along each axis when a shape lies askew to the lattice.
 const OFFSETS_PER_AXIS: u32 = 4;
 
@@ -46,7 +49,22 @@ const OFFSETS_PER_AXIS: u32 = 4;
 /// spacings is filled exactly. A box askew to the lattice gets the points inside it, for that position of the lattice
 /// at which the sampled volume comes closest to the box's.
 pub fn fill_box(shape: &Cuboid, spacing: f64, axes: DMat3) -> LatticeSample {
-    if axes == DMat3::IDENTITY { fill_aligned(shape, spacing) } else { fill_askew(shape, spacing, axes) }
+    fill_box_unless(shape, spacing, axes, &mut || false).unwrap_or_else(|| empty(spacing, axes))
+}
+
+/// [`fill_box`]; none where `stop`, asked before every position of the lattice that is tried, says that it is no longer
+/// wanted.
+pub(crate) fn fill_box_unless(
+    shape: &Cuboid,
+    spacing: f64,
+    axes: DMat3,
+    stop: &mut dyn FnMut() -> bool,
+) -> Option<LatticeSample> {
+    if axes == DMat3::IDENTITY { Some(fill_aligned(shape, spacing)) } else { fill_askew(shape, spacing, axes, stop) }
+}
+
+fn empty(spacing: f64, axes: DMat3) -> LatticeSample {
+    LatticeSample { spacing, axes, points: Vec::new(), cells: Vec::new() }
 }
 
 /// Lattice points that filling a box looks at: as many as it gets along the lattice, those of its bounds askew to it.
@@ -63,27 +81,28 @@ pub(crate) fn points_looked_at(size: DVec3, spacing: f64, axes: DMat3) -> f64 {
 fn fill_aligned(shape: &Cuboid, spacing: f64) -> LatticeSample {
     let layers = (shape.size / spacing).round().max(DVec3::ONE).as_ivec3();
     let origin = shape.center - 0.5 * spacing * (layers - IVec3::ONE).as_dvec3();
-    let empty = LatticeSample { spacing, axes: DMat3::IDENTITY, points: Vec::new(), cells: Vec::new() };
-    empty.collect([IVec3::ZERO, layers - IVec3::ONE], origin, |_| true)
+    empty(spacing, DMat3::IDENTITY).collect([IVec3::ZERO, layers - IVec3::ONE], origin, |_| true)
 }
 
-fn fill_askew(shape: &Cuboid, spacing: f64, axes: DMat3) -> LatticeSample {
+fn fill_askew(shape: &Cuboid, spacing: f64, axes: DMat3, stop: &mut dyn FnMut() -> bool) -> Option<LatticeSample> {
     // Half extents of the box as the lattice sees it.
     let half = 0.5 * (axes.transpose().abs() * shape.size);
     let reach = (half / spacing).ceil().as_ivec3() + IVec3::ONE;
-    let empty = LatticeSample { spacing, axes, points: Vec::new(), cells: Vec::new() };
-    let mut best = (f64::INFINITY, empty.clone());
+    let mut best = (f64::INFINITY, empty(spacing, axes));
     for k in 0..OFFSETS_PER_AXIS.pow(3) {
+        if stop() {
+            return None;
+        }
         let n = OFFSETS_PER_AXIS;
         let shift = DVec3::new(f64::from(k % n), f64::from(k / n % n), f64::from(k / (n * n))) / f64::from(n);
         let origin = shape.center + axes * (spacing * shift);
-        let sample = empty.clone().collect([-reach, reach], origin, |point| shape.contains(point));
+        let sample = empty(spacing, axes).collect([-reach, reach], origin, |point| shape.contains(point));
         let error = (sample.points.len() as f64 * spacing.powi(3) - shape.volume()).abs();
         if error < best.0 {
             best = (error, sample);
         }
     }
-    best.1
+    Some(best.1)
 }
 
 impl LatticeSample {
@@ -107,7 +126,13 @@ impl LatticeSample {
     /// Pieces that are not connected through faces, edges or corners of the lattice: the piece number of every point,
     /// and how many pieces there are.
     pub fn pieces(&self) -> (Vec<usize>, usize) {
+        self.pieces_unless(&mut || false).unwrap_or_default()
+    }
+
+    /// [`Self::pieces`]; none where `stop`, asked again and again, says that they are no longer wanted.
+    pub(crate) fn pieces_unless(&self, stop: &mut dyn FnMut() -> bool) -> Option<(Vec<usize>, usize)> {
         let index: HashMap<IVec3, usize> = self.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
+        let mut seen = 0_usize;
         let mut piece = vec![usize::MAX; self.cells.len()];
         let mut count = 0;
         let mut open = Vec::new();
@@ -118,6 +143,10 @@ impl LatticeSample {
             piece[seed] = count;
             open.push(seed);
             while let Some(i) = open.pop() {
+                seen += 1;
+                if seen.is_multiple_of(ASK_EVERY) && stop() {
+                    return None;
+                }
                 for k in 0..27 {
                     let step = IVec3::new(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
                     if let Some(&j) = index.get(&(self.cells[i] + step))
@@ -130,7 +159,7 @@ impl LatticeSample {
             }
             count += 1;
         }
-        (piece, count)
+        Some((piece, count))
     }
 }
 

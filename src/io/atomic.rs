@@ -13,7 +13,7 @@ use tempfile::NamedTempFile;
 /// Writes a file through `content`, so that the path holds either what it held before or all that is new.
 ///
 /// The new content goes to a temporary file in the same folder, is brought to the disk and then renamed over the old
-/// one. A symbolic link is followed; an existing file keeps its permissions.
+/// one. A symbolic link is followed, one that leads nowhere refused; an existing file keeps its permissions.
 ///
 /// # Errors
 /// [`IoError::Write`] within [`IoError::InFile`]: the folder is missing or read-only, the disk is full, the path is a
@@ -104,8 +104,15 @@ struct WriteTarget {
 
 impl WriteTarget {
     fn of(path: &Path) -> io::Result<Self> {
-        // Renaming over a link would replace the link and leave the file that it names as it was.
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        // Renaming over a link would replace the link and leave the file that it names as it was, or unmade.
+        let path = match fs::canonicalize(path) {
+            Ok(path) => path,
+            Err(_) if fs::symlink_metadata(path).is_ok_and(|found| found.is_symlink()) => {
+                let text = "it is a link to a file that is not there; make that file or remove the link";
+                return Err(io::Error::new(io::ErrorKind::InvalidInput, text));
+            }
+            Err(_) => path.to_owned(),
+        };
         let old = fs::metadata(&path).ok();
         if old.as_ref().is_some_and(|old| !old.is_file()) {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a regular file"));

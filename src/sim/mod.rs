@@ -4,6 +4,7 @@
 mod columns;
 mod command;
 mod convergence;
+mod journal;
 pub(crate) mod recording;
 mod report;
 mod runner;
@@ -20,6 +21,7 @@ pub(crate) use columns::body_labels;
 pub use columns::{Column, ColumnKind};
 pub use command::SimCommand;
 pub use convergence::{Convergence, convergence_order};
+pub use journal::{Asked, Journal, JournalEntry};
 #[cfg(feature = "gui")]
 pub(crate) use recording::DEFAULT_MEMORY;
 pub use report::{BodyReport, MeasureReport, Report};
@@ -31,4 +33,4 @@ pub use taken::MotionTaker;
 #[cfg(feature = "gui")]
 pub(crate) use taken::TakenMotion;
 pub use trial::Trial;
-pub use worker::{RecordedSeries, Worker};
+pub use worker::{RecordedSeries, Rerun, Worker};

@@ -20,6 +20,12 @@ impl StoredState {
         Self { build: Arc::clone(build), state: runner.checkpoint() }
     }
 
+    /// Advances a runner in this state by a frame, unless `stop` says in the midst of it that it is no longer wanted: false
+    /// then, and the runner is in this state again.
+    pub(super) fn advance_unless(&self, runner: &mut Runner, stop: &dyn Fn() -> bool) -> bool {
+        runner.advance_frame_from(&self.state, stop)
+    }
+
     /// Whether it is one of a runner that was put together as `build`.
     pub(super) fn is_of(&self, build: &Arc<Runner>) -> bool {
         Arc::ptr_eq(&self.build, build)
@@ -49,31 +55,40 @@ pub(super) struct RestoredRun {
 pub(super) struct RecordedFrame {
     /// Simulated time [s].
     time: f64,
-    /// Its number, as its time counts it.
-    number: u64,
+    /// The number of its world, as its time counts it.
+    world_number: u64,
     /// The document's world; shared with who writes it to files.
     pub(super) world: Arc<StoredState>,
     /// The ghost's, where there was one.
-    pub(super) ghost: Option<StoredState>,
+    pub(super) ghost: Option<Arc<StoredState>>,
     /// Body whose last grab followed the pointer.
     grabbed: Option<usize>,
+    /// Frames that had been computed by then, this one among them.
+    pub(super) number: u64,
     /// Fibres broken so far.
     breaks: usize,
     bytes: usize,
 }
 
 impl RecordedFrame {
-    /// A frame of a world, a ghost beside it and what is grabbed.
-    pub(super) fn new(world: StoredState, runner: &Runner, ghost: Option<StoredState>, grabbed: Option<usize>) -> Self {
-        let bytes = |stored: &StoredState| stored.state.bytes();
+    /// A frame of a world by its number, a ghost beside it and what is grabbed.
+    pub(super) fn new(
+        world: Arc<StoredState>,
+        runner: &Runner,
+        ghost: Option<Arc<StoredState>>,
+        grabbed: Option<usize>,
+        number: u64,
+    ) -> Self {
+        let bytes = |stored: &Arc<StoredState>| stored.state.bytes();
         Self {
             time: runner.world().time(),
-            number: runner.world().number(),
+            world_number: runner.world().number(),
             bytes: size_of::<Self>() + size_of_val(&world) + bytes(&world) + ghost.as_ref().map_or(0, bytes),
             breaks: runner.world().bodies().iter().map(|body| body.breaks().count()).sum(),
-            world: Arc::new(world),
+            world,
             ghost,
             grabbed,
+            number,
         }
     }
 
@@ -211,7 +226,7 @@ impl Recording {
     /// Numbers of the first and the last of these.
     pub(super) fn numbers(&self) -> Option<[u64; 2]> {
         let first = self.of_last_build().next()?;
-        Some([first.number, self.frames.back()?.number])
+        Some([first.world_number, self.frames.back()?.world_number])
     }
 
     /// Times of the first and the last frame [s].

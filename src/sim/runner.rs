@@ -37,9 +37,33 @@ impl Runner {
 
     /// Advances by one frame.
     pub fn advance_frame(&mut self) {
+        self.frame_unless(&|| false);
+    }
+
+    /// Advances by one frame, unless `stop` says in the midst of it that it is no longer wanted: false then, and all is as it
+    /// was before, bit for bit. It is asked before every step of a body.
+    pub fn advance_frame_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
+        let before = self.checkpoint();
+        self.advance_frame_from(&before, stop)
+    }
+
+    /// [`Self::advance_frame_unless`] from a checkpoint of the present state.
+    pub(super) fn advance_frame_from(&mut self, present: &RunCheckpoint, stop: &dyn Fn() -> bool) -> bool {
+        let is_whole = self.frame_unless(stop);
+        if !is_whole {
+            self.go_back(present);
+        }
+        is_whole
+    }
+
+    /// Advances by one frame; false, half way, where `stop` ended it.
+    pub(super) fn frame_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
         let _frame = tracing::info_span!("frame", number = self.world.frame()).entered();
-        self.world.advance_frame();
-        self.restful_frames = if self.world.at_rest() { self.restful_frames + 1 } else { 0 };
+        let is_whole = self.world.advance_frame_unless(stop);
+        if is_whole {
+            self.restful_frames = if self.world.at_rest() { self.restful_frames + 1 } else { 0 };
+        }
+        is_whole
     }
 
     /// What the run goes on from.

@@ -57,19 +57,25 @@ impl SideBySide {
         Ok(Self { runs, pitch, gas, time: 0.0 })
     }
 
-    /// Brings every run forward by so much [s], in whole steps.
-    pub(super) fn advance(&mut self, seconds: f64) {
-        self.time += seconds;
+    /// Brings every run forward by so much [s], in whole steps. Where `stop` ends that on the way it gives false, and all goes on
+    /// from there the next time.
+    pub(super) fn advance_unless(&mut self, seconds: f64, stop: &dyn Fn() -> bool) -> bool {
+        let end = self.time + seconds;
         for run in &mut self.runs {
             // Half a step of leeway: the sums of both clocks round differently.
             let dt = run.trial.world().plan().frame_seconds;
-            while run.trial.blew_up_at().is_none() && run.trial.world().time() + 0.5 * dt < self.time {
+            while run.trial.blew_up_at().is_none() && run.trial.world().time() + 0.5 * dt < end {
+                if stop() {
+                    return false;
+                }
                 run.trial.step();
             }
             if run.trial.blew_up_at().is_none() {
                 run.shown = Snapshot::of_particles(run.trial.world());
             }
         }
+        self.time = end;
+        true
     }
 
     /// How every run stands.

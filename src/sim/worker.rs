@@ -3,8 +3,10 @@
 //! The window never waits for the solver and the solver never waits for the window. The thread paces the frames of a
 //! [`super::Runner`] by the clock and takes no other step than the command line does.
 
+mod again;
 mod build;
 mod comparison;
+mod effect;
 mod ghost;
 mod grabs;
 mod live;
@@ -22,9 +24,11 @@ mod stop;
 mod tests;
 mod views;
 
+pub use again::Rerun;
 pub use recorded_series::RecordedSeries;
 
 use super::command::SimCommand;
+use super::journal::Journal;
 use super::status::Published;
 use crate::scene::{Assets, Scene};
 use queue::{CommandSender, command_queue};
@@ -81,6 +85,11 @@ impl Worker {
     /// with.
     pub fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
         self.shared.with_series(|series| read(series))
+    }
+
+    /// What was asked of the motion since its start, and what each frame came to.
+    pub fn journal(&self) -> Journal {
+        self.shared.with_journal(|journal| journal.clone())
     }
 }
 

@@ -309,11 +309,21 @@ impl Body {
         }
     }
 
-    /// Takes `count` steps from `time` [s]; `after_step` sees the body after each, and the time [s].
-    pub(super) fn advance(&mut self, time: f64, count: u32, after_step: &mut dyn FnMut(&Self, f64)) {
+    /// Takes `count` steps from `time` [s]; `after_step` sees the body after each, and the time [s]. False where `stop`, asked
+    /// before each, ended it.
+    pub(super) fn advance(
+        &mut self,
+        time: f64,
+        count: u32,
+        stop: &dyn Fn() -> bool,
+        after_step: &mut dyn FnMut(&Self, f64),
+    ) -> bool {
         for k in 0..count {
             if self.divergence.is_some() {
-                return;
+                return true;
+            }
+            if stop() {
+                return false;
             }
             let dt = self.parts.dt;
             let start = time + f64::from(k) * dt;
@@ -337,6 +347,7 @@ impl Body {
             self.guard(end);
             after_step(self, end);
         }
+        true
     }
 
     /// What an integrator sees of the body, the state that it steps, and the integrator.

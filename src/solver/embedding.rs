@@ -7,6 +7,7 @@
 
 use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
+use crate::geometry::lattice::ASK_EVERY;
 use crate::geometry::neighbours::PointGrid;
 use glam::{DMat3, DVec3};
 
@@ -78,17 +79,30 @@ impl<'a> Embedder<'a> {
     /// Weights over particles at `points` (rest, model frame).
     #[cfg(test)]
     pub(crate) fn new(points: &'a [DVec3], kernel: Kernel) -> Self {
-        Self::around(points, kernel, Hollows::default())
+        let never = &mut || false;
+        Self::around(points, kernel, Hollows::default(), never).unwrap_or_else(|| unreachable!("nothing stops it"))
     }
 
-    /// Weights over particles at `points` (rest, model frame), where nothing hangs on those across a hollow.
-    pub(crate) fn around(points: &'a [DVec3], kernel: Kernel, hollows: Hollows) -> Self {
+    /// Weights over particles at `points` (rest, model frame), where nothing hangs on those across a hollow; none where
+    /// `stop`, asked again and again, says that they are no longer wanted.
+    pub(crate) fn around(
+        points: &'a [DVec3],
+        kernel: Kernel,
+        hollows: Hollows,
+        stop: &mut dyn FnMut() -> bool,
+    ) -> Option<Self> {
         let grid = PointGrid::new(points, kernel.support_radius);
         let mut this = Self { points, grid, kernel, median_sum: 0.0, hollows, negligible: NEGLIGIBLE };
-        let mut sums: Vec<f64> = points.iter().map(|&point| this.kernel_sum(point).0).collect();
+        let mut sums: Vec<f64> = Vec::with_capacity(points.len());
+        for some in points.chunks(ASK_EVERY) {
+            if stop() {
+                return None;
+            }
+            sums.extend(some.iter().map(|&point| this.kernel_sum(point).0));
+        }
         sums.sort_by(f64::total_cmp);
         this.median_sum = sums.get(sums.len() / 2).copied().unwrap_or(0.0);
-        this
+        Some(this)
     }
 
     /// The same, with fibre vertices that hang on all particles in reach.

@@ -38,14 +38,20 @@ const REAL: f64 = 1e-6;
 const REAL_MODES: usize = 3;
 
 /// The fastest modes of `state` under `forces`, around the velocity zero; `scale` [m] is the length against which a
-/// displacement counts as small. None where nothing resists.
-pub(crate) fn fastest_modes(forces: &mut [Box<dyn Force>], state: &ParticleState, scale: f64) -> Modes {
-    let stiffest = highest_frequency_squared(forces, state, scale).sqrt();
+/// displacement counts as small. No modes where nothing resists; none at all where `stop`, asked again and again, says that
+/// they are no longer wanted.
+pub(crate) fn fastest_modes(
+    forces: &mut [Box<dyn Force>],
+    state: &ParticleState,
+    scale: f64,
+    stop: &mut dyn FnMut() -> bool,
+) -> Option<Modes> {
+    let stiffest = highest_frequency_squared(forces, state, scale, stop)?.sqrt();
     let rate = forces.iter().map(|force| force.step_limit(state).damping_rate).fold(stiffest, f64::max);
     if rate <= 0.0 {
-        return Modes::default();
+        return Some(Modes::default());
     }
-    Linearised::new(forces, state, scale, rate).modes()
+    Linearised::new(forces, state, scale, rate).modes(stop)
 }
 
 /// Modes and what moves in them.
@@ -160,10 +166,10 @@ impl<'a> Linearised<'a> {
         out
     }
 
-    fn modes(mut self) -> Modes {
+    fn modes(mut self, stop: &mut dyn FnMut() -> bool) -> Option<Modes> {
         let most = MOST_VECTORS.min(6 * self.state.len());
         let (start, rate) = (starting_vector(2 * self.state.len()), self.rate);
-        let KrylovSpace { mut basis, matrix, residual } = krylov_space(start, most, rate, |y| self.apply(y));
+        let KrylovSpace { mut basis, matrix, residual } = krylov_space(start, most, rate, |y| self.apply(y), stop)?;
         // From here on only displacements are asked for.
         for base in &mut basis {
             base.truncate(self.state.len());
@@ -187,7 +193,7 @@ impl<'a> Linearised<'a> {
                 found.push((mode, vector));
             }
         }
-        Modes { found, basis, rate: self.rate }
+        Some(Modes { found, basis, rate: self.rate })
     }
 
     /// The mode to which a real eigenvalue belongs: its stiffness is its vector's Rayleigh quotient.

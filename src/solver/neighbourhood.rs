@@ -6,7 +6,7 @@
 
 use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
-use crate::geometry::lattice::LatticeSample;
+use crate::geometry::lattice::{ASK_EVERY, LatticeSample};
 use crate::geometry::neighbours::PointGrid;
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
@@ -102,10 +102,12 @@ impl Neighbourhood {
     /// # Errors
     /// [`TooThin`] if some particle's neighbours lie on a plane or a line: A has no inverse there.
     pub fn on_lattice(sample: &LatticeSample, kernel: Kernel, volume: f64) -> Result<Self, TooThin> {
-        Self::around(sample, kernel, volume, &Hollows::default())
+        let built = Self::around(sample, kernel, volume, &Hollows::default(), &mut || false)?;
+        Ok(built.unwrap_or_else(|| unreachable!("nothing stops it")))
     }
 
-    /// [`Self::on_lattice`], where particles with a hollow between them are no neighbours.
+    /// [`Self::on_lattice`], where particles with a hollow between them are no neighbours; none where `stop`, asked again and
+    /// again, says that they are no longer wanted.
     ///
     /// # Errors
     /// As [`Self::on_lattice`].
@@ -114,7 +116,8 @@ impl Neighbourhood {
         kernel: Kernel,
         volume: f64,
         hollows: &Hollows,
-    ) -> Result<Self, TooThin> {
+        stop: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<Self>, TooThin> {
         let LatticeSample { points, cells, spacing, axes } = sample;
         let grid = PointGrid::new(points, kernel.support_radius);
         let together = |point: DVec3| {
@@ -125,7 +128,13 @@ impl Neighbourhood {
             }
             (all - near.len(), near)
         };
-        let lists: Vec<(usize, Vec<u32>)> = points.par_iter().map(|&point| together(point)).collect();
+        let mut lists: Vec<(usize, Vec<u32>)> = Vec::with_capacity(points.len());
+        for some in points.chunks(ASK_EVERY) {
+            if stop() {
+                return Ok(None);
+            }
+            lists.par_extend(some.par_iter().map(|&point| together(point)));
+        }
         let mut this = Self {
             is_cut: lists.iter().any(|(cut, _)| *cut > 0),
             lattice: Lattice { cells: cells.as_slice().into(), spacing: *spacing, axes: *axes, kernel, volume },
@@ -140,6 +149,9 @@ impl Neighbourhood {
         };
         let mut known: HashMap<IVec3, u32> = HashMap::new();
         for (i, (_, list)) in lists.iter().enumerate() {
+            if i % ASK_EVERY == 0 && stop() {
+                return Ok(None);
+            }
             for &j in list {
                 if j as usize == i {
                     continue;
@@ -151,8 +163,7 @@ impl Neighbourhood {
             }
             this.starts.push(this.neighbours.len() as u32);
         }
-        this.moments(points, kernel)?;
-        Ok(this)
+        Ok(this.moments(points, kernel, stop)?.then_some(this))
     }
 
     fn add_bond(&mut self, step: IVec3) -> u32 {
@@ -164,9 +175,13 @@ impl Neighbourhood {
         self.palette.len() as u32 - 1
     }
 
-    fn moments(&mut self, points: &[DVec3], kernel: Kernel) -> Result<(), TooThin> {
+    /// Whether they were found; not where `stop` ended it.
+    fn moments(&mut self, points: &[DVec3], kernel: Kernel, stop: &mut dyn FnMut() -> bool) -> Result<bool, TooThin> {
         let mut flat = Vec::new();
         for (i, &point) in points.iter().enumerate() {
+            if i % ASK_EVERY == 0 && stop() {
+                return Ok(false);
+            }
             let (mut moment, mut sum, mut weight) = (DMat3::ZERO, DVec3::ZERO, 0.0);
             for k in self.range(i) {
                 let bond = self.palette[self.bonds[k] as usize];
@@ -189,7 +204,7 @@ impl Neighbourhood {
             self.weight_sum.push(weight);
         }
         match flat.first() {
-            None => Ok(()),
+            None => Ok(true),
             Some(first) => Err(TooThin {
                 count: flat.len(),
                 total: points.len(),

@@ -9,8 +9,14 @@ use super::state::ParticleState;
 use glam::DVec3;
 
 /// Square of the highest angular frequency [1/s²] of `state` under `forces`; `scale` [m] is the length against which a
-/// displacement counts as small. Zero when nothing resists.
-pub(crate) fn highest_frequency_squared(forces: &mut [Box<dyn Force>], state: &ParticleState, scale: f64) -> f64 {
+/// displacement counts as small. Zero when nothing resists; none where `stop`, asked again and again, says that it is no
+/// longer wanted.
+pub(crate) fn highest_frequency_squared(
+    forces: &mut [Box<dyn Force>],
+    state: &ParticleState,
+    scale: f64,
+    stop: &mut dyn FnMut() -> bool,
+) -> Option<f64> {
     let n = state.len();
     let mut probe = state.clone();
     probe.velocities.fill(DVec3::ZERO);
@@ -25,7 +31,7 @@ pub(crate) fn highest_frequency_squared(forces: &mut [Box<dyn Force>], state: &P
         let moved = total_forces(forces, &probe);
         (0..n).map(|i| (at_start[i] - moved[i]) / (step * root_mass[i])).collect()
     };
-    greatest_eigenvalue(starting_vector(n), stiffness).max(0.0)
+    greatest_eigenvalue(starting_vector(n), stiffness, stop).map(|greatest| greatest.max(0.0))
 }
 
 /// A fixed unit vector without any symmetry.

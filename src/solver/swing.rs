@@ -30,7 +30,7 @@ pub(crate) fn swing_under(integrator: Box<dyn Integrator>, omega: f64, dt: f64) 
     let mut values = Vec::new();
     for value in 0..2 * VALUES {
         let start = value as f64 * stride * dt;
-        body.advance(start, stride as u32, &mut |_, _| {});
+        body.advance(start, stride as u32, &|| false, &mut |_, _| {});
         if value >= VALUES {
             values.push(body.state().positions[0].x);
         }

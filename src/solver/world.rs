@@ -290,10 +290,16 @@ impl World {
     /// Advances by one frame. A body that diverges stops in the state of the frame before; the others go on. Bodies at rest
     /// that nothing comes near take no steps.
     pub fn advance_frame(&mut self) {
+        self.advance_frame_unless(&|| false);
+    }
+
+    /// [`Self::advance_frame`] unless `stop`, asked before every step, says that the frame is no longer wanted: false then,
+    /// and the world has to go back to a checkpoint.
+    pub(crate) fn advance_frame_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
         let asleep = self.asleep();
         if !asleep.contains(&false) && !asleep.is_empty() {
             self.frame += 1;
-            return;
+            return true;
         }
         self.work.begin(&self.bodies, (&self.panels, &self.lifts), self.time());
         for body in &mut self.bodies {
@@ -319,7 +325,7 @@ impl World {
                 let whole = self.plan.outer_steps == 1;
                 let _body = whole.then(|| tracing::info_span!("body", name = body.parts().name).entered());
                 let (probes, peaks, work) = (&self.probes, &mut self.peaks, &mut self.work);
-                body.advance(time, count, &mut |body, time| {
+                let is_whole = body.advance(time, count, stop, &mut |body, time| {
                     if body.is_current() {
                         work.add_held(index, body);
                     }
@@ -329,6 +335,9 @@ impl World {
                         }
                     }
                 });
+                if !is_whole {
+                    return false;
+                }
             }
             let end = self.time_at(outer + 1);
             self.evaluate_contact(end, outer_dt);
@@ -346,6 +355,7 @@ impl World {
                 probe.raise(peak, &self.bodies[probe.body], time);
             }
         }
+        true
     }
 
     /// What each measure is to report: its present value, or the greatest one over time with its sign.

@@ -76,6 +76,8 @@ actions! {
     SaveClip in File [] "Save clip…": "Saves the kept frames, as the result view shows them, as a moving picture";
     SaveTurntable in File [] "Save turntable…": "Saves what is shown, seen from all around, as a moving picture";
     CopyPicture in File [] "Copy picture": "Puts the picture of the result view on the clipboard";
+    SaveJournal in File [] "Save journal":
+        "Writes what was asked of the motion since its start beside the scene; `sinew replay` makes it again";
     Recover in File [] "Recover unsaved…": "Lists changes that were not saved when the program ended";
     Quit in File [ctrl(Key::Q)] "Quit": "Closes the window";
     Undo in Edit [ctrl(Key::Z)] "Undo": "Takes the last change of the scene back";

@@ -31,12 +31,20 @@ impl Document {
     /// # Errors
     /// A file that cannot be used.
     pub fn load(path: Option<PathBuf>) -> Result<Self, IoError> {
+        Self::load_with_progress(path, &mut |_| {})
+    }
+
+    /// [`Self::load`], and `progress` hears what is being worked on.
+    ///
+    /// # Errors
+    /// As [`Self::load`].
+    pub(super) fn load_with_progress(path: Option<PathBuf>, progress: &mut dyn FnMut(&str)) -> Result<Self, IoError> {
         if let Some(path) = path.as_deref().filter(|path| is_model(path)) {
-            return Self::of_model(path);
+            return Self::of_model(path, progress);
         }
         let scene = path.as_deref().map_or_else(|| scene_from_json(BUILT_IN), load_scene)?;
         let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")).to_owned();
-        let assets = Arc::new(load_assets(&scene, &folder, &mut |_| {})?);
+        let assets = Arc::new(load_assets(&scene, &folder, progress)?);
         let note = path.as_deref().and_then(|path| unknown(path, &scene));
         Ok(Self { scene, assets, path, folder, note })
     }
@@ -47,8 +55,8 @@ impl Document {
     }
 
     /// A soft solid in the shape of a model, just above a floor.
-    fn of_model(path: &Path) -> Result<Self, IoError> {
-        let OpenedModel { scene, assets, particles, scaled, thin } = open_model(path, &mut |_| {})?;
+    fn of_model(path: &Path, progress: &mut dyn FnMut(&str)) -> Result<Self, IoError> {
+        let OpenedModel { scene, assets, particles, scaled, thin } = open_model(path, progress)?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let scaled = scaled.map_or_else(String::new, |scaled| format!(", {scaled}"));
         let thin = thin.map_or_else(String::new, |thin| format!("; {thin}"));

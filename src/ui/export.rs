@@ -3,7 +3,10 @@
 use super::autosave::{Loss, Question};
 use super::context::{Context, Request, Severity};
 use super::dialogs::{Dialog, PathPurpose};
-use crate::io::{is_same, is_there, write_atomically};
+use super::document::moved;
+use super::gallery::with_models_in;
+use crate::io::{is_same, is_there, write_atomically, write_json};
+use crate::scene::Scene;
 use std::path::{Path, PathBuf};
 
 /// Where the table goes unless another place is chosen.
@@ -47,5 +50,23 @@ pub(super) fn export(cx: &mut Context, path: &Path) {
         }
         Ok(()) => cx.say(Severity::Note, format!("Wrote {rows} frames to {}", path.display())),
         Err(problem) => cx.say(Severity::Error, problem),
+    }
+}
+
+/// Writes the journal of the motion beside the scene, whose models it is read again with.
+pub(super) fn save_journal(cx: &mut Context) {
+    let Some(scene) = cx.document.path.clone() else { return };
+    let path = scene.with_extension("journal.json");
+    let to = scene.parent().unwrap_or(Path::new("")).to_owned();
+    let (is_example, from) = (cx.document.is_example, cx.document.folder.clone());
+    let placed = |scene: &Scene| if is_example { with_models_in(&to, scene) } else { Ok(moved(scene, &from, &to)) };
+    let journal = cx.simulation.journal().with_scenes(placed);
+    match journal.and_then(|journal| write_json(&path, &journal).map(|()| journal)) {
+        Ok(journal) => {
+            let text =
+                format!("Wrote {} frames as {}; `sinew replay` makes them again", journal.frames(), path.display());
+            cx.say(Severity::Note, text);
+        }
+        Err(error) => cx.say(Severity::Error, error.to_string()),
     }
 }

@@ -23,6 +23,7 @@ pub(crate) mod gallery;
 mod inelastic_fields;
 mod input_order;
 mod inspector;
+mod loading;
 mod material_fields;
 mod material_presets;
 pub(crate) mod menu;

@@ -16,6 +16,7 @@ mod models;
 mod opened_models;
 mod pictures;
 mod repeated;
+mod replay;
 mod simulate;
 mod starts;
 mod sweep;

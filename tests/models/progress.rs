@@ -58,6 +58,24 @@ fn progress_rises_to_its_end() {
 }
 
 #[test]
+fn a_long_stage_asks_again_and_again_whether_it_is_wanted() {
+    let scene = Scene::new("long").with_body(
+        Body::cuboid("bar", [0.246, 0.246, 0.096])
+            .with_material(Material::new(1e5, 0.33, 1000.0).with_support_radius(0.015)),
+    );
+    let mut asked = [0; 5];
+    let mut tell = |_: &str, stage| {
+        asked[place(stage).0 as usize] += 1;
+        // All but the last are done by then.
+        if asked[4] < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    let ended = bake_with_progress(&scene, &Assets::default(), &mut tell).err();
+    assert_eq!(ended, Some(BakeError::Cancelled));
+    // Of 26,896 particles: once and again for every eight thousand or so.
+    assert!(asked[0] >= 4 && asked[1] >= 9 && asked[2] >= 4, "{asked:?}");
+}
+
+#[test]
 fn it_ends_at_the_first_sign_that_it_is_not_wanted() {
     let (scene, assets) = scene();
     let mut all = 0;
@@ -67,7 +85,8 @@ fn it_ends_at_the_first_sign_that_it_is_not_wanted() {
     };
     let whole = bake_with_progress(&scene, &assets, &mut count).expect("a scene that bakes");
     assert!(all > 20, "{all}");
-    for last in 1..=all {
+    // The long stages ask often: at some of all times.
+    for last in (1..=all).step_by((all / 40).max(1)).chain([all]) {
         let mut calls = 0;
         let mut stop = |_: &str, _: BakeStage| {
             calls += 1;

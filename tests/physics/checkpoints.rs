@@ -4,6 +4,7 @@ use glam::DVec3;
 use sinew::bake::bake;
 use sinew::io::scene_from_json;
 use sinew::scene::{Assets, IntegratorKind, Precision, Scene};
+use sinew::sim::Runner;
 use sinew::solver::Dynamics;
 use sinew::solver::Energies;
 use sinew::solver::Force;
@@ -12,6 +13,7 @@ use sinew::solver::ParticleState;
 use sinew::solver::Snapshot;
 use sinew::solver::World;
 use sinew::test_support::solver::MatrixForce;
+use std::cell::Cell;
 
 /// A bar of curved and straight fibres that break, a ball of two layers and a ring, a panel that falls on them all, a floor,
 /// a pin that moves, damping, and measures with peaks.
@@ -226,4 +228,29 @@ fn a_checkpoint_is_small() {
     println!("{each:.0} bytes a particle");
     assert!((100.0..160.0).contains(&each), "{each}");
     assert!(world.bytes() > 4 * world.checkpoint().bytes(), "rest data are counted in the world");
+}
+
+#[test]
+fn a_frame_that_is_ended_anywhere_leaves_all_as_if_it_had_never_begun() {
+    let scene = scene_from_json(CROWD).unwrap();
+    let mut whole = Runner::new(bake(&scene, &Assets::default()).unwrap());
+    let mut ended = whole.clone();
+    for frame in 0..4 {
+        let before = bits(ended.world());
+        let asked = Cell::new(0);
+        // Asked so often in this frame; ended at each of some of them, first and last among them.
+        let counted = whole.clone().advance_frame_unless(&|| {
+            asked.set(asked.get() + 1);
+            false
+        });
+        assert!(counted && asked.get() > 10, "asked {} times", asked.get());
+        for at in [0, 1, asked.get() / 3, asked.get() / 2, asked.get() - 1] {
+            let left = Cell::new(at);
+            assert!(!ended.advance_frame_unless(&|| left.replace(left.get() - 1) == 0), "frame {frame}, at {at}");
+            assert!(bits(ended.world()) == before, "frame {frame}, ended at {at}");
+        }
+        whole.advance_frame();
+        assert!(ended.advance_frame_unless(&|| false));
+        assert!(bits(ended.world()) == bits(whole.world()), "frame {frame}");
+    }
 }

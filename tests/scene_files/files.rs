@@ -131,6 +131,12 @@ fn permissions_and_links_survive_a_save() {
     assert!(fs::symlink_metadata(&link).expect("there").is_symlink());
     assert_eq!(load_scene(&real).expect("loaded"), Scene::default());
     assert_eq!(fs::metadata(&real).expect("there").permissions().mode() & 0o777, 0o640);
+    // One that leads nowhere is neither followed nor replaced.
+    let loose = folder.path().join("loose.json");
+    symlink(folder.path().join("gone.json"), &loose).expect("linked");
+    let error = save_scene(&loose, &Scene::default()).expect_err("refused");
+    assert!(error.to_string().contains("a link to a file that is not there"), "{error}");
+    assert!(fs::symlink_metadata(&loose).expect("there").is_symlink());
     // A new file is no more private than any other that a program makes.
     let (new, plain) = (folder.path().join("new.json"), folder.path().join("plain"));
     save_scene(&new, &Scene::default()).expect("saved");

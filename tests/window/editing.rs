@@ -233,4 +233,5 @@ impl egui::DroppedFile for Dropped {
 pub(super) fn drop_file(window: &mut Window, path: PathBuf) {
     window.input_mut().dropped_files.push(Arc::new(Dropped(path)));
     window.step();
+    until(window, |app| !app.is_loading());
 }

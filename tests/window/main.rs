@@ -12,6 +12,7 @@ mod gallery;
 mod hashes;
 mod hurried;
 mod in_sight;
+mod journal;
 mod patterns;
 mod picture;
 mod plots;

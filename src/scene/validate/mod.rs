@@ -29,6 +29,9 @@ const LONGEST: f64 = 1e6;
 /// Greatest frame rate [1/s]; beyond it a frame is shorter than any useful step.
 const FASTEST: f64 = 1e5;
 
+/// Most steps to a frame that are given by hand: nothing would be seen to happen.
+const MOST_STEPS: u32 = 1_000_000;
+
 impl Scene {
     /// Checks every value and reference.
     ///
@@ -134,7 +137,11 @@ fn time(at: &At<'_>, time: &Time) -> Checked {
             let at = at.field("manual");
             positive(&at.field("dt"), *dt, "s")?;
             let count = at.field("substeps_per_frame");
-            require(&count, substeps_per_frame, *substeps_per_frame >= 1, "takes no step at all", || "give 1 or more")
+            require(&count, substeps_per_frame, *substeps_per_frame >= 1, "takes no step at all", || "give 1 or more")?;
+            let few = *substeps_per_frame <= MOST_STEPS;
+            require(&count, substeps_per_frame, few, "are more steps to a frame than anybody can wait for", || {
+                format!("give {MOST_STEPS} or fewer")
+            })
         }
     }
 }

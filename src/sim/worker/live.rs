@@ -12,6 +12,8 @@ use std::sync::Arc;
 pub(super) struct LiveRun {
     start: Option<Arc<Runner>>,
     runner: Option<Runner>,
+    /// The runner's present state, where it is known.
+    present: Option<Arc<StoredState>>,
     at_rest: Arc<Snapshot>,
     placed: Option<[DVec3; 2]>,
     thin: Arc<[Vec<u32>]>,
@@ -32,18 +34,23 @@ impl LiveRun {
         if let Some(before) = self.runner.as_ref().filter(|_| keeps_motion) {
             runner.adopt(before);
         }
-        self.runner = Some(runner);
+        self.set(Some(runner));
+    }
+
+    fn set(&mut self, runner: Option<Runner>) {
+        (self.runner, self.present) = (runner, None);
     }
 
     /// Back to the start; false where nothing has been put together.
     pub(super) fn restart(&mut self) -> bool {
-        self.runner = self.start.as_deref().cloned();
+        let start = self.start.as_deref().cloned();
+        self.set(start);
         self.start.is_some()
     }
 
     /// Gives the motion up after a failure. The start can still be trusted.
     pub(super) fn give_up(&mut self) {
-        self.runner = None;
+        self.set(None);
     }
 
     /// Goes on from a run of before: in its own build where that is still the present one, and as the present one in
@@ -51,14 +58,15 @@ impl LiveRun {
     pub(super) fn continue_from(&mut self, restored: RestoredRun) -> bool {
         let changed = self.start.as_ref().filter(|start| !Arc::ptr_eq(start, &restored.build));
         let is_changed = changed.is_some();
-        self.runner = Some(match changed {
+        let runner = match changed {
             Some(start) => {
                 let mut runner = (**start).clone();
                 runner.adopt(&restored.runner);
                 runner
             }
             None => restored.runner,
-        });
+        };
+        self.set(Some(runner));
         is_changed
     }
 
@@ -69,7 +77,23 @@ impl LiveRun {
 
     /// The moving world, to work on it.
     pub(super) fn runner_mut(&mut self) -> Option<&mut Runner> {
+        self.present = None;
         self.runner.as_mut()
+    }
+
+    /// Advances by a frame, unless `stop` says in the midst of it that it is no longer wanted: false then, and all is as it
+    /// was before.
+    pub(super) fn advance_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
+        let Some(before) = self.stored() else { return true };
+        self.runner_mut().is_none_or(|runner| before.advance_unless(runner, stop))
+    }
+
+    /// Back to a state of this run.
+    pub(super) fn go_back(&mut self, to: Arc<StoredState>) {
+        if let Some(runner) = &mut self.runner {
+            to.restore(runner);
+            self.present = Some(to);
+        }
     }
 
     /// The start as it was put together last.
@@ -98,7 +122,9 @@ impl LiveRun {
     }
 
     /// The present state, to go on from later.
-    pub(super) fn stored(&self) -> Option<StoredState> {
-        Some(StoredState::new(self.start.as_ref()?, self.runner.as_ref()?))
+    pub(super) fn stored(&mut self) -> Option<Arc<StoredState>> {
+        let (start, runner) = (self.start.as_ref()?, self.runner.as_ref()?);
+        let present = self.present.get_or_insert_with(|| Arc::new(StoredState::new(start, runner)));
+        Some(Arc::clone(present))
     }
 }

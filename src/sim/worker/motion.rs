@@ -1,5 +1,8 @@
 //! What moves, and what is shown of it: the live run and its ghost, what was recorded of them, and a comparison.
 
+mod hands;
+mod looking;
+
 use super::build::guarded;
 use super::comparison::Comparison;
 use super::grabs::{PointerGrab, pinned_points};
@@ -8,21 +11,27 @@ use super::recorded_series::RecordedSeries;
 use super::replay::Replay;
 use super::runs::Runs;
 use super::shared::Outlet;
+use super::stop::{Patience, Stop};
 use super::views::ViewRequests;
 use crate::bake::Baked;
 use crate::scene::{Assets, Scene};
 use crate::sim::command::SimCommand;
+use crate::sim::journal::{Asked, Journal};
 use crate::sim::recording::RecordedFrame;
 use crate::sim::runner::Runner;
 use crate::sim::status::{Published, Status};
 use crate::sim::taken::TakenMotion;
 use crate::solver::snapshot::Snapshot;
-use glam::DVec3;
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
+
+/// A frame that takes longer is one that a person waits for.
+const NOTICEABLE: Duration = Duration::from_millis(100);
 
 /// The motion of a document's world.
 pub(super) struct Motion {
+    /// What was put together last.
+    scene: Arc<Scene>,
     pub(super) runs: Runs,
     grab: PointerGrab,
     pub(super) replay: Replay,
@@ -31,12 +40,18 @@ pub(super) struct Motion {
     playback: Playback,
     pub(super) status: Status,
     outlet: Outlet,
+    /// Ends the frame that is being computed.
+    stop: Stop,
+    patience: Patience,
+    /// How long the last frame took; none of a scene of which none has been computed.
+    took: Option<Duration>,
 }
 
 impl Motion {
     /// Of nothing yet.
-    pub(super) fn new(playing: bool, outlet: Outlet) -> Self {
+    pub(super) fn new(scene: Arc<Scene>, playing: bool, outlet: Outlet, stop: Stop) -> Self {
         Self {
+            scene,
             runs: Runs::default(),
             grab: PointerGrab::default(),
             replay: Replay::default(),
@@ -45,6 +60,9 @@ impl Motion {
             playback: Playback::new(playing),
             status: Status::default(),
             outlet,
+            stop,
+            patience: Patience::default(),
+            took: None,
         }
     }
 
@@ -52,22 +70,26 @@ impl Motion {
     pub(super) fn handle(&mut self, command: &SimCommand) {
         match *command {
             SimCommand::Play => {
+                self.note(Asked::Play);
                 self.replay.set_goes_on(true);
                 self.playback.play();
             }
-            SimCommand::Pause => self.replay.hold(&mut self.playback),
+            SimCommand::Pause => {
+                self.note(Asked::Pause);
+                self.replay.hold(&mut self.playback);
+            }
             SimCommand::Step => self.step(),
-            SimCommand::Speed(speed) => self.playback.set_speed(speed),
+            SimCommand::Speed(speed) => {
+                self.note(Asked::Speed(speed));
+                self.playback.set_speed(speed);
+            }
             SimCommand::Grab { body, vertex, target } => self.grab(body, vertex, target),
-            SimCommand::MoveGrab(target) => self.grab.move_to(&mut self.runs, target),
-            SimCommand::Release => self.grab.release(&mut self.runs),
-            SimCommand::PinGrab => self.grab.pin(),
+            SimCommand::MoveGrab(target) => self.move_grab(target),
+            SimCommand::Release => self.release(),
+            SimCommand::PinGrab => self.pin_grab(),
             SimCommand::Unpin { body, grab } => self.unpin(body, grab),
             SimCommand::ReleaseAll => self.release_all(),
-            SimCommand::Strike { body, impulse } => {
-                self.continue_here();
-                self.runs.bodies_mut(body).into_iter().for_each(|body| body.strike(impulse));
-            }
+            SimCommand::Strike { body, impulse } => self.strike(body, impulse),
             SimCommand::Field(kind) => self.views.choose_field(kind),
             SimCommand::Tension(on) => self.views.choose_tension(on),
             SimCommand::Show(time) => self.show(self.replay.recording().nearest(time)),
@@ -98,6 +120,11 @@ impl Motion {
         self.playback.is_playing() && (self.replay.is_active() || self.runs.live.runner().is_some_and(moves))
     }
 
+    /// Whether a frame follows for which nobody would want to wait, as far as is known.
+    pub(super) fn may_take_long(&self) -> bool {
+        self.is_running() && !self.replay.is_active() && self.took.is_none_or(|took| took > NOTICEABLE)
+    }
+
     /// When the next frame is due; none while no frame follows.
     pub(super) fn due(&self) -> Option<Instant> {
         self.is_running().then(|| self.playback.due())
@@ -112,43 +139,86 @@ impl Motion {
         if !self.playback.is_due() {
             return false;
         }
-        self.advance();
-        self.playback.plan_next(self.frame_seconds());
+        if self.advance(false) {
+            self.playback.plan_next(self.frame_seconds());
+        }
         true
     }
 
-    /// One frame, of the live run or of a replay.
-    pub(super) fn advance(&mut self) {
+    /// One frame, of the live run or of a replay; false where something that waits ended it. One that somebody asked for is
+    /// ended by less.
+    pub(super) fn advance(&mut self, was_asked: bool) -> bool {
         if self.replay.is_active() {
             self.replay.advance(self.runs.live.runner().is_some(), &mut self.playback);
         } else {
-            self.solve();
+            let begun = Instant::now();
+            let is_whole = self.solve(was_asked);
+            self.took = Some(begun.elapsed());
+            self.patience = self.patience.after(is_whole);
+            if !is_whole {
+                return false;
+            }
         }
         self.playback.count_frame(self.frame_seconds());
+        true
     }
 
-    fn solve(&mut self) {
+    /// False where something that waits ended it: nothing has changed then.
+    fn solve(&mut self, was_asked: bool) -> bool {
         let seconds = self.frame_seconds();
-        let Some(runner) = self.runs.live.runner_mut() else { return };
         let is_compared = self.comparison.is_running();
-        let solved = guarded(|| if is_compared { self.comparison.advance(seconds) } else { runner.advance_frame() });
-        if let Err(problem) = solved {
+        let stop = self.stop.of_frame(was_asked, self.patience);
+        let before = self.runs.stored();
+        let Self { runs, comparison, .. } = self;
+        let solved = guarded(|| {
+            if is_compared { comparison.advance_unless(seconds, &stop) } else { runs.live.advance_unless(&stop) }
+        });
+        let mut is_whole = solved.unwrap_or_else(|problem| {
             // What the world holds after a panic cannot be trusted; the document and the last picture can.
             self.runs.live.give_up();
             self.playback.set_playing(false);
             self.status.failure = Some(problem);
-        }
-        if !is_compared {
-            if let Err(problem) = self.runs.advance_ghost() {
+            true
+        });
+        if is_whole && !is_compared {
+            is_whole = self.runs.advance_ghost(&stop).unwrap_or_else(|problem| {
                 self.note_no_ghost(&problem);
+                true
+            });
+            if is_whole {
+                if let Some(runner) = self.runs.live.runner() {
+                    self.outlet.with_journal(|journal| journal.push_frame(runner.world()));
+                }
+                self.record();
+                self.record_series();
+            } else {
+                self.runs.go_back(before);
             }
-            self.record();
-            self.record_series();
         }
+        is_whole
+    }
+
+    /// Notes in the journal what is asked.
+    fn note(&self, what: Asked) {
+        self.outlet.with_journal(|journal| journal.push(what));
+    }
+
+    /// Begins a new journal: the motion starts anew.
+    fn begin_journal(&self) {
+        self.outlet.with_journal(|journal| *journal = Journal::new(Arc::clone(&self.scene)));
     }
 
     /// Takes up a scene that was put together: from its start, or in the present motion.
-    pub(super) fn take_up(&mut self, mut baked: Baked, keeps_motion: bool) {
+    pub(super) fn take_up(&mut self, scene: Arc<Scene>, mut baked: Baked, keeps_motion: bool) {
+        // After a failure there is none to be kept.
+        let goes_on = keeps_motion && self.runs.live.runner().is_some();
+        self.scene = scene;
+        self.took = None;
+        if goes_on {
+            self.note(Asked::Edit(Arc::clone(&self.scene)));
+        } else {
+            self.begin_journal();
+        }
         let thin = std::mem::take(&mut baked.thin);
         baked.notes.sort_by_key(|note| note.warning);
         self.status.warns = baked.notes.last().is_some_and(|note| note.warning);
@@ -204,6 +274,7 @@ impl Motion {
         let is_built = self.runs.restart();
         if is_built {
             self.status.failure = None;
+            self.begin_journal();
             self.record_anew();
         }
         is_built
@@ -221,81 +292,8 @@ impl Motion {
         } else {
             self.continue_here();
         }
-        self.advance();
-    }
-
-    /// Shows a frame, where there is one, and holds the simulation. A comparison is shown instead while there is one.
-    fn show(&mut self, frame: Option<usize>) {
-        let Some(index) = frame.filter(|_| !self.comparison.is_running()) else { return };
-        if !self.replay.is_active() {
-            self.grab.release(&mut self.runs);
-        }
-        self.replay.enter(index, &mut self.playback);
-    }
-
-    /// Starts to replay: from the frame that is shown, or from the first one where no later one is left.
-    fn start_replay(&mut self) {
-        self.playback.measure_anew();
-        if self.comparison.is_running() {
-            return;
-        }
-        if !self.replay.has_later() {
-            self.show(self.replay.recording().first());
-        }
-        self.replay.set_goes_on(false);
-        self.playback.set_playing(self.replay.is_active());
-    }
-
-    /// Makes the frame that is shown the live run's state and drops the later ones; all stays as it is where none is
-    /// shown.
-    pub(super) fn continue_here(&mut self) {
-        let Some(from) = self.replay.continue_here(&mut self.playback) else { return };
-        if self.runs.live.runner().is_none() {
-            self.status.failure = None;
-        }
-        let in_present_scene = self.runs.live.continue_from(from.restored);
-        if let Some(frame) = self.replay.recording().frame(from.frame) {
-            self.runs.continue_ghost_from(frame.ghost.as_ref());
-            // The pointer has let go of what it held then; its body may have another number now.
-            self.grab.release_stored(&mut self.runs, frame.grabbed_id());
-        }
-        self.replay.note_continued(from.time, from.dropped, in_present_scene);
-    }
-
-    fn limit_memory(&mut self, limit: usize) {
-        let time = self.shown_time();
-        self.replay.set_limit(limit);
-        if self.replay.is_active() {
-            self.show(self.replay.recording().nearest(time));
-        }
-    }
-
-    fn grab(&mut self, body: usize, vertex: usize, target: DVec3) {
-        // A point of another build of the body may be another point of this one.
-        let is_here = !self.replay.is_of_another_scene(self.runs.live.start());
-        self.continue_here();
-        if is_here {
-            self.grab.grab(&mut self.runs, body, vertex, target);
-        }
-    }
-
-    fn unpin(&mut self, body: usize, grab: usize) {
-        self.continue_here();
-        for held in self.runs.bodies_mut(body) {
-            if grab < held.grabs().len() {
-                held.grabs_mut().remove(grab);
-            }
-        }
-    }
-
-    fn release_all(&mut self) {
-        // There is nothing to do to an earlier frame in which nothing is held.
-        if self.replay.shown().is_some_and(|shown| !shown.is_held()) {
-            return;
-        }
-        self.continue_here();
-        self.grab.pin();
-        self.runs.release_all();
+        self.note(Asked::Step);
+        self.advance(true);
     }
 
     /// Time of what is shown [s].
@@ -315,8 +313,10 @@ impl Motion {
 
     /// Keeps the present state as a frame.
     fn record(&mut self) {
-        let (Some(stored), Some(runner)) = (self.runs.live.stored(), self.runs.live.runner()) else { return };
-        self.replay.record(RecordedFrame::new(stored, runner, self.runs.ghost.stored(), self.grab.body()));
+        let [Some(stored), ghost] = self.runs.stored() else { return };
+        let Some(runner) = self.runs.live.runner() else { return };
+        let number = self.outlet.with_journal(|journal| journal.frames());
+        self.replay.record(RecordedFrame::new(stored, runner, ghost, self.grab.body(), number));
     }
 
     /// Nothing is kept but the start.

@@ -6,8 +6,9 @@
 //! the older one. What is being done just now is treated as if it still waited, as far as it can be stopped: the work on a
 //! document that a newer one replaces ends.
 
+use super::effect::{Effect, effect};
 use super::shared::lock;
-use super::stop::Stop;
+use super::stop::{Stop, Urgency};
 use crate::sim::command::SimCommand;
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -84,6 +85,7 @@ impl CommandSender {
     pub(super) fn send(&self, command: SimCommand) -> bool {
         let mut waiting = lock(&self.0.waiting);
         if !waiting.closed {
+            self.0.stop.hurry(Urgency::of(&command));
             if waiting.push(command) {
                 self.0.stop.outdate();
             }
@@ -126,6 +128,8 @@ impl CommandReceiver {
         let request = (waiting.batch > 0 && !waiting.closed).then(|| waiting.requests.remove(0));
         waiting.batch = waiting.batch.saturating_sub(1);
         waiting.present = request.as_ref().and_then(|request| Work::of(&request.command));
+        // What waits behind it does not wait long for a frame that comes now.
+        waiting.requests.iter().for_each(|later| self.0.stop.hurry(Urgency::of(&later.command)));
         request
     }
 
@@ -156,6 +160,7 @@ impl Queue {
     fn close(&self) {
         *lock(&self.waiting) = Waiting { closed: true, ..Waiting::default() };
         self.stop.outdate();
+        self.stop.hurry(Urgency::Drop);
         self.changed.notify_one();
     }
 }
@@ -190,40 +195,6 @@ impl Waiting {
         self.batch += usize::from(place < self.batch);
         self.requests.insert(place, Request { command, documents });
         outdates
-    }
-}
-
-/// What a command does to an older one that still waits. Of documents and ghosts that follow each other only the newest is
-/// put together, whatever the others would have been.
-enum Effect {
-    /// It takes its place: with or without the older one all comes to the same.
-    Supersedes,
-    /// It leaves it where it is, and may supersede even older ones.
-    Passes,
-    /// Nothing before the older one is superseded.
-    Stops,
-}
-
-fn effect(newer: &SimCommand, older: &SimCommand) -> Effect {
-    use SimCommand::{Edit, Field, Ghost, MoveGrab, Open, Pause, Play, Show, Speed, Tension};
-    match (newer, older) {
-        // A ghost that is ended and wanted again starts anew from where the world is.
-        (Ghost(Some(_)), Ghost(None)) => Effect::Stops,
-        // Another document leaves nothing of the last one, whatever was done to it.
-        (Open(..), Open(..) | Edit(_) | Ghost(_))
-        | (Edit(_), Edit(_))
-        | (Ghost(_), Ghost(_))
-        | (Speed(_), Speed(_))
-        | (Field(_), Field(_))
-        | (Tension(_), Tension(_))
-        | (Show(_), Show(_))
-        | (MoveGrab(_), MoveGrab(_)) => Effect::Supersedes,
-        // Settings and all the rest do not heed each other. Whether time runs is all the same to an edit and a ghost: no
-        // frame is computed between two commands.
-        (Speed(_) | Field(_) | Tension(_), _)
-        | (_, Speed(_) | Field(_) | Tension(_))
-        | (Edit(_) | Ghost(_), Edit(_) | Ghost(_) | Play | Pause) => Effect::Passes,
-        _ => Effect::Stops,
     }
 }
 

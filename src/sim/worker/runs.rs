@@ -28,16 +28,31 @@ impl Runs {
         self.ghost.start(scene, fresh, self.live.runner());
     }
 
-    /// Brings the ghost to where the live run is.
+    /// Brings the ghost to where the live run is; false where `stop` ended it on the way.
     ///
     /// # Errors
     /// Why it was given up.
-    pub(super) fn advance_ghost(&mut self) -> Result<(), String> {
-        self.live.runner().map_or(Ok(()), |live| self.ghost.advance_to(live.world().time()))
+    pub(super) fn advance_ghost(&mut self, stop: &dyn Fn() -> bool) -> Result<bool, String> {
+        self.live.runner().map_or(Ok(true), |live| self.ghost.advance_to(live.world().time(), stop))
+    }
+
+    /// Both as they are now, to go back to.
+    pub(super) fn stored(&mut self) -> [Option<Arc<StoredState>>; 2] {
+        [self.live.stored(), self.ghost.stored()]
+    }
+
+    /// Back to what was stored since the last change of both.
+    pub(super) fn go_back(&mut self, [live, ghost]: [Option<Arc<StoredState>>; 2]) {
+        if let Some(live) = live {
+            self.live.go_back(live);
+        }
+        if let Some(ghost) = ghost {
+            self.ghost.go_back(&ghost);
+        }
     }
 
     /// Takes the ghost along to an earlier frame, from which the live run goes on: `stored` is the ghost's part of it.
-    pub(super) fn continue_ghost_from(&mut self, stored: Option<&StoredState>) {
+    pub(super) fn continue_ghost_from(&mut self, stored: Option<&Arc<StoredState>>) {
         if let Some(live) = self.live.runner() {
             self.ghost.continue_from(stored, live);
         }

@@ -1,6 +1,8 @@
 //! What the simulation thread hands to the window.
 
 use super::recorded_series::RecordedSeries;
+use crate::scene::Scene;
+use crate::sim::journal::Journal;
 use crate::sim::status::Published;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -9,6 +11,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 pub(super) struct Shared {
     latest: Arc<Mutex<Option<Arc<Published>>>>,
     series: Arc<Mutex<RecordedSeries>>,
+    journal: Arc<Mutex<Option<Journal>>>,
 }
 
 impl Shared {
@@ -20,6 +23,11 @@ impl Shared {
     /// Reads or writes the numbers; the other side waits meanwhile.
     pub(super) fn with_series<T>(&self, work: impl FnOnce(&mut RecordedSeries) -> T) -> T {
         work(&mut lock(&self.series))
+    }
+
+    /// Reads or writes the journal; the other side waits meanwhile.
+    pub(super) fn with_journal<T>(&self, work: impl FnOnce(&mut Journal) -> T) -> T {
+        work(lock(&self.journal).get_or_insert_with(|| Journal::new(Arc::new(Scene::new("")))))
     }
 }
 
@@ -44,6 +52,11 @@ impl Outlet {
     /// Writes the numbers.
     pub(super) fn with_series(&self, work: impl FnOnce(&mut RecordedSeries)) {
         self.shared.with_series(work);
+    }
+
+    /// Writes the journal.
+    pub(super) fn with_journal<T>(&self, work: impl FnOnce(&mut Journal) -> T) -> T {
+        self.shared.with_journal(work)
     }
 }
 

@@ -27,6 +27,10 @@ impl SimThread {
                 return;
             }
             self.simulation.settle(was_asked);
+            // What was done is seen before a frame that may take long.
+            if was_asked && self.simulation.motion.may_take_long() {
+                self.simulation.motion.publish();
+            }
             // What has just stopped everything is to be seen too.
             if self.simulation.motion.advance_if_due() || was_asked {
                 self.simulation.motion.publish();

@@ -33,7 +33,8 @@ pub(super) struct Simulation {
 impl Simulation {
     /// Of a scene that is still to be put together.
     pub(super) fn new(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, outlet: Outlet, stop: Stop) -> Self {
-        Self { scene, assets, motion: Motion::new(playing, outlet), stop, is_stale: false, is_new: true }
+        let motion = Motion::new(Arc::clone(&scene), playing, outlet, stop.clone());
+        Self { scene, assets, motion, stop, is_stale: false, is_new: true }
     }
 
     /// Puts the scene together and shows its start.
@@ -84,11 +85,18 @@ impl Simulation {
     fn edit(&mut self, scene: Arc<Scene>) {
         // What only looks otherwise moves as it did.
         let moves_alike = !self.is_stale && self.scene.moves_like(&scene);
-        self.scene = scene;
-        if !moves_alike {
-            self.motion.continue_here();
-            self.rebuild(true);
+        if moves_alike {
+            self.scene = scene;
+        } else {
+            self.change(scene);
         }
+    }
+
+    /// Puts another scene together, whatever it differs in; the motion goes on.
+    pub(super) fn change(&mut self, scene: Arc<Scene>) {
+        self.scene = scene;
+        self.motion.continue_here();
+        self.rebuild(true);
     }
 
     fn open(&mut self, scene: Arc<Scene>, assets: Arc<Assets>) {
@@ -118,7 +126,7 @@ impl Simulation {
         self.motion.status.stopped = false;
         match self.build(&scene) {
             Ok(Some(baked)) => {
-                self.motion.take_up(baked, keeps_motion && !self.is_new);
+                self.motion.take_up(scene, baked, keeps_motion && !self.is_new);
                 self.is_new = false;
                 self.start_comparison();
             }

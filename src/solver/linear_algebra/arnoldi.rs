@@ -15,17 +15,22 @@ pub(crate) struct KrylovSpace {
 }
 
 /// The Krylov space of the operator `apply` and a unit vector `start`, of `most` vectors at most. What is shorter than a
-/// billionth of `scale` counts as rounding: the space is complete then.
+/// billionth of `scale` counts as rounding: the space is complete then. None where `stop`, asked before every product, says
+/// that it is no longer wanted.
 pub(crate) fn krylov_space(
     start: Vec<DVec3>,
     most: usize,
     scale: f64,
     mut apply: impl FnMut(&[DVec3]) -> Vec<DVec3>,
-) -> KrylovSpace {
+    stop: &mut dyn FnMut() -> bool,
+) -> Option<KrylovSpace> {
     let mut basis = vec![start];
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let mut residual = 0.0;
     for k in 0..most {
+        if stop() {
+            return None;
+        }
         let mut w = apply(&basis[k]);
         let before = norm(&w);
         let mut column = vec![0.0; k + 1];
@@ -54,7 +59,7 @@ pub(crate) fn krylov_space(
     let size = columns.len();
     let entry = |row: usize, column: usize| columns[column].get(row).copied().unwrap_or(0.0);
     let matrix = (0..size).map(|row| (0..size).map(|column| entry(row, column)).collect()).collect();
-    KrylovSpace { basis, matrix, residual }
+    Some(KrylovSpace { basis, matrix, residual })
 }
 
 #[cfg(test)]
@@ -66,7 +71,8 @@ mod tests {
     fn the_operator_is_seen_whole_in_a_complete_space() {
         let apply = |y: &[DVec3]| vec![DVec3::new(-y[0].y, y[0].x, 3.0 * y[0].z)];
         let start = vec![DVec3::new(0.6, 0.0, 0.8)];
-        let KrylovSpace { basis, matrix, residual } = krylov_space(start, 6, 1.0, apply);
+        let KrylovSpace { basis, matrix, residual } =
+            krylov_space(start, 6, 1.0, apply, &mut || false).expect("nothing stops it");
         assert_eq!((basis.len(), matrix.len(), residual), (3, 3, 0.0));
         for (k, base) in basis.iter().enumerate() {
             let image = apply(base);

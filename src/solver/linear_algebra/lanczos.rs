@@ -11,14 +11,22 @@ const ITERATIONS: usize = 60;
 const SETTLED: f64 = 2e-4;
 const CHECK_EVERY: usize = 8;
 
-/// Greatest eigenvalue of the symmetric operator `apply`, from a unit vector `start` that has a part in it.
-pub(crate) fn greatest_eigenvalue(start: Vec<DVec3>, mut apply: impl FnMut(&[DVec3]) -> Vec<DVec3>) -> f64 {
+/// Greatest eigenvalue of the symmetric operator `apply`, from a unit vector `start` that has a part in it; none where `stop`,
+/// asked before every product, says that it is no longer wanted.
+pub(crate) fn greatest_eigenvalue(
+    start: Vec<DVec3>,
+    mut apply: impl FnMut(&[DVec3]) -> Vec<DVec3>,
+    stop: &mut dyn FnMut() -> bool,
+) -> Option<f64> {
     let mut before = vec![DVec3::ZERO; start.len()];
     let mut v = start;
     let (mut alphas, mut betas): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     let mut beta = 0.0;
     let mut last = 0.0;
     for iteration in 1..=ITERATIONS {
+        if stop() {
+            return None;
+        }
         let mut w = apply(&v);
         axpy(-beta, &before, &mut w);
         let alpha = dot(&w, &v);
@@ -39,7 +47,7 @@ pub(crate) fn greatest_eigenvalue(start: Vec<DVec3>, mut apply: impl FnMut(&[DVe
             last = estimate;
         }
     }
-    greatest_of_tridiagonal(&alphas, &betas)
+    Some(greatest_of_tridiagonal(&alphas, &betas))
 }
 
 /// Greatest eigenvalue of the symmetric tridiagonal matrix with these diagonals, by bisection on Sturm counts.

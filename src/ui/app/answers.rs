@@ -38,6 +38,7 @@ impl App {
                 let goes_on = self.transfer.answered(ctx, question, answer, look, &mut self.cx);
                 self.dialog = goes_on.map(Dialog::Transfer);
             }
+            (Answer::Loaded(loaded), Dialog::Loading(loading)) => self.loaded(&loading, *loaded),
             (Answer::Recent(path), _) => self.open_recent(ctx, path),
             (Answer::Path(path), Dialog::Path { next, .. }) => self.save_to(ctx, path, next),
             (Answer::Picked(path), Dialog::Path { next, .. }) => self.write_then(ctx, &path, next),
@@ -58,7 +59,7 @@ impl App {
             }
             (Question::Replace { path, next, .. }, Reply::Replace) => self.write_then(ctx, &path, next),
             (Question::Replace { next, .. }, Reply::SaveElsewhere) => self.ask_where(next),
-            (Question::Reload { path, .. }, Reply::Reload) => self.open_document(Some(path)),
+            (Question::Reload { path, .. }, Reply::Reload) => self.open_document(ctx, Some(path)),
             (Question::Recover, Reply::Recover(k)) => {
                 if let Some(offer) = self.autosave.offers().get(k).cloned() {
                     self.leave(ctx, Next::Recover(offer));

@@ -73,7 +73,7 @@ impl App {
                 app.dialog = Some(Dialog::path(PathPurpose::Open, app.cx.document.path.as_deref()));
             }),
             Action::Examples => always(|app, _| app.dialog = Some(Dialog::Examples)),
-            Action::Reload => when(document.path.is_some(), "The scene has no file yet", |app, _| app.reload()),
+            Action::Reload => when(document.path.is_some(), "The scene has no file yet", Self::reload),
             Action::Save => always(|app, ctx| app.save_then(ctx, None)),
             Action::SaveAs => always(|app, _| app.ask_where(None)),
             Action::Export => always(|app, _| export::ask_where_to_export(&mut app.cx)),
@@ -93,6 +93,9 @@ impl App {
                     Some(Err(error)) => app.cx.say(Severity::Error, error.to_string()),
                     None => {}
                 })
+            }
+            Action::SaveJournal => {
+                when(document.path.is_some(), "Save the scene first", |app, _| export::save_journal(&mut app.cx))
             }
             Action::Recover => {
                 let any = !self.autosave.offers().is_empty();

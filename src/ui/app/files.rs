@@ -1,32 +1,66 @@
 //! Opening and saving the document.
 
 use super::App;
-use crate::io::{FileStamp, IoError, Origin, is_model, load_assets, save_scene};
+use crate::io::{FileStamp, save_scene};
 use crate::ui::autosave::{Question, RecoveryOffer};
 use crate::ui::context::{ActiveBody, OpenDocument, Severity};
 use crate::ui::dialogs::{Dialog, PathPurpose};
 use crate::ui::document::{Document, moved};
-use crate::ui::gallery::{Example, shipped_assets, with_models_in};
+use crate::ui::gallery::{Example, with_models_in};
+use crate::ui::loading::{Loaded, Loading, Source, opened};
 use crate::ui::next::Next;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 impl App {
     /// Opens a file, or the built-in scene, whatever becomes of the changes: [`Self::leave`] asks first.
-    pub(super) fn open_document(&mut self, path: Option<PathBuf>) {
-        // Before it is read: what is written in between is found later then.
-        let stamp = path.as_deref().filter(|path| !is_model(path)).and_then(|path| FileStamp::of(path).ok());
-        match Document::load(path.clone()) {
+    pub(super) fn open_document(&mut self, ctx: &egui::Context, path: Option<PathBuf>) {
+        if let Some(path) = path {
+            return self.load(ctx, Source::File(path));
+        }
+        match Document::load(None) {
             Ok(document) => {
-                if let Some(path) = &path {
-                    self.recent.add(path);
-                }
-                let name = path.map_or_else(|| "the soft bar".to_owned(), |path| path.display().to_string());
-                let said = document.note.clone().unwrap_or_else(|| format!("Opened {name}"));
+                self.take_up(document, None);
+                self.cx.say(Severity::Note, "Opened the soft bar".to_owned());
+            }
+            Err(error) => self.cx.say(Severity::Error, error.to_string()),
+        }
+    }
+
+    /// Opens a document that was left behind, as changed.
+    pub(super) fn recover(&mut self, ctx: &egui::Context, offer: &RecoveryOffer) {
+        self.load(ctx, Source::Recovery(offer.clone()));
+    }
+
+    /// Reads a document and takes it up; while that goes on, what is worked on stands over the window.
+    fn load(&mut self, ctx: &egui::Context, source: Source) {
+        let loading = Loading::start(source, ctx);
+        match loading.at_once() {
+            Some(loaded) => self.loaded(&loading, loaded),
+            None => self.dialog = Some(Dialog::Loading(loading)),
+        }
+    }
+
+    /// Takes up what was read.
+    pub(super) fn loaded(&mut self, loading: &Loading, loaded: Loaded) {
+        let stamp = loading.stamp.clone();
+        match (loaded, &loading.source) {
+            (Ok(document), Source::File(path)) => {
+                self.recent.add(path);
+                let said = opened(&document, path);
                 self.take_up(document, stamp);
                 self.cx.say(Severity::Note, said);
             }
-            Err(error) => self.cx.say(Severity::Error, error.to_string()),
+            (Ok(document), Source::Recovery(offer)) => {
+                self.take_up(document, stamp);
+                self.cx.document.is_example = offer.document.origin.shipped;
+                self.cx.document.editor.mark_unsaved();
+                self.autosave.recovered(offer, &self.cx.document);
+                self.cx.say(Severity::Note, format!("Recovered {}; save it to keep it", offer.name()));
+            }
+            (Err(problem), Source::File(_)) => self.cx.say(Severity::Error, problem),
+            (Err(problem), Source::Recovery(offer)) => {
+                self.cx.say(Severity::Error, format!("{} cannot be recovered: {problem}", offer.name()));
+            }
         }
     }
 
@@ -40,33 +74,6 @@ impl App {
                 self.cx.say(Severity::Note, said);
             }
             Err(error) => self.cx.say(Severity::Error, error.to_string()),
-        }
-    }
-
-    /// Opens a document that was left behind, as changed.
-    pub(super) fn recover(&mut self, offer: &RecoveryOffer) {
-        let load = || -> Result<_, IoError> {
-            let scene = offer.document.load()?;
-            let Origin { folder, shipped, .. } = &offer.document.origin;
-            let assets = if *shipped { shipped_assets(&scene) } else { load_assets(&scene, folder, &mut |_| {}) };
-            Ok((scene, Arc::new(assets?)))
-        };
-        match load() {
-            Ok((scene, assets)) => {
-                let origin = offer.document.origin.clone();
-                let said = format!("Recovered {}; save it to keep it", offer.name());
-                // What the file became since then is not known to be what the document grew from.
-                let known = !offer.is_older && !origin.doubtful;
-                let stamp = origin.file.as_deref().filter(|_| known).and_then(|file| FileStamp::of(file).ok());
-                self.take_up(Document { scene, assets, path: origin.file, folder: origin.folder, note: None }, stamp);
-                self.cx.document.is_example = origin.shipped;
-                self.cx.document.editor.mark_unsaved();
-                self.autosave.recovered(offer, &self.cx.document);
-                self.cx.say(Severity::Note, said);
-            }
-            Err(error) => {
-                self.cx.say(Severity::Error, format!("{} cannot be recovered: {error}", offer.name()));
-            }
         }
     }
 

@@ -22,10 +22,10 @@ impl App {
     /// Goes on to something else, whatever becomes of the changes.
     pub(super) fn go_on(&mut self, ctx: &egui::Context, next: Next) {
         match next {
-            Next::New => self.open_document(None),
-            Next::Open(path) => self.open_document(Some(path)),
+            Next::New => self.open_document(ctx, None),
+            Next::Open(path) => self.open_document(ctx, Some(path)),
             Next::Example(example) => self.open_example(example),
-            Next::Recover(offer) => self.recover(&offer),
+            Next::Recover(offer) => self.recover(ctx, &offer),
             Next::Quit => {
                 self.autosave.leave();
                 ctx.send_viewport_cmd(ViewportCommand::Close);
@@ -34,12 +34,12 @@ impl App {
     }
 
     /// Takes the scene as its file holds it, after asking where that would lose changes.
-    pub(super) fn reload(&mut self) {
+    pub(super) fn reload(&mut self, ctx: &egui::Context) {
         let Some(path) = self.cx.document.path.clone() else { return };
         if self.cx.document.editor.is_changed() {
             self.dialog = Some(Dialog::Question(Question::Reload { path, is_asked: true, is_changed: true }));
         } else {
-            self.open_document(Some(path));
+            self.open_document(ctx, Some(path));
         }
     }
 

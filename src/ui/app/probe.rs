@@ -60,6 +60,11 @@ impl App {
         self.transfer.told()
     }
 
+    /// Whether a document is being read.
+    pub fn is_loading(&self) -> bool {
+        matches!(self.dialog, Some(Dialog::Loading(_)))
+    }
+
     /// Whether the examples are shown.
     pub fn shows_examples(&self) -> bool {
         matches!(self.dialog, Some(Dialog::Examples))

@@ -2,7 +2,7 @@
 
 use super::OpenDocument;
 use crate::scene::Scene;
-use crate::sim::{MotionTaker, Published, RecordedSeries, SimCommand, TakenMotion, Worker};
+use crate::sim::{Journal, MotionTaker, Published, RecordedSeries, SimCommand, TakenMotion, Worker};
 use glam::DVec3;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
@@ -192,6 +192,11 @@ impl Simulation {
         let (sender, receiver) = channel();
         self.ask(SimCommand::Take(MotionTaker(sender)));
         receiver
+    }
+
+    /// What was asked of the motion since its start.
+    pub(crate) fn journal(&self) -> Journal {
+        self.worker.journal()
     }
 
     /// What is grabbed by the pointer.

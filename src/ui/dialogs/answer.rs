@@ -3,6 +3,7 @@
 use crate::ui::action::Action;
 use crate::ui::autosave::Reply;
 use crate::ui::gallery::Example;
+use crate::ui::loading::Loaded;
 use crate::ui::transfer::TransferAnswer;
 use std::path::PathBuf;
 
@@ -24,6 +25,8 @@ pub(crate) enum Answer {
     Reply(Reply),
     /// An example was chosen.
     Example(&'static Example),
+    /// What was being read is there, or cannot be read.
+    Loaded(Box<Loaded>),
     /// What was asked about a pattern is to be done.
     Pattern,
     /// What leaves the window or comes into it was answered about.

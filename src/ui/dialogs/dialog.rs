@@ -1,6 +1,7 @@
 //! What can open over the window, as plain data.
 
 use crate::ui::autosave::Question;
+use crate::ui::loading::Loading;
 use crate::ui::next::Next;
 use crate::ui::patterns::PatternQuestion;
 use crate::ui::transfer::TransferQuestion;
@@ -46,6 +47,8 @@ pub(crate) enum Dialog {
     Question(Question),
     /// Shows the scenes that ship.
     Examples,
+    /// Shows how far a document that is being read has come.
+    Loading(Loading),
     /// Asks about a person's own patterns.
     Pattern(PatternQuestion),
     /// Asks about what leaves the window for other programs, or comes from them.

@@ -7,6 +7,7 @@ use super::path::ask_path;
 use crate::ui::autosave::{About, RecoveryOffer, ask};
 use crate::ui::context::Context;
 use crate::ui::gallery::{Choice, Gallery};
+use crate::ui::loading::Progress;
 use crate::ui::patterns;
 use crate::ui::theme::GRID;
 use crate::ui::transfer::{self, TransferAnswer};
@@ -33,6 +34,11 @@ pub(crate) fn show(
             Choice::Close => Answer::Closed,
             Choice::Open(example) => Answer::Example(example),
         }),
+        Dialog::Loading(loading) => match loading.show(ui) {
+            Progress::GoesOn => Answer::None,
+            Progress::Cancelled => Answer::Closed,
+            Progress::Done(loaded) => Answer::Loaded(loaded),
+        },
         Dialog::Pattern(question) => match patterns::ask(ui, question) {
             None => Answer::None,
             Some(true) => Answer::Pattern,

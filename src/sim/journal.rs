@@ -1,0 +1,187 @@
+//! What was asked of a world from outside, frame by frame: with it a motion is made again from its scene, bit for bit.
+//!
+//! Only what moves the world counts for that: what is grabbed, struck and edited. Whether time ran and how fast is noted for
+//! who reads it. A motion that goes on from an earlier frame has never been where it was after that, and one that is put back
+//! to its start begins a new journal.
+
+use super::command::SimCommand;
+use crate::scene::Scene;
+use crate::solver::world::World;
+use serde::{Deserialize, Serialize};
+use std::hash::{DefaultHasher, Hasher};
+use std::sync::Arc;
+
+/// The journal of a motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Journal {
+    /// Version of the program that wrote it: the bits of another one may differ.
+    pub program: String,
+    /// The scene that the motion started from.
+    #[serde(with = "shared")]
+    pub scene: Arc<Scene>,
+    /// What was asked, in order.
+    pub asked: Vec<JournalEntry>,
+    /// Hash of all positions and velocities after every frame, equal only for equal bits; to be compared on one machine.
+    pub hashes: Vec<String>,
+}
+
+/// Something that was asked.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JournalEntry {
+    /// Frames that had been computed before it.
+    pub frame: u64,
+    /// What.
+    pub what: Asked,
+}
+
+/// What can be asked of a moving world.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Asked {
+    /// Time was let run.
+    Play,
+    /// Time was held.
+    Pause,
+    /// One frame was asked for.
+    Step,
+    /// So much simulated for each second was aimed at.
+    Speed(f64),
+    /// The scene was changed, and the motion went on.
+    Edit(#[serde(with = "shared")] Arc<Scene>),
+    /// A point of a body was taken hold of.
+    Grab {
+        /// Index of the body.
+        body: usize,
+        /// Vertex of its skin, or particle where it has none.
+        vertex: usize,
+        /// Where it was pulled to [m], world.
+        target: [f64; 3],
+    },
+    /// What was held was pulled to another place [m], world.
+    MoveGrab([f64; 3]),
+    /// What was held was let go.
+    Release,
+    /// What was held was left pinned there.
+    PinGrab,
+    /// A pinned point was let go.
+    Unpin {
+        /// Index of the body.
+        body: usize,
+        /// Its place among what pulled at the body.
+        grab: usize,
+    },
+    /// All was let go.
+    ReleaseAll,
+    /// A whole body was struck.
+    Strike {
+        /// Index of the body.
+        body: usize,
+        /// Impulse [N s], world.
+        impulse: [f64; 3],
+    },
+}
+
+impl Asked {
+    /// The request that does it again; none for what only concerned the clock.
+    pub(super) fn command(&self) -> Option<SimCommand> {
+        Some(match *self {
+            Self::Play | Self::Pause | Self::Step | Self::Speed(_) => return None,
+            Self::Edit(ref scene) => SimCommand::Edit(Arc::clone(scene)),
+            Self::Grab { body, vertex, target } => SimCommand::Grab { body, vertex, target: target.into() },
+            Self::MoveGrab(target) => SimCommand::MoveGrab(target.into()),
+            Self::Release => SimCommand::Release,
+            Self::PinGrab => SimCommand::PinGrab,
+            Self::Unpin { body, grab } => SimCommand::Unpin { body, grab },
+            Self::ReleaseAll => SimCommand::ReleaseAll,
+            Self::Strike { body, impulse } => SimCommand::Strike { body, impulse: impulse.into() },
+        })
+    }
+}
+
+impl Journal {
+    /// Of a motion that starts now.
+    pub(super) fn new(scene: Arc<Scene>) -> Self {
+        Self { program: env!("CARGO_PKG_VERSION").to_owned(), scene, asked: Vec::new(), hashes: Vec::new() }
+    }
+
+    /// Frames that have been computed.
+    pub fn frames(&self) -> u64 {
+        self.hashes.len() as u64
+    }
+
+    /// Every scene in it: that of the start and those that it was changed to.
+    pub fn scenes(&self) -> impl Iterator<Item = &Arc<Scene>> {
+        let edits = self.asked.iter().filter_map(|entry| match &entry.what {
+            Asked::Edit(scene) => Some(scene),
+            _ => None,
+        });
+        std::iter::once(&self.scene).chain(edits)
+    }
+
+    /// With other scenes in place of its own.
+    ///
+    /// # Errors
+    /// The first that `other` gives.
+    #[cfg(feature = "gui")]
+    pub(crate) fn with_scenes<E>(mut self, other: impl Fn(&Scene) -> Result<Scene, E>) -> Result<Self, E> {
+        self.scene = Arc::new(other(&self.scene)?);
+        for entry in &mut self.asked {
+            if let Asked::Edit(scene) = &mut entry.what {
+                *scene = Arc::new(other(scene)?);
+            }
+        }
+        Ok(self)
+    }
+
+    /// Notes what is asked now. Of the places to which something is pulled between two frames only the last counts.
+    pub(super) fn push(&mut self, what: Asked) {
+        let frame = self.frames();
+        if let (Asked::MoveGrab(_), Some(last)) = (&what, self.asked.last_mut())
+            && matches!(last.what, Asked::MoveGrab(_))
+            && last.frame == frame
+        {
+            last.what = what;
+            return;
+        }
+        self.asked.push(JournalEntry { frame, what });
+    }
+
+    /// Notes that a frame has come to this.
+    pub(super) fn push_frame(&mut self, world: &World) {
+        self.hashes.push(world_hash(world));
+    }
+
+    /// Back to where so many frames had been computed and nothing asked since.
+    pub(super) fn go_back(&mut self, frames: u64) {
+        self.hashes.truncate(frames as usize);
+        self.asked.retain(|entry| entry.frame < frames);
+    }
+}
+
+/// Hash of all positions and velocities of a world.
+fn world_hash(world: &World) -> String {
+    let mut hasher = DefaultHasher::new();
+    for body in world.bodies() {
+        for v in body.state().positions.iter().chain(&body.state().velocities) {
+            for component in v.to_array() {
+                hasher.write_u64(component.to_bits());
+            }
+        }
+    }
+    format!("{:016x}", hasher.finish())
+}
+
+/// Scenes that are shared in memory and written each for itself.
+mod shared {
+    use crate::scene::Scene;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+    use std::sync::Arc;
+
+    pub(super) fn serialize<S: Serializer>(scene: &Arc<Scene>, to: S) -> Result<S::Ok, S::Error> {
+        Scene::serialize(scene, to)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Arc<Scene>, D::Error> {
+        Scene::deserialize(from).map(Arc::new)
+    }
+}

@@ -1,0 +1,153 @@
+//! A document that is being read: on a thread of its own, since a model may take minutes, and the window goes on meanwhile.
+
+use super::autosave::RecoveryOffer;
+use super::document::Document;
+use super::gallery::shipped_assets;
+use super::theme::GRID;
+use crate::io::{FileStamp, IoError, Origin, is_model, load_assets};
+use egui::{Context, RichText, Ui};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// A model that is read within this time is there in the same frame: nothing flashes up for it. A scene without one always is.
+const QUICK: Duration = Duration::from_millis(100);
+/// How often it is looked whether a model is being read.
+const LOOK: Duration = Duration::from_millis(5);
+
+/// What is read.
+#[derive(Clone, Debug)]
+pub(crate) enum Source {
+    /// A scene or a model.
+    File(PathBuf),
+    /// A document that was left behind.
+    Recovery(RecoveryOffer),
+}
+
+impl Source {
+    /// What a person calls it.
+    fn name(&self) -> String {
+        match self {
+            Self::File(path) => path.display().to_string(),
+            Self::Recovery(offer) => offer.name().to_owned(),
+        }
+    }
+
+    fn load(self, progress: &mut dyn FnMut(&str)) -> Result<Document, IoError> {
+        match self {
+            Self::File(path) => Document::load_with_progress(Some(path), progress),
+            Self::Recovery(offer) => {
+                let scene = offer.document.load()?;
+                let Origin { file, folder, shipped, .. } = offer.document.origin;
+                let assets = if shipped { shipped_assets(&scene) } else { load_assets(&scene, &folder, progress) };
+                Ok(Document { scene, assets: Arc::new(assets?), path: file, folder, note: None })
+            }
+        }
+    }
+}
+
+/// A document that was read, or why it could not be.
+pub(crate) type Loaded = Result<Document, String>;
+
+/// How far a document that is being read has come.
+pub(crate) enum Progress {
+    /// It is being read.
+    GoesOn,
+    /// It is not wanted.
+    Cancelled,
+    /// It is there, or cannot be read.
+    Done(Box<Loaded>),
+}
+
+/// A document that is being read. Dropped, it is not wanted any more: what its thread comes to is heard by nobody.
+pub(crate) struct Loading {
+    /// What is read.
+    pub(crate) source: Source,
+    /// How the file was before it was read: what is written in between is found later then.
+    pub(crate) stamp: Option<FileStamp>,
+    stage: Arc<Mutex<String>>,
+    loaded: Receiver<Result<Document, IoError>>,
+}
+
+impl Loading {
+    /// Begins to read.
+    pub(crate) fn start(source: Source, ctx: &Context) -> Self {
+        let file = match &source {
+            Source::File(path) => Some(path),
+            Source::Recovery(offer) => offer.document.origin.file.as_ref().filter(|_| is_known(offer)),
+        };
+        let stamp = file.filter(|path| !is_model(path)).and_then(|path| FileStamp::of(path).ok());
+        let stage = Arc::new(Mutex::new(String::new()));
+        let (sender, loaded) = channel();
+        let (what, told, ctx) = (source.clone(), Arc::clone(&stage), ctx.clone());
+        std::thread::spawn(move || read(what, &told, &sender, &ctx));
+        Self { source, stamp, stage, loaded }
+    }
+
+    /// What has been read by now; what is quick is waited for. None while it is not there.
+    pub(crate) fn at_once(&self) -> Option<Loaded> {
+        let begun = Instant::now();
+        loop {
+            match self.loaded.recv_timeout(LOOK) {
+                Ok(loaded) => return Some(loaded.map_err(|error| error.to_string())),
+                Err(RecvTimeoutError::Timeout) if self.stage().is_empty() || begun.elapsed() < QUICK => {}
+                Err(_) => return self.take(),
+            }
+        }
+    }
+
+    /// What is being worked on; nothing before there is a model to be read.
+    fn stage(&self) -> String {
+        self.stage.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// What has been read; none while it is not there.
+    fn take(&self) -> Option<Loaded> {
+        match self.loaded.try_recv() {
+            Ok(loaded) => Some(loaded.map_err(|error| error.to_string())),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => {
+                Some(Err(format!("{}: reading it failed by a fault of this program", self.source.name())))
+            }
+        }
+    }
+
+    /// Shows what is being worked on, and a way out.
+    pub(crate) fn show(&self, ui: &mut Ui) -> Progress {
+        ui.set_width(460.0);
+        ui.heading("Opening");
+        ui.label(RichText::new(self.source.name()).weak());
+        ui.add_space(GRID);
+        let stage = self.stage();
+        ui.horizontal(|ui| {
+            ui.spinner();
+            ui.label(if stage.is_empty() { "reading" } else { &stage });
+        });
+        ui.add_space(GRID);
+        if ui.button("Cancel").clicked() {
+            return Progress::Cancelled;
+        }
+        self.take().map_or(Progress::GoesOn, |loaded| Progress::Done(Box::new(loaded)))
+    }
+}
+
+/// Whether what the file holds now is what the document grew from.
+pub(crate) fn is_known(offer: &RecoveryOffer) -> bool {
+    !offer.is_older && !offer.document.origin.doubtful
+}
+
+fn read(source: Source, stage: &Mutex<String>, sender: &Sender<Result<Document, IoError>>, ctx: &Context) {
+    let loaded = source.load(&mut |said| {
+        said.clone_into(&mut stage.lock().unwrap_or_else(PoisonError::into_inner));
+        ctx.request_repaint();
+    });
+    // Nobody may want it any more.
+    let _ = sender.send(loaded);
+    ctx.request_repaint();
+}
+
+/// What is said of a document that was opened from a file.
+pub(crate) fn opened(document: &Document, path: &Path) -> String {
+    document.note.clone().unwrap_or_else(|| format!("Opened {}", path.display()))
+}

@@ -347,6 +347,7 @@ fn a_journal_makes_a_motion_again_bit_for_bit() {
     // What came after the frame that is gone on from was never there; the edit is, from then on.
     ask(SimCommand::Show(0.5 * end));
     ask(SimCommand::Strike { body: 0, impulse: DVec3::new(1e-3, 0.0, 0.0) });
+    until(&worker, |_| worker.journal().frames() < 10);
     frames(2);
     ask(SimCommand::ReleaseAll);
     frames(1);

@@ -2,12 +2,13 @@
 
 use super::error::printable;
 use super::interruption::Interruption;
-use super::output::{self, Inputs};
+use super::output;
 use super::prepare::folder_of;
 use super::{CliError, Console, Outcome};
 use crate::io::{complete_assets, read_json};
 use crate::scene::{Assets, one_line};
 use crate::sim::{Journal, Report, Rerun, Runner};
+use crate::transfer::Inputs;
 use clap::Args;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;

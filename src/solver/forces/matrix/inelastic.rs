@@ -257,7 +257,8 @@ impl Force for Inelastic {
             force.add_forces(0.0, &probe, &mut forces);
             forces.iter().zip(&probe.masses).map(|(force, mass)| -*force / mass.sqrt()).collect()
         };
-        let damping_rate = greatest_eigenvalue(starting_vector(state.len()), damping).max(0.0);
+        let greatest = greatest_eigenvalue(starting_vector(state.len()), damping, &mut || false);
+        let damping_rate = greatest.unwrap_or_default().max(0.0);
         StepLimit { damping_rate, ..StepLimit::default() }
     }
 

@@ -10,11 +10,13 @@ mod asleep;
 mod checkpoint;
 mod eased;
 mod grips;
+mod probe;
 mod starts;
 mod totals;
 mod work;
 
 pub use checkpoint::Checkpoint;
+pub use probe::Probe;
 
 use eased::Eased;
 use grips::Grips;
@@ -24,7 +26,7 @@ use super::body::{Body, Divergence};
 use super::body_contact::{Allowance, add_body_contact};
 use super::collider::Collider;
 use super::forces::Gravity;
-use super::measure::{MeasureValue, Quantity};
+use super::measure::MeasureValue;
 use super::overlap::Overlap;
 use super::panel::Panel;
 use glam::DVec3;
@@ -39,28 +41,6 @@ pub(crate) struct StepPlan {
     pub outer_steps: u32,
     /// Steps of each body in an outer step.
     pub substeps: Vec<u32>,
-}
-
-/// A named measure of one body.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Probe {
-    /// Name in reports.
-    pub name: String,
-    /// Index of the body.
-    pub body: usize,
-    /// What is read.
-    pub(crate) quantity: Quantity,
-    /// Whether the greatest value over time is kept, of every step, so that it does not depend on the frame rate.
-    pub(crate) peak: bool,
-}
-
-impl Probe {
-    fn raise(&self, peak: &mut MeasureValue, body: &Body, time: f64) {
-        let value = self.quantity.read(body, time);
-        if value.magnitude() > peak.magnitude() {
-            *peak = value;
-        }
-    }
 }
 
 /// Bodies and panels at one time.
@@ -356,18 +336,6 @@ impl World {
             }
         }
         true
-    }
-
-    /// What each measure is to report: its present value, or the greatest one over time with its sign.
-    pub fn reported_measures(&self) -> Vec<MeasureValue> {
-        let chosen =
-            |((probe, now), &peak): ((&Probe, MeasureValue), &MeasureValue)| if probe.peak { peak } else { now };
-        self.probes.iter().zip(self.measures()).zip(&self.peaks).map(chosen).collect()
-    }
-
-    /// Present values of the measures.
-    pub fn measures(&self) -> Vec<MeasureValue> {
-        self.probes.iter().map(|probe| probe.quantity.read(&self.bodies[probe.body], self.time())).collect()
     }
 
     /// The first body that was stopped, if any.

@@ -2,6 +2,7 @@
 //! (weld, check, orient, fill). Knows nothing of scenes or physics.
 
 pub(crate) mod bvh;
+mod caps;
 pub(crate) mod closest;
 pub(crate) mod cluster;
 pub(crate) mod crossing;

@@ -32,6 +32,7 @@ pub(crate) mod ray;
 pub(crate) mod rig;
 pub(crate) mod row_index;
 pub(crate) mod scanline;
+pub(crate) mod section;
 pub(crate) mod sheets;
 pub(crate) mod solid;
 pub(crate) mod subdivide;

@@ -1,6 +1,7 @@
 //! A scene and a snapshot of its world become a draw list.
 
 use super::body_drawer::BodyDrawer;
+use super::cut_face::cut_face;
 use super::fibre::FibreShape;
 use super::list::{DrawList, Faces, Mesh, PickKind, SkinnedFaces, SurfaceStyle};
 use super::options::{Display, SkinStyle};
@@ -131,7 +132,9 @@ impl BodyDrawer<'_> {
             if let (Some((range, values)), Some(rig)) = (field, body.rig()) {
                 mesh.tints = colour_map::over(rig, values, range);
             }
+            let opened = if clear { None } else { cut_face(body, &mesh, self.spacing, field, list) };
             list.meshes.push(mesh);
+            list.meshes.extend(opened);
             has_skin = true;
         }
         for (index, fibre) in body.fibres.iter().enumerate() {

@@ -55,6 +55,13 @@ impl PartialEq for SkinnedFaces {
     }
 }
 
+impl SkinnedFaces {
+    /// Where its vertices are [m], about the list's origin.
+    pub(super) fn positions(&self) -> Vec<Vec3> {
+        self.rig.vertices.apply(&self.rig.points.apply(&self.particles))
+    }
+}
+
 /// What a mesh is made of; faces turn counter-clockwise seen from outside.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Faces {
@@ -77,8 +84,9 @@ impl Faces {
     pub fn worked_out(&self) -> (Cow<'_, [Vertex]>, Cow<'_, [u32]>) {
         match self {
             Self::Free(vertices, indices) => (Cow::Borrowed(vertices), Cow::Borrowed(indices)),
-            Self::Skinned(SkinnedFaces { rig, particles }) => {
-                let positions = rig.vertices.apply(&rig.points.apply(particles));
+            Self::Skinned(skinned) => {
+                let rig = &skinned.rig;
+                let positions = skinned.positions();
                 let normals = rig.normals(&positions);
                 let vertex = |(position, normal)| Vertex { position, normal };
                 (

@@ -9,6 +9,7 @@ mod bounds;
 mod build;
 mod colour;
 pub(crate) mod colour_map;
+mod cut_face;
 mod fibre;
 mod list;
 mod options;

@@ -1,4 +1,4 @@
-//! What a body is made of: material particles as balls, springs as lines; what a cut shows of a field.
+//! What a body is made of: material particles as balls, springs as lines.
 
 use super::body_drawer::{BodyDrawer, THROUGH};
 use super::list::{DrawList, Line, PickKind, Points, Size};
@@ -9,11 +9,6 @@ use glam::{DVec3, Vec3};
 
 /// Radius of material particles in particle spacings D: with room to look in between.
 const MATERIAL_RADIUS: f64 = 0.20;
-
-/// What is shown of a field inside a body that is cut open, in particle spacings: balls of this radius that touch each
-/// other, as far below the cut that there is a layer of them everywhere.
-const CUT_RADIUS: f64 = 0.5;
-const CUT_LAYER: f64 = 1.25;
 
 /// Springs [pixels].
 const SPRING_WIDTH: f32 = 1.5;
@@ -40,13 +35,6 @@ impl BodyDrawer<'_> {
             let tints = field.map_or_else(Vec::new, |(range, values)| colour_map::of(values, range));
             self.left_of(outer, MATERIAL_RADIUS, cool, tints, pick, list);
             self.left_of(inner, MATERIAL_RADIUS, self.theme.structure, Vec::new(), pick + outer.len() as u32, list);
-        } else if let (true, Some((range, values)), Some(slice)) = (has_skin, field, self.display.slice) {
-            // The field goes on inside: the particles next to the cut have its colours.
-            let pick = self.number(PickKind::Particle, body.particles.len(), list);
-            let near = |point: &DVec3| slice.height(*point) > -CUT_LAYER * self.spacing;
-            let layer: Vec<DVec3> =
-                body.particles.iter().map(|point| if near(point) { *point } else { DVec3::NAN }).collect();
-            self.left_of(&layer, CUT_RADIUS, self.theme.skin, colour_map::of(values, range), pick, list);
         }
     }
 

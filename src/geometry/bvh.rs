@@ -23,6 +23,8 @@ pub(crate) struct Node {
     count: u32,
     /// Index of the second child; the first follows its parent. Zero for a leaf.
     second: u32,
+    /// Index of the first node behind it that is not below it: where a walk goes on that does not enter it.
+    next: u32,
 }
 
 /// Triangles of a leaf.
@@ -32,6 +34,17 @@ impl Node {
     /// Whether it has no children.
     pub(crate) fn is_leaf(&self) -> bool {
         self.second == 0
+    }
+
+    /// Index of the first node behind it that is not below it: a walk through the nodes in order goes on there where it does
+    /// not enter this one.
+    pub(crate) fn next(&self) -> usize {
+        self.next as usize
+    }
+
+    /// Its triangles in the tree's order.
+    pub(crate) fn range(&self) -> Range<u32> {
+        self.first..self.first + self.count
     }
 
     fn overlaps(&self, other: &Self) -> bool {
@@ -64,7 +77,7 @@ impl Bvh {
             greatest = greatest.max(centers[*face as usize]);
         }
         let index = self.nodes.len();
-        self.nodes.push(Node { min, max, first: range.start as u32, count: range.len() as u32, second: 0 });
+        self.nodes.push(Node { min, max, first: range.start as u32, count: range.len() as u32, second: 0, next: 0 });
         if range.len() > LEAF {
             let spread = greatest - least;
             let axis = spread.max_position();
@@ -76,6 +89,7 @@ impl Bvh {
             let second = self.split(range.start + middle..range.end, centers, corners);
             self.nodes[index].second = second as u32;
         }
+        self.nodes[index].next = self.nodes.len() as u32;
         index
     }
 
@@ -91,26 +105,22 @@ impl Bvh {
 
     /// Triangles in a node.
     pub(crate) fn triangles(&self, index: usize) -> &[u32] {
-        let node = &self.nodes[index];
-        &self.order[node.first as usize..(node.first + node.count) as usize]
+        let Range { start, end } = self.nodes[index].range();
+        &self.order[start as usize..end as usize]
     }
 
     /// Calls `found` for every triangle in a leaf whose box, and all boxes above it, `enter` accepts.
     pub(crate) fn visit(&self, enter: impl Fn(&Node) -> bool, mut found: impl FnMut(u32)) {
-        let mut open = Vec::with_capacity(64);
-        if !self.nodes.is_empty() {
-            open.push(0);
-        }
-        while let Some(index) = open.pop() {
-            let node = &self.nodes[index];
+        let mut index = 0;
+        while let Some(node) = self.nodes.get(index) {
             if !enter(node) {
+                index = node.next();
                 continue;
             }
             if node.is_leaf() {
                 self.triangles(index).iter().for_each(|&face| found(face));
-            } else {
-                open.extend(self.children(index));
             }
+            index += 1;
         }
     }
 

@@ -7,13 +7,13 @@
 //! and elsewhere only the caps are, of which there are mostly few.
 
 use super::bvh::Bvh;
-use super::edges::{Edges, balance};
+use super::caps::caps;
 use super::row_index::RowIndex;
 use super::scanline::crossings;
-use super::winding::{Far, Winding, far_fields};
+use super::winding::Winding;
 use glam::DVec3;
 use rayon::prelude::*;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::f64::consts::PI;
 
 /// A surface with holes, and the caps that would close them.
@@ -23,9 +23,9 @@ pub(crate) struct OpenSurface {
     points: Vec<DVec3>,
     capped: Vec<[u32; 3]>,
     capped_index: RowIndex,
-    caps: Vec<[u32; 3]>,
     caps_bvh: Bvh,
-    caps_far: Vec<Far>,
+    /// How often the caps turn around a point.
+    caps_turn: Winding,
     /// Area of the caps in each node of their tree [m²].
     cap_areas: Vec<f64>,
     /// Least and greatest corner [m].
@@ -91,7 +91,7 @@ impl OpenSurface {
         let capped = [faces, &caps].concat();
         let capped_index = RowIndex::new(&points, &capped);
         let caps_bvh = Bvh::new(&points, &caps);
-        let caps_far = far_fields(&points, &caps, &caps_bvh);
+        let caps_turn = Winding::new(&points, &caps, &caps_bvh);
         let area = |&face: &u32| {
             let [a, b, c] = caps[face as usize].map(|i| points[i as usize]);
             0.5 * (b - a).cross(c - a).length()
@@ -106,7 +106,7 @@ impl OpenSurface {
             [corners().fold(DVec3::INFINITY, DVec3::min), corners().fold(DVec3::NEG_INFINITY, DVec3::max)]
         };
         let step = if capped.is_empty() { 1.0 } else { (bounds[1] - bounds[0]).length() / LOOKS };
-        Self { points, capped, capped_index, caps, caps_bvh, caps_far, cap_areas, bounds, step, known: HashMap::new() }
+        Self { points, capped, capped_index, caps_bvh, caps_turn, cap_areas, bounds, step, known: HashMap::new() }
     }
 
     /// Signed volume of the surface with its caps, about `origin` [m³].
@@ -170,7 +170,7 @@ impl OpenSurface {
             return;
         }
         // What the caps turn around a point is missing from what the surface does.
-        let holes = Winding::new(&self.points, &self.caps, &self.caps_bvh, &self.caps_far);
+        let holes = &self.caps_turn;
         let at = |x: f64| f64::from(depth) - holes.at(DVec3::new(x, y, z)) - 0.5;
         let about = |x: f64| f64::from(depth) - holes.about(DVec3::new(x, y, z)) - 0.5;
         let count = 3.0_f64.max(((to - from) / self.step).ceil());
@@ -211,11 +211,8 @@ impl OpenSurface {
     /// By how much the winding number on a stretch may differ from a whole one, at most: the share of the sky that the caps
     /// fill if they all face the row, at their nearest.
     fn holes_take(&self, [from, to]: [f64; 2], [y, z]: [f64; 2]) -> f64 {
-        let mut sum = 0.0;
-        let mut open = Vec::with_capacity(32);
-        open.extend((!self.caps.is_empty()).then_some(0));
-        while let Some(index) = open.pop() {
-            let node = &self.caps_bvh.nodes()[index];
+        let (mut sum, mut index) = (0.0, 0);
+        while let Some(node) = self.caps_bvh.nodes().get(index) {
             let away = |least: f64, greatest: f64, [from, to]: [f64; 2]| (least - to).max(from - greatest).max(0.0);
             let distance = DVec3::new(
                 away(node.min.x, node.max.x, [from, to]),
@@ -223,13 +220,15 @@ impl OpenSurface {
                 away(node.min.z, node.max.z, [z, z]),
             );
             let share = self.cap_areas[index] / (4.0 * PI * distance.length_squared());
-            if share < COARSE {
+            index = if share < COARSE {
                 sum += share;
-            } else if node.is_leaf() {
-                sum += share.min(TOUCHING * self.caps_bvh.triangles(index).len() as f64);
+                node.next()
             } else {
-                open.extend(self.caps_bvh.children(index));
-            }
+                if node.is_leaf() {
+                    sum += share.min(TOUCHING * node.range().len() as f64);
+                }
+                index + 1
+            };
             if sum >= DOUBT {
                 break;
             }
@@ -273,57 +272,6 @@ fn passes(at: &impl Fn(f64) -> f64, (mut a, mut fa): (f64, f64), (mut b, mut fb)
     b
 }
 
-/// Faces that close every hole, fans around the middles of the loops that its edges form; the middles are added to the
-/// points.
-fn caps(points: &mut Vec<DVec3>, faces: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    // The ends of the edges that are missing at each point: those that would run against the open ones.
-    let mut missing: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    let edges = Edges::new(faces);
-    let as_they_are = vec![false; faces.len()];
-    for edge in edges.unbalanced(&as_they_are) {
-        let balance = balance(edge, &as_they_are);
-        let [a, b] = edge[0].ends;
-        let [from, to] = if balance > 0 { [b, a] } else { [a, b] };
-        missing.entry(from).or_default().extend(std::iter::repeat_n(to, balance.unsigned_abs() as usize));
-    }
-    let starts: Vec<u32> = missing.keys().copied().collect();
-    let mut caps = Vec::new();
-    // The way so far, and where on it each point lies.
-    let (mut way, mut place_of): (Vec<u32>, BTreeMap<u32, usize>) = (Vec::new(), BTreeMap::new());
-    for start in starts {
-        way.push(start);
-        place_of.insert(start, 0);
-        // As many edges leave a point as arrive at it, so that every way comes back to a point that it went through.
-        while let Some(next) = way.last().and_then(|last| missing.get_mut(last)).and_then(Vec::pop) {
-            if let Some(&place) = place_of.get(&next) {
-                let ring: Vec<u32> = way.drain(place + 1..).collect();
-                for point in &ring {
-                    place_of.remove(point);
-                }
-                close(points, &[&[next], ring.as_slice()].concat(), &mut caps);
-            } else {
-                place_of.insert(next, way.len());
-                way.push(next);
-            }
-        }
-        way.clear();
-        place_of.clear();
-    }
-    caps
-}
-
-/// Adds a fan that closes a ring of edges.
-fn close(points: &mut Vec<DVec3>, ring: &[u32], caps: &mut Vec<[u32; 3]>) {
-    if ring.len() <= 3 {
-        // Two edges that run along each other leave no hole.
-        caps.extend(<[u32; 3]>::try_from(ring));
-        return;
-    }
-    let middle = points.len() as u32;
-    points.push(ring.iter().map(|&i| points[i as usize]).sum::<DVec3>() / ring.len() as f64);
-    caps.extend((0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()], middle]));
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -344,21 +292,11 @@ mod tests {
     }
 
     #[test]
-    fn caps_close_every_hole() {
-        let (mut points, faces) = with_holes();
-        let caps = caps(&mut points, &faces);
-        assert!(caps.len() > 8);
-        let all = [faces.as_slice(), &caps].concat();
-        assert_eq!(Edges::new(&all).unbalanced(&vec![false; all.len()]).count(), 0);
-    }
-
-    #[test]
     fn a_row_runs_inside_where_the_winding_number_is_above_one_half() {
         let (points, faces) = with_holes();
         let surface = OpenSurface::new(&points, &faces);
         let bvh = Bvh::new(&points, &faces);
-        let far = far_fields(&points, &faces, &bvh);
-        let winding = Winding::new(&points, &faces, &bvh, &far);
+        let winding = Winding::new(&points, &faces, &bvh);
         for k in 0..400_u32 {
             let (y, z) = (1.1 * f64::from(k % 20) / 10.0 - 1.07, 1.1 * f64::from(k / 20) / 10.0 - 1.03);
             let row = surface.row([y, z]).inside;

@@ -2,6 +2,7 @@
 //! (weld, check, orient, fill). Knows nothing of scenes or physics.
 
 pub(crate) mod bvh;
+mod caps;
 pub(crate) mod carve;
 pub(crate) mod clip;
 pub(crate) mod closest;
@@ -37,6 +38,7 @@ pub(crate) mod ray;
 pub(crate) mod rig;
 pub(crate) mod row_index;
 pub(crate) mod scanline;
+pub(crate) mod section;
 pub(crate) mod sheets;
 pub(crate) mod solid;
 pub(crate) mod subdivide;

@@ -9,18 +9,17 @@ use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// A surface with its far fields.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Winding<'a> {
-    points: &'a [DVec3],
-    faces: &'a [[u32; 3]],
-    bvh: &'a Bvh,
-    far: &'a [Far],
+/// Triangles with their far fields.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Winding {
+    nodes: Vec<Far>,
+    /// Corners of the triangles in the tree's order [m].
+    corners: Vec<[DVec3; 3]>,
 }
 
-/// What a group of triangles looks like from afar.
+/// What a group of triangles looks like from afar. Groups stand in the order of the tree's nodes, parents before children.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Far {
+struct Far {
     center: DVec3,
     /// Sum of the triangles' area vectors [m²].
     area: DVec3,
@@ -28,71 +27,94 @@ pub(crate) struct Far {
     moment: DMat3,
     /// Distance from the centre beyond which none of them reaches [m].
     radius: f64,
+    /// The first group behind this one that is no part of it.
+    next: u32,
+    /// Triangles of a leaf: the first, and how many; none of another group.
+    first: u32,
+    count: u32,
 }
 
 /// A group counts as far from this many radii on: the error falls with the cube.
 const FAR: f64 = 3.0;
 const ROUGHLY_FAR: f64 = 2.0;
 
-impl<'a> Winding<'a> {
-    /// Queries against triangles, the tree over them and the far fields of that.
-    pub(crate) fn new(points: &'a [DVec3], faces: &'a [[u32; 3]], bvh: &'a Bvh, far: &'a [Far]) -> Self {
-        Self { points, faces, bvh, far }
+impl Winding {
+    /// Far fields of the nodes of a tree over triangles.
+    pub(crate) fn new(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> Self {
+        let corners_of =
+            |node: usize| bvh.triangles(node).iter().map(|&face| faces[face as usize].map(|i| points[i as usize]));
+        let nodes = (0..bvh.nodes().len()).into_par_iter().map(|node| Far::new(&corners_of(node), bvh, node));
+        Self { nodes: nodes.collect(), corners: if faces.is_empty() { Vec::new() } else { corners_of(0).collect() } }
     }
 
     /// How often the surface turns around a point; positive when its faces turn outwards.
     pub(crate) fn at(&self, point: DVec3) -> f64 {
-        let mut sum = 0.0;
-        let mut open = Vec::with_capacity(64);
-        if !self.far.is_empty() {
-            open.push(0);
-        }
-        while let Some(index) = open.pop() {
-            let Far { center, area, moment, radius } = self.far[index];
-            let offset = center - point;
-            let squared = offset.length_squared();
-            if squared > (FAR * radius).powi(2) {
-                let trace = moment.x_axis.x + moment.y_axis.y + moment.z_axis.z;
-                let second = trace - 3.0 * offset.dot(moment * offset) / squared;
-                sum += (area.dot(offset) + second) / (squared * squared.sqrt());
-            } else if self.bvh.nodes()[index].is_leaf() {
-                for &face in self.bvh.triangles(index) {
-                    sum += solid_angle(self.faces[face as usize].map(|i| self.points[i as usize] - point));
-                }
-            } else {
-                open.extend(self.bvh.children(index));
-            }
-        }
-        sum / (4.0 * PI)
+        let mut near = 0.0;
+        let far = self.walk(point, FAR, |triangles| {
+            near += triangles.iter().map(|corners| solid_angle(corners.map(|p| p - point))).sum::<f64>();
+        });
+        (far + near) / (4.0 * PI)
     }
 
     /// [`Self::at`], several times as fast and off by some hundredths.
     pub(crate) fn about(&self, point: DVec3) -> f64 {
-        let mut sum = 0.0;
         let mut angle = Angle { re: 1.0, im: 0.0, turns: 0.0 };
-        let mut open = Vec::with_capacity(64);
-        if !self.far.is_empty() {
-            open.push(0);
-        }
-        while let Some(index) = open.pop() {
-            let Far { center, area, moment, radius } = &self.far[index];
+        let far = self.walk(point, ROUGHLY_FAR, |triangles| {
+            for corners in triangles {
+                let [volume, below] = half_angle(corners.map(|p| p - point));
+                angle.add(below, volume);
+            }
+            angle.normalize();
+        });
+        (far + 2.0 * angle.sum()) / (4.0 * PI)
+    }
+
+    /// Sum of the solid angles of groups that are so many radii away; `near` gets the triangles of the others.
+    #[inline]
+    fn walk(&self, point: DVec3, radii: f64, mut near: impl FnMut(&[[DVec3; 3]])) -> f64 {
+        let (mut sum, mut index) = (0.0, 0);
+        while let Some(Far { center, area, moment, radius, next, first, count }) = self.nodes.get(index) {
             let offset = *center - point;
             let squared = offset.length_squared();
-            if squared > (ROUGHLY_FAR * radius).powi(2) {
+            if squared > (radii * radius).powi(2) {
                 let trace = moment.x_axis.x + moment.y_axis.y + moment.z_axis.z;
-                let second = trace - 3.0 * offset.dot(*moment * offset) / squared;
-                sum += (area.dot(offset) + second) / (squared * squared.sqrt());
-            } else if self.bvh.nodes()[index].is_leaf() {
-                for &face in self.bvh.triangles(index) {
-                    let [volume, below] =
-                        half_angle(self.faces[face as usize].map(|i| self.points[i as usize] - point));
-                    angle.add(below, volume);
-                }
+                let over = squared.recip();
+                sum += (area.dot(offset) + trace - 3.0 * over * offset.dot(*moment * offset)) * over * over.sqrt();
+                index = *next as usize;
             } else {
-                open.extend(self.bvh.children(index));
+                if *count > 0 {
+                    near(&self.corners[*first as usize..(first + count) as usize]);
+                }
+                index += 1;
             }
         }
-        (sum + 2.0 * angle.sum()) / (4.0 * PI)
+        sum
+    }
+}
+
+impl Far {
+    /// The far field of a node's triangles. All are summed, at every level: a logarithm of additions a triangle, and no
+    /// error that grows from level to level.
+    fn new(triangles: &(impl Iterator<Item = [DVec3; 3]> + Clone), bvh: &Bvh, node: usize) -> Self {
+        let triangles = triangles.clone().map(|[a, b, c]| (0.5 * (b - a).cross(c - a), (a + b + c) / 3.0));
+        let (mut area, mut center, mut weight) = (DVec3::ZERO, DVec3::ZERO, 0.0);
+        for (vector, middle) in triangles.clone() {
+            let size = vector.length();
+            area += vector;
+            center += size * middle;
+            weight += size;
+        }
+        let bounds = &bvh.nodes()[node];
+        let center = if weight > 0.0 { center / weight } else { 0.5 * (bounds.min + bounds.max) };
+        let mut moment = DMat3::ZERO;
+        for (vector, middle) in triangles {
+            let arm = middle - center;
+            moment += DMat3::from_cols(arm * vector.x, arm * vector.y, arm * vector.z);
+        }
+        let radius = (center - bounds.min).max(bounds.max - center).length();
+        let range = if bounds.is_leaf() { bounds.range() } else { 0..0 };
+        let (first, count) = (range.start, range.end - range.start);
+        Self { center, area, moment, radius, next: bounds.next() as u32, first, count }
     }
 }
 
@@ -105,49 +127,27 @@ struct Angle {
 
 impl Angle {
     fn add(&mut self, re: f64, im: f64) {
+        if re == 0.0 && im == 0.0 {
+            return;
+        }
         let (was_left, is_left) = (self.im > 0.0, im > 0.0);
         let (product, turned) = (self.re * re - self.im * im, self.re * im + self.im * re);
         // Two angles to the same side come out on the other one where their sum is more than half a turn.
         if was_left == is_left && (turned > 0.0) != is_left {
             self.turns += if is_left { 1.0 } else { -1.0 };
         }
-        let size = product.abs() + turned.abs();
-        (self.re, self.im) = if size > 0.0 { (product / size, turned / size) } else { (1.0, 0.0) };
+        (self.re, self.im) = (product, turned);
+    }
+
+    /// Keeps the product of many from becoming too large or too small: to be called every few.
+    fn normalize(&mut self) {
+        let size = self.re.abs() + self.im.abs();
+        (self.re, self.im) = if size > 0.0 { (self.re / size, self.im / size) } else { (1.0, 0.0) };
     }
 
     fn sum(&self) -> f64 {
         self.im.atan2(self.re) + 2.0 * PI * self.turns
     }
-}
-
-/// The far fields of the nodes of a tree over triangles.
-pub(crate) fn far_fields(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> Vec<Far> {
-    (0..bvh.nodes().len()).into_par_iter().map(|node| far_field(points, faces, bvh, node)).collect()
-}
-
-/// The far field of a node's triangles. All are summed, at every level: a logarithm of additions a triangle, and no
-/// error that grows from level to level.
-fn far_field(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh, node: usize) -> Far {
-    let triangles = bvh.triangles(node).iter().map(|&face| {
-        let [a, b, c] = faces[face as usize].map(|i| points[i as usize]);
-        (0.5 * (b - a).cross(c - a), (a + b + c) / 3.0)
-    });
-    let (mut area, mut center, mut weight) = (DVec3::ZERO, DVec3::ZERO, 0.0);
-    for (vector, middle) in triangles.clone() {
-        let size = vector.length();
-        area += vector;
-        center += size * middle;
-        weight += size;
-    }
-    let bounds = &bvh.nodes()[node];
-    let center = if weight > 0.0 { center / weight } else { 0.5 * (bounds.min + bounds.max) };
-    let mut moment = DMat3::ZERO;
-    for (vector, middle) in triangles {
-        let arm = middle - center;
-        moment += DMat3::from_cols(arm * vector.x, arm * vector.y, arm * vector.z);
-    }
-    let radius = (center - bounds.min).max(bounds.max - center).length();
-    Far { center, area, moment, radius }
 }
 
 /// Signed solid angle of a triangle seen from the origin (Van Oosterom and Strackee 1983).
@@ -189,8 +189,7 @@ mod tests {
         // Open on one side.
         mesh.triangles.retain(|t| t.iter().any(|&i| mesh.positions[i as usize].y < 1.19));
         let bvh = Bvh::new(&mesh.positions, &mesh.triangles);
-        let far = far_fields(&mesh.positions, &mesh.triangles, &bvh);
-        let winding = Winding::new(&mesh.positions, &mesh.triangles, &bvh, &far);
+        let winding = Winding::new(&mesh.positions, &mesh.triangles, &bvh);
         for k in 0..200 {
             let t = f64::from(k);
             let point = DVec3::new((t * 0.37).sin(), 1.5 * (t * 0.73).cos(), (t * 1.1).sin()) + 0.2;

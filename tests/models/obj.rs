@@ -122,7 +122,7 @@ fn more(faces: &str, by: u32) -> String {
 #[test]
 fn a_refusal_names_the_line_and_its_text() {
     let folder = Folder::new();
-    let cases: [(&str, String, Right); 13] = [
+    let cases: [(&str, String, Right); 12] = [
         ("a comma", with_line(7, "v 2,0 2,0 2,0"), Refused(&["line 7", "`v 2,0 2,0 2,0`", "points and not commas"])),
         ("a word", with_line(7, "v 2 two 2"), Refused(&["line 7", "`two` is not a number"])),
         ("two coordinates", with_line(7, "v 2 2"), Refused(&["line 7", "three coordinates"])),
@@ -135,8 +135,9 @@ fn a_refusal_names_the_line_and_its_text() {
         ("corner 0", with_line(9, "f 0 1 2"), Refused(&["line 9", "from 1"])),
         ("no such vertex", with_line(9, "f 1 2 99"), Refused(&["line 9", "vertex 99", "8 are there"])),
         ("none so far back", with_line(9, "f 1 2 -9"), Refused(&["line 9", "vertex -9"])),
-        ("two corners", with_line(9, "f 1 2"), Refused(&["line 9", "three corners"])),
     ];
+    let edges = format!("{}f 1 2\nf 3\n", cube());
+    folder.check("edges", "a.obj", edges.as_bytes(), &Noted(8.0, &["2 faces have fewer than three", "line 15"]));
     for (case, text, right) in cases {
         folder.check(case, "a.obj", text.as_bytes(), &right);
         // Lines are counted whatever ends them.

@@ -154,6 +154,8 @@ struct Reader<'a> {
     material_name: String,
     textures: Vec<u32>,
     normals: Vec<u32>,
+    /// Lines of faces that have no three corners: how many, and the first.
+    too_few: Option<(usize, usize)>,
 }
 
 impl<'a> Reader<'a> {
@@ -172,6 +174,7 @@ impl<'a> Reader<'a> {
             material_name: String::new(),
             textures: Vec::new(),
             normals: Vec::new(),
+            too_few: None,
         }
     }
 
@@ -213,7 +216,10 @@ impl<'a> Reader<'a> {
             }
         }
         if self.corners.len() < 3 {
-            return Err(line.fail(format_args!("a face has three corners at least, not {}", self.corners.len())));
+            // Programs leave an edge here and there where they cut or merged faces: it is no surface.
+            let (count, first) = self.too_few.unwrap_or((0, line.number));
+            self.too_few = Some((count + 1, first));
+            return Ok(());
         }
         self.piece.add_face(&self.corners, self.vertices);
         let Self { corners, file, vertices, textures, normals, .. } = self;
@@ -288,6 +294,11 @@ impl<'a> Reader<'a> {
         self.file.colours = self.vertices.all_colours();
         self.model.file = Some(Arc::new(self.file));
         self.model.notes.extend(self.materials.notes.into_iter().map(note));
+        if let Some((count, line)) = self.too_few {
+            let faces = if count == 1 { "1 face has" } else { &format!("{count} faces have") };
+            let text = format!("{faces} fewer than three corners and no part in the surface, the first in line {line}");
+            self.model.notes.push(note(text));
+        }
         self.model
     }
 }

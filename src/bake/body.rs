@@ -33,6 +33,30 @@ const STICKING: f64 = 0.5;
 /// Net force below which a particle counts as at rest, in units of E D².
 const REST_FORCE: f64 = 2e-7;
 
+/// Neighbours of the particles, and how fibres hang on them.
+fn surroundings<'a>(
+    body: &Body,
+    sampling: &'a ParticleSampling<'_>,
+    kernel: Kernel,
+    path: &str,
+    progress: &mut Tell<'_>,
+) -> Result<(Arc<Neighbourhood>, Embedder<'a>), BakeError> {
+    let (name, sample, hollows) = (body.title(), &sampling.sample, &sampling.hollows);
+    let volume = body.material.spacing().powi(3);
+    let neighbourhood = unless_stopped(progress, (name, BakeStage::Neighbours), |stop| {
+        Neighbourhood::around(sample, kernel, volume, hollows, stop).transpose()
+    })?
+    .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
+    let around = unless_stopped(progress, (name, BakeStage::Embedding), |stop| {
+        Embedder::around(&sample.points, kernel, hollows.clone(), stop)
+    })?;
+    let embedder = match body.material.fibre_embedding {
+        FibreEmbedding::Compact => around,
+        FibreEmbedding::All => around.with_all_in_reach(),
+    };
+    Ok((Arc::new(neighbourhood), embedder))
+}
+
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
@@ -48,20 +72,7 @@ pub(super) fn draft(
     let volume = spacing.powi(3);
 
     let ParticleSampling { sample, volume: shape_volume, size, .. } = sampling;
-    let neighbourhood = unless_stopped(progress, (name, BakeStage::Neighbours), |stop| {
-        Neighbourhood::around(sample, kernel, volume, &sampling.hollows, stop).transpose()
-    })?
-    .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
-    let neighbourhood = Arc::new(neighbourhood);
-
-    let embedding = (name, BakeStage::Embedding);
-    let around = unless_stopped(progress, embedding, |stop| {
-        Embedder::around(&sample.points, kernel, sampling.hollows.clone(), stop)
-    })?;
-    let embedder = match material.fibre_embedding {
-        FibreEmbedding::Compact => around,
-        FibreEmbedding::All => around.with_all_in_reach(),
-    };
+    let (neighbourhood, embedder) = surroundings(body, sampling, kernel, path, progress)?;
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);

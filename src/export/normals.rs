@@ -56,7 +56,7 @@ impl Normals {
             if rest == DVec3::ZERO || now == DVec3::ZERO || rest == now {
                 return own;
             }
-            (DQuat::from_rotation_arc(rest, now) * own).normalize()
+            (DQuat::from_rotation_arc(rest, now) * own).normalize_or(own)
         };
         own.values.iter().zip(&self.rest).zip(now).map(turned).collect()
     }

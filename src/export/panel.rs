@@ -24,7 +24,9 @@ pub(super) fn panel_name<'a>(scene: &'a scene::Scene, panel: &'a Panel) -> &'a s
 /// A panel as it stands, called so.
 pub(super) fn panel_subject(panel: &Panel, name: &str, space: Space) -> BodySubject {
     let mut mesh = FileMesh { points: places(panel, space), ..FileMesh::default() };
-    PANEL_SIDES.iter().for_each(|side| mesh.add_face(side));
+    for side in &PANEL_SIDES {
+        mesh.add_face(side);
+    }
     BodySubject { name: name.to_owned(), mesh, ..BodySubject::default() }
 }
 
@@ -54,7 +56,9 @@ mod tests {
     fn all_sides_look_outwards() {
         let corner = |k: u32| DVec3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2));
         let mut mesh = FileMesh { points: (0..8).map(corner).collect(), ..FileMesh::default() };
-        PANEL_SIDES.iter().for_each(|side| mesh.add_face(side));
+        for side in &PANEL_SIDES {
+            mesh.add_face(side);
+        }
         for (side, normal) in PANEL_SIDES.iter().zip(face_normals(&mesh, &mesh.points)) {
             let middle = side.iter().map(|&k| corner(k)).sum::<DVec3>() / 4.0;
             assert!((normal / 2.0 - 2.0 * (middle - DVec3::splat(0.5))).length() < 1e-12, "{side:?} {normal}");

@@ -2,7 +2,7 @@
 
 use super::panel::{PANEL_SIDES, PANEL_VERTICES, panel_name};
 use crate::geometry::file_mesh::FileMesh;
-use crate::scene::{Assets, Scene};
+use crate::scene::{AnyBody, Assets, Scene};
 use crate::solver::world::World;
 
 /// How large a body is for other programs.
@@ -30,7 +30,7 @@ pub(crate) struct BodySize {
 pub(crate) fn sizes(scene: &Scene, assets: &Assets, world: &World) -> Vec<BodySize> {
     let each = world.bodies().iter().map(|body| {
         let parts = body.parts();
-        let model = scene.all_bodies().find(|of| of.id() == parts.id).and_then(|of| of.model());
+        let model = scene.all_bodies().find(|of| of.id() == parts.id).and_then(AnyBody::model);
         let file = model.and_then(|model| assets.solid(model)).and_then(|solid| solid.model.file.as_deref());
         let skin = parts.skin.as_ref().map(|skin| (skin.len(), skin.triangles().len()));
         let of_file = file.map(|mesh| (mesh.points.len(), mesh.counts.len()));

@@ -186,7 +186,7 @@ mod tests {
         for obstacle in &solids {
             let mut met = 0;
             for x in places() {
-                let from = 6.0 * x.normalize();
+                let from = 6.0 * x.normalize_or(DVec3::X);
                 let to = -from + 0.4 * DVec3::new(x.y, x.z, x.x);
                 let gap = |share: f64| obstacle.foot(from.lerp(to, share), 99.0, 99.0).expect("near").gap;
                 let least = (0..=2000).map(|k| gap(f64::from(k) / 2000.0)).fold(f64::INFINITY, f64::min);

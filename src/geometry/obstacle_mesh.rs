@@ -6,7 +6,7 @@ use super::model::Model;
 use super::model_report::Refusal;
 use super::solid::Solid;
 use super::weld::Welded;
-use super::winding::{Far, Winding, far_fields};
+use super::winding::Winding;
 use glam::DVec3;
 
 /// Where an obstacle is nearest to a point.
@@ -33,8 +33,8 @@ pub(crate) struct ObstacleMesh {
     points: Vec<DVec3>,
     faces: Vec<[u32; 3]>,
     bvh: Bvh,
-    /// Of a closed surface.
-    far: Option<Vec<Far>>,
+    /// How often a closed surface turns around a point.
+    turns: Option<Winding>,
 }
 
 /// A way through two triangles at their common edge meets one of them at least, by this share of their size.
@@ -67,18 +67,18 @@ impl ObstacleMesh {
 
     fn of(points: Vec<DVec3>, faces: Vec<[u32; 3]>, closed: bool) -> Self {
         let bvh = Bvh::new(&points, &faces);
-        let far = closed.then(|| far_fields(&points, &faces, &bvh));
-        Self { points, faces, bvh, far }
+        let turns = closed.then(|| Winding::new(&points, &faces, &bvh));
+        Self { points, faces, bvh, turns }
     }
 
     /// The same surface as a sheet that is touched from both sides.
     pub(crate) fn hollow(&self) -> Self {
-        Self { far: None, ..self.clone() }
+        Self { turns: None, ..self.clone() }
     }
 
     /// Whether it encloses something solid.
     pub(crate) fn is_solid(&self) -> bool {
-        self.far.is_some()
+        self.turns.is_some()
     }
 
     /// Different positions of its vertices [m].
@@ -104,8 +104,7 @@ impl ObstacleMesh {
     pub(crate) fn foot(&self, x: DVec3, reach: f64) -> Option<Foot> {
         let (face, at, squared) = self.nearest(x, reach * reach)?;
         let sheet_side = |n: DVec3| if n.dot(x - at) < 0.0 { -n } else { n };
-        let inside =
-            self.far.as_ref().is_some_and(|far| Winding::new(&self.points, &self.faces, &self.bvh, far).at(x) > 0.5);
+        let inside = self.turns.as_ref().is_some_and(|turns| turns.at(x) > 0.5);
         let distance = squared.sqrt();
         let sign = if inside { -1.0 } else { 1.0 };
         let size = at.abs().max_element().max(1e-3);

@@ -41,7 +41,7 @@ fn round(radius: f64, half: f64) -> Corners {
     let place = |face: &[u32; 3]| {
         let middle: f64 = face.iter().map(|&i| ball.positions[i as usize].y).sum();
         face.map(|i| {
-            let normal = ball.positions[i as usize].normalize();
+            let normal = ball.positions[i as usize].normalize_or(DVec3::Y);
             // What lies in the middle belongs to the half of its face: the cylinder is put in between.
             let side = if normal.y.abs() > 1e-9 { normal.y } else { middle };
             [radius * normal + DVec3::Y * half.copysign(side), normal]
@@ -49,7 +49,8 @@ fn round(radius: f64, half: f64) -> Corners {
     };
     let mut corners: Corners = ball.triangles.iter().flat_map(place).collect();
     if half > 0.0 {
-        let mut ring: Vec<DVec3> = ball.positions.iter().map(|x| x.normalize()).filter(|x| x.y.abs() <= 1e-9).collect();
+        let mut ring: Vec<DVec3> =
+            ball.positions.iter().map(|x| x.normalize_or(DVec3::Y)).filter(|x| x.y.abs() <= 1e-9).collect();
         ring.sort_by(|a, b| a.z.atan2(a.x).total_cmp(&b.z.atan2(b.x)));
         for (k, &a) in ring.iter().enumerate() {
             let b = ring[(k + 1) % ring.len()];
@@ -78,7 +79,9 @@ fn smooth(mesh: &ObstacleMesh) -> Corners {
     };
     let mut around = vec![Vec::new(); points.len()];
     for face in faces {
-        face.iter().for_each(|&i| around[i as usize].push(area(face)));
+        for &i in face {
+            around[i as usize].push(area(face));
+        }
     }
     let corners = faces.iter().flat_map(|face| {
         let own = area(face).normalize_or(DVec3::Y);

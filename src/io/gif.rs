@@ -165,7 +165,9 @@ mod tests {
         // A reader stops at the end that it meets.
         assert!(half.starts_with(&two));
         let mut whole = two.clone();
-        steps.iter().for_each(|(at, bytes)| put(&mut whole, *at, bytes));
+        for (at, bytes) in &steps {
+            put(&mut whole, *at, bytes);
+        }
         animated.push(&next).unwrap();
         assert_eq!(std::fs::read(&path).unwrap(), whole);
         assert!(animated.push(b"no picture").is_err());

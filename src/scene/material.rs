@@ -214,6 +214,7 @@ pub enum FibreEmbedding {
 }
 
 impl FibreEmbedding {
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
     fn is_compact(&self) -> bool {
         *self == Self::Compact
     }

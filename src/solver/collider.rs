@@ -41,12 +41,12 @@ pub struct Pose {
 
 impl Pose {
     /// A place in the world [m] in its own frame.
-    pub(crate) fn to_local(&self, x: DVec3) -> DVec3 {
+    pub(crate) fn to_local(self, x: DVec3) -> DVec3 {
         self.rotation.inverse() * (x - self.translation)
     }
 
     /// A place in its own frame [m] in the world.
-    pub(crate) fn to_world(&self, x: DVec3) -> DVec3 {
+    pub(crate) fn to_world(self, x: DVec3) -> DVec3 {
         self.translation + self.rotation * x
     }
 

@@ -22,16 +22,12 @@ pub(super) fn ask_lines(ui: &mut Ui, question: &mut LinesQuestion, cx: &Context)
         }
     }
     ui.set_width(480.0);
-    let (title, verb, tooltip) = match &question.into {
-        Some((_, body)) => (
-            format!("Import fibres into {body}"),
-            "Import",
-            "Reads the lines as fibres of the body; undo takes them out",
-        ),
-        None => {
-            let fibres = counted(question.fibres.len(), "fibre", "fibres");
-            (format!("Export {fibres}"), "Export", "Writes the vertices of the fibres as lines")
-        }
+    let (title, verb, tooltip) = if let Some((_, body)) = &question.into {
+        let tooltip = "Reads the lines as fibres of the body; undo takes them out";
+        (format!("Import fibres into {body}"), "Import", tooltip)
+    } else {
+        let fibres = counted(question.fibres.len(), "fibre", "fibres");
+        (format!("Export {fibres}"), "Export", "Writes the vertices of the fibres as lines")
     };
     ui.heading(title);
     ui.add_space(GRID);

@@ -104,7 +104,7 @@ fn files(ui: &mut Ui, format: &FormatPreview, cx: &Context) {
         ui.label(RichText::new(format.name.to_uppercase()).strong());
         let mut text = format.files.iter().take(FILES).cloned().collect::<Vec<_>>().join(", ");
         if format.files.len() > FILES {
-            text += &format!(" and {} more", format.files.len() - FILES);
+            text = format!("{text} and {} more", format.files.len() - FILES);
         }
         ui.label(text);
         if !format.left_out.is_empty() {

@@ -14,6 +14,7 @@ pub(crate) mod holes;
 pub(crate) mod inside;
 pub(crate) mod isosurface;
 pub(crate) mod kernel;
+pub(crate) mod lathe;
 pub(crate) mod lattice;
 pub(crate) mod linear_map;
 pub(crate) mod mesh;

@@ -63,7 +63,7 @@
 //! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, time, measures; data, constructors and
 //!   validation.
 //! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
-//!   fibre, as pure functions: [`edit::fibre_ops`].
+//!   fibre, as pure functions: [`edit::fibre_ops`]; to a whole body: [`edit::body_ops`].
 //! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of `solver::forces` and of
 //!   constraints, and any of the `solver::integrators` steps any body; what bodies and panels do to each other is the
 //!   world's (`solver::body_contact`, `solver::panel`). Knows no file, clock, thread start or window.

@@ -24,6 +24,7 @@ mod patterns;
 mod press;
 mod printed;
 mod rods;
+mod round;
 mod ship;
 mod shipped;
 mod stable_step;

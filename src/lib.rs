@@ -119,6 +119,7 @@
 //! | how its vertices ride on the particles | `export::carrier` |
 //! | a format that a motion is written in | `io::export` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
+//! | where a new body stands free, and how a body is moved in the window | `ui::bodies`, `ui::editing::body` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
 //!
 //! # Conventions

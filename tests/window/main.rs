@@ -3,10 +3,12 @@
 
 mod at_hand;
 mod autosave;
+mod bodies;
 mod commands;
 mod comparing;
 mod editing;
 mod fibres;
+mod first_scene;
 mod gallery;
 mod hashes;
 mod hurried;

@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::ui::autosave::{Loss, Question, Reply};
+use crate::ui::bodies::add_model;
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{self, Answer, Dialog, PathPurpose};
 use crate::ui::export;
@@ -18,6 +19,9 @@ impl App {
             (Answer::Do(action), _) => self.perform(ctx, action),
             (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Open, .. }) => {
                 self.leave(ctx, Next::Open(path));
+            }
+            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Add(layers), .. }) => {
+                add_model(&path, layers, &mut self.cx);
             }
             (Answer::Path(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => {
                 export::export_to(&mut self.cx, path);

@@ -1,4 +1,4 @@
-//! What is selected: fibres of the active body, and vertices of one of them while those are edited.
+//! What is selected: fibres of the active body, vertices of one of them while those are edited, a pin, or the body itself.
 
 /// Fibres by their identifiers, the last chosen at the end; vertices of that one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -6,6 +6,8 @@ pub(crate) struct Selection {
     fibres: Vec<String>,
     vertices: Option<Vec<usize>>,
     pin: Option<ChosenPin>,
+    /// Whether the active body is selected as a whole.
+    body: bool,
 }
 
 /// A pin, by what it is known by.
@@ -65,7 +67,17 @@ impl Selection {
         if self.fibres.len() == before {
             self.fibres.push(fibre.to_owned());
         }
-        (self.vertices, self.pin) = (None, None);
+        (self.vertices, self.pin, self.body) = (None, None, false);
+    }
+
+    /// Whether the active body is selected as a whole.
+    pub(crate) fn is_body(&self) -> bool {
+        self.body
+    }
+
+    /// Selects the active body as a whole, and nothing else.
+    pub(crate) fn choose_body(&mut self) {
+        *self = Self { body: true, ..Self::default() };
     }
 
     /// The pin that is chosen.

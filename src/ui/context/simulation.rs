@@ -89,6 +89,11 @@ impl Simulation {
         self.send_ghost(document);
     }
 
+    /// Hands over the models of the document, with those that came into it.
+    pub(crate) fn set_models(&self, document: &OpenDocument) {
+        self.worker.set_models(Arc::clone(&document.assets));
+    }
+
     /// Hands over another document, which begins anew.
     pub(crate) fn open(&mut self, document: &OpenDocument) {
         self.grabbed = None;

@@ -64,7 +64,7 @@
 //! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, colliders, time, measures; data, constructors and
 //!   validation.
 //! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
-//!   fibre, as pure functions: [`edit::fibre_ops`].
+//!   fibre, as pure functions: [`edit::fibre_ops`]; to a whole body: [`edit::body_ops`].
 //! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of `solver::forces` and of
 //!   constraints, and any of the `solver::integrators` steps any body; what bodies and panels do to each other is the
 //!   world's (`solver::body_contact`, `solver::panel`). Knows no file, clock, thread start or window.
@@ -136,6 +136,7 @@
 //! | what a series has in its columns | `sim::columns` |
 //! | values that no solid has | `bake::regime` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
+//! | where a new body stands free, and how a body is moved in the window | `ui::bodies`, `ui::editing::body` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
 //!
 //! # Conventions

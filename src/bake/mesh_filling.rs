@@ -6,18 +6,21 @@ use crate::geometry::fill::{FillError, FillProgress, FillResolution, fill_with_p
 use crate::geometry::placement::Filling;
 use crate::geometry::solid::Solid;
 use crate::geometry::two_layers::{FEW, two_layer_spacing};
-use crate::scene::{Body, MAX_PARTICLES, MeshShape};
+use crate::scene::{Body, MAX_PARTICLES};
 use glam::DVec3;
 use std::ops::ControlFlow;
 
-/// A body of a mesh, and where in the scene it stands.
+/// A body with the surface of a mesh, and where in the scene it stands.
 #[derive(Clone, Copy)]
 pub(super) struct Meshed<'a> {
     pub(super) body: &'a Body,
-    pub(super) shape: &'a MeshShape,
+    /// Number of particles that is wanted; as many as the material's spacing gives unless one is.
+    pub(super) particles: Option<u32>,
     pub(super) solid: &'a Solid,
     /// Pointer to the body.
     pub(super) path: &'a str,
+    /// Pointer from the body to what is wrong where it cannot be filled.
+    pub(super) blamed: &'a str,
 }
 
 impl Meshed<'_> {
@@ -33,10 +36,10 @@ impl Meshed<'_> {
 
     /// Fills it; `progress` hears how far that has come.
     pub(super) fn filled(self, notes: &mut Vec<Note>, progress: &mut FillProgress<'_>) -> Result<Filling, BakeError> {
-        let Self { body, shape, solid, path } = self;
+        let Self { body, particles, solid, path, blamed } = self;
         let spacing = body.material.spacing();
         let reach = body.material.spacing_ratio.recip();
-        let fineness = shape.particles.map_or(FillResolution::Spacing(spacing), FillResolution::Particles);
+        let fineness = particles.map_or(FillResolution::Spacing(spacing), FillResolution::Particles);
         let filling =
             fill_with_progress(solid, fineness, reach, MAX_PARTICLES, progress).map_err(|error| match error {
                 FillError::Cancelled => BakeError::Cancelled,
@@ -47,14 +50,14 @@ impl Meshed<'_> {
                         what: "lattice points would be needed",
                         wanted,
                         limit,
-                        suggested: match shape.particles {
+                        suggested: match particles {
                             Some(count) => format!("{:.0} particles or fewer", f64::from(count) / (1.03 * share)),
                             None => format!("{:.2e} m or more", reach * 1.01 * spacing * share.cbrt()),
                         },
                     }
                 }
                 FillError::TooFarApart { .. } => {
-                    BakeError::MeshTooWide { path: format!("{path}/shape/mesh/path"), source: error }
+                    BakeError::MeshTooWide { path: format!("{path}/{blamed}"), source: error }
                 }
                 FillError::TooThin { flat, total, suggested, .. } => {
                     let remedy = suggested.map_or_else(
@@ -70,32 +73,32 @@ impl Meshed<'_> {
 
     /// Pointer to what decides how finely it is filled.
     fn fineness_path(self) -> String {
-        let field = if self.shape.particles.is_some() { "shape/mesh/particles" } else { "material/support_radius" };
+        let field = if self.particles.is_some() { "shape/mesh/particles" } else { "material/support_radius" };
         format!("{}/{field}", self.path)
     }
 
     /// What that has to be for a spacing [m].
     fn fineness_at(self, spacing: f64) -> String {
-        match self.shape.particles {
+        match self.particles {
             Some(_) => format!("about {} particles", self.solid.particles_at(spacing)),
             None => format!("a support radius of {:.3e} m", spacing / self.body.material.spacing_ratio),
         }
     }
 
     fn two_layers(self, spacing: f64) -> String {
-        let give = if self.shape.particles.is_some() { "give" } else { "gives" };
+        let give = if self.particles.is_some() { "give" } else { "gives" };
         format!("{} {give} two layers", self.fineness_at(spacing))
     }
 
     fn note(self, filling: &Filling, notes: &mut Vec<Note>, progress: &mut FillProgress<'_>) -> Result<(), BakeError> {
-        let Self { body, shape, solid, path } = self;
+        let Self { body, particles, solid, path, blamed } = self;
         let mut note = |path: String, warning: bool, text: String| notes.push(Note { path, text, warning });
         let reach = body.material.spacing_ratio.recip();
         let spacing = filling.sample.spacing;
         let radius = spacing * reach;
         let change = radius / body.material.support_radius - 1.0;
         let total = filling.sample.points.len();
-        if shape.particles.is_some() {
+        if particles.is_some() {
             note(self.fineness_path(), false, format!("{total} particles at a support radius of {radius:.6} m"));
         } else if change != 0.0 {
             let percent = 100.0 * change;
@@ -105,7 +108,7 @@ impl Meshed<'_> {
         }
         if filling.pruned > 0 {
             let text = format!("{} lattice points at tips too fine to hold them were left out", filling.pruned);
-            note(format!("{path}/shape/mesh"), false, text);
+            note(format!("{path}/{}", blamed.trim_end_matches("/path")), false, text);
         }
         let thin = &filling.thinness;
         if Self::is_thin(filling) {

@@ -6,10 +6,12 @@ use super::note::Note;
 use super::stage::{BakeStage, Tell};
 use super::voids::Hollowing;
 use crate::geometry::clip::DrawnSurface;
+use crate::geometry::fill::FillProgress;
 use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box_unless};
 use crate::geometry::mesh::box_surface;
+use crate::geometry::model::{MeshData, Model};
 use crate::geometry::solid::Solid;
 use crate::scene::{Assets, Body, BoxShape, Rotation, Shape};
 use crate::solver::skin::{Skin, SkinShape};
@@ -36,7 +38,7 @@ pub(super) struct ParticleSampling<'a> {
 
 enum Source<'a> {
     Box(Cuboid),
-    Mesh(&'a Solid),
+    Mesh(Cow<'a, Solid>),
 }
 
 impl Source<'_> {
@@ -73,7 +75,8 @@ pub(super) fn sample_particles<'a>(
             }));
             let mut told =
                 |done, of| if filled(done, of).is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
-            let mut filling = Meshed { body, shape, solid, path }.filled(notes, &mut told)?;
+            let meshed = Meshed { body, particles: shape.particles, solid, path, blamed: "shape/mesh/path" };
+            let mut filling = meshed.filled(notes, &mut told)?;
             ParticleSampling {
                 thin: Meshed::thin_places(&mut filling),
                 whole: filling.sample.points.len(),
@@ -81,8 +84,13 @@ pub(super) fn sample_particles<'a>(
                 sample: filling.sample,
                 volume: solid.volume,
                 size: solid.size(),
-                source: Source::Mesh(solid),
+                source: Source::Mesh(Cow::Borrowed(solid)),
             }
+        }
+        round => {
+            let mut told =
+                |done, of| if filled(done, of).is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+            fill_round_shape(body, round, path, notes, &mut told)?
         }
     };
     filled(1, 1)?;
@@ -110,6 +118,31 @@ fn fill_box_shape<'a>(
     let whole = sample.points.len();
     let (thin, hollows, source) = (Vec::new(), Hollows::default(), Source::Box(solid));
     Ok(ParticleSampling { sample, whole, hollows, volume, size, thin, source })
+}
+
+fn fill_round_shape<'a>(
+    body: &Body,
+    shape: &Shape,
+    path: &str,
+    notes: &mut Vec<Note>,
+    told: &mut FillProgress<'_>,
+) -> Result<ParticleSampling<'a>, BakeError> {
+    let spacing = body.material.spacing();
+    let empty = || BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing };
+    let surface = shape.round_surface(spacing).ok_or_else(empty)?;
+    let mut model = Model::default();
+    model.add(MeshData { positions: surface.positions, triangles: surface.triangles, ..MeshData::default() });
+    let solid = Solid::new(&model).map_err(|_| empty())?;
+    let mut filling = Meshed { body, particles: None, solid: &solid, path, blamed: "shape" }.filled(notes, told)?;
+    Ok(ParticleSampling {
+        thin: Meshed::thin_places(&mut filling),
+        whole: filling.sample.points.len(),
+        hollows: Hollows::default(),
+        sample: filling.sample,
+        volume: shape.volume().unwrap_or(solid.volume),
+        size: solid.size(),
+        source: Source::Mesh(Cow::Owned(solid)),
+    })
 }
 
 fn lattice_axes(rotation: &Rotation) -> DMat3 {

@@ -155,10 +155,10 @@ pub(super) fn walls(scene: &Scene, list: &mut DrawList) {
 
 /// The strokes of a body's fibres, as drawn, through the middle of the body at rest.
 pub(super) fn strokes(body: &Body, list: &mut DrawList) {
-    // A mesh is drawn into about its own origin; a box, wherever its middle is.
+    // What has its middle at the origin is drawn into about that; a box, wherever its middle is.
     let center = match &body.shape {
         Shape::Box(shape) => DVec3::from_array(shape.center),
-        Shape::Mesh(_) => DVec3::ZERO,
+        _ => DVec3::ZERO,
     };
     let turn = &body.placement.rotation;
     let axis = DVec3::from_array(turn.axis).normalize_or(DVec3::Y);

@@ -1,13 +1,34 @@
 //! What each command does to a scene.
 
 use super::{Command, Item};
-use crate::scene::{AnyBodyMut, Body, Fibre, MeasureKind, Scene, TwoLayer};
+use crate::scene::{AnyBodyMut, Body, Fibre, MeasureKind, OwnedBody, Scene, TwoLayer};
 
 impl Command {
     /// Changes `scene`. What is missing is said; the scene may be changed in part then and is not to be used.
     pub(super) fn apply(&self, scene: &mut Scene) -> Result<(), String> {
         match self {
             Self::Many { commands, .. } => commands.iter().try_for_each(|command| command.apply(scene))?,
+            Self::AddBody(body) => {
+                let id = body.view().id();
+                if scene.find_body(id).is_some() {
+                    return Err(format!("there is a body \"{id}\" already"));
+                }
+                match body {
+                    OwnedBody::Solid(body) => scene.bodies.push((**body).clone()),
+                    OwnedBody::TwoLayer(body) => scene.two_layer.push((**body).clone()),
+                }
+            }
+            Self::SetBody { body: OwnedBody::Solid(body), .. } => *body_of(scene, &body.id)? = (**body).clone(),
+            Self::SetBody { body: OwnedBody::TwoLayer(body), .. } => *two_layer_of(scene, &body.id)? = (**body).clone(),
+            Self::RemoveBody { body } => {
+                any_body_of(scene, body)?;
+                scene.bodies.retain(|old| old.id != *body);
+                scene.two_layer.retain(|old| old.id != *body);
+                scene.measures.retain(|measure| measure.body != *body);
+            }
+            Self::SetPlacement { body, placement } => {
+                any_body_of(scene, body)?.placement_mut().clone_from(placement);
+            }
             Self::AddFibre { body, fibre } => {
                 let fibres = &mut body_of(scene, body)?.fibres;
                 if fibres.iter().any(|old| old.id == fibre.id) {
@@ -49,10 +70,7 @@ impl Command {
                 body.regions_mut().clone_from(regions);
                 body.pins_mut().clone_from(pins);
             }
-            Self::SetTwoLayer(body) => {
-                let old = scene.two_layer.iter_mut().find(|old| old.id == body.id);
-                *old.ok_or_else(|| format!("there is no two-layer body \"{}\"", body.id))? = (**body).clone();
-            }
+            Self::SetTwoLayer(body) => *two_layer_of(scene, &body.id)? = (**body).clone(),
             Self::SetTime(time) => scene.time = time.clone(),
             Self::SetGravity(gravity) => scene.gravity = *gravity,
             Self::SetRoom(room) => scene.room = room.clone(),
@@ -101,6 +119,11 @@ fn any_body_of<'a>(scene: &'a mut Scene, id: &str) -> Result<AnyBodyMut<'a>, Str
 
 fn body_of<'a>(scene: &'a mut Scene, id: &str) -> Result<&'a mut Body, String> {
     scene.bodies.iter_mut().find(|body| body.id == id).ok_or_else(|| no_body(id))
+}
+
+fn two_layer_of<'a>(scene: &'a mut Scene, id: &str) -> Result<&'a mut TwoLayer, String> {
+    let body = scene.two_layer.iter_mut().find(|body| body.id == id);
+    body.ok_or_else(|| format!("there is no two-layer body \"{id}\""))
 }
 
 fn fibre_of<'a>(scene: &'a mut Scene, body: &str, id: &str) -> Result<&'a mut Fibre, String> {

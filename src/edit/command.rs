@@ -1,7 +1,8 @@
 //! Changes of the document.
 
 use crate::scene::{
-    Collider, Dab, Fibre, IntegratorChoice, Material, Panel, Pin, Region, RegionMaterial, Room, Time, TwoLayer, Void,
+    Collider, Dab, Fibre, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement, Region, RegionMaterial, Room,
+    Time, TwoLayer, Void,
 };
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
@@ -14,6 +15,27 @@ pub enum Command {
         name: String,
         /// The changes.
         commands: Vec<Command>,
+    },
+    /// Adds a body of either kind; its identifier must be new among bodies of both.
+    AddBody(OwnedBody),
+    /// Puts a body in the place of the one of its kind with the same identifier, called by what was done, such as "Scale".
+    SetBody {
+        /// What undo and redo call it, before the body's name.
+        verb: String,
+        /// The body as it is to be.
+        body: OwnedBody,
+    },
+    /// Takes a body of either kind away, with the measures that read it.
+    RemoveBody {
+        /// Its identifier.
+        body: String,
+    },
+    /// Puts a body of either kind somewhere else at the start.
+    SetPlacement {
+        /// Identifier of the body.
+        body: String,
+        /// Where it stands.
+        placement: Placement,
     },
     /// Adds a fibre to a body.
     AddFibre {
@@ -156,6 +178,10 @@ impl Command {
     pub fn name(&self) -> String {
         match self {
             Self::Many { name, .. } => name.clone(),
+            Self::AddBody(body) => format!("Add {}", body.view().title()),
+            Self::SetBody { verb, body } => format!("{verb} {}", body.view().title()),
+            Self::RemoveBody { .. } => "Delete body".to_owned(),
+            Self::SetPlacement { .. } => "Place body".to_owned(),
             Self::AddFibre { fibre, .. } => format!("Add {}", fibre.title()),
             Self::SetFibre { fibre, .. } => format!("Change {}", fibre.title()),
             Self::RemoveFibre { .. } => "Delete fibre".to_owned(),

@@ -2,9 +2,10 @@
 //!
 //! A change is a [`Command`]; what it leaves behind is a whole scene, shared where it is the same. A scene that does
 //! not validate never becomes the document. What a command is to put there comes from pure functions: of fibres,
-//! those of [`fibre_ops`].
+//! those of [`fibre_ops`], and of bodies those of [`body_ops`].
 
 mod apply;
+pub mod body_ops;
 mod command;
 pub mod fibre_ops;
 mod history;

@@ -18,6 +18,7 @@ pub(crate) mod hollows;
 pub(crate) mod inside;
 pub(crate) mod isosurface;
 pub(crate) mod kernel;
+pub(crate) mod lathe;
 pub(crate) mod lattice;
 pub(crate) mod linear_map;
 pub(crate) mod mesh;

@@ -26,6 +26,45 @@ pub enum AnyBodyMut<'a> {
     TwoLayer(&'a mut TwoLayer),
 }
 
+/// A body of either kind by itself.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OwnedBody {
+    /// A fibre solid.
+    Solid(Box<Body>),
+    /// A two-layer body.
+    TwoLayer(Box<TwoLayer>),
+}
+
+impl OwnedBody {
+    /// As one that is looked at.
+    pub fn view(&self) -> AnyBody<'_> {
+        match self {
+            Self::Solid(body) => AnyBody::Solid(body),
+            Self::TwoLayer(body) => AnyBody::TwoLayer(body),
+        }
+    }
+
+    /// As one to be changed.
+    pub fn view_mut(&mut self) -> AnyBodyMut<'_> {
+        match self {
+            Self::Solid(body) => AnyBodyMut::Solid(body),
+            Self::TwoLayer(body) => AnyBodyMut::TwoLayer(body),
+        }
+    }
+}
+
+impl From<Body> for OwnedBody {
+    fn from(body: Body) -> Self {
+        Self::Solid(Box::new(body))
+    }
+}
+
+impl From<TwoLayer> for OwnedBody {
+    fn from(body: TwoLayer) -> Self {
+        Self::TwoLayer(Box::new(body))
+    }
+}
+
 /// What both kinds have under the same name.
 macro_rules! either {
     ($this:expr, $body:ident => $value:expr) => {
@@ -106,6 +145,14 @@ impl<'a> AnyBody<'a> {
         }
     }
 
+    /// A copy of it.
+    pub fn owned(self) -> OwnedBody {
+        match self {
+            Self::Solid(body) => body.clone().into(),
+            Self::TwoLayer(body) => body.clone().into(),
+        }
+    }
+
     /// The fibre solid, if it is one.
     pub fn solid(self) -> Option<&'a Body> {
         if let Self::Solid(body) = self { Some(body) } else { None }
@@ -126,6 +173,31 @@ impl<'a> AnyBodyMut<'a> {
     /// Whether it is left out of what is seen.
     pub fn hidden_mut(&mut self) -> &mut bool {
         either!(self, body => &mut body.hidden)
+    }
+
+    /// Stable identifier.
+    pub fn id_mut(&mut self) -> &mut String {
+        either!(self, body => &mut body.id)
+    }
+
+    /// Name a person reads.
+    pub fn name_mut(&mut self) -> &mut String {
+        either!(self, body => &mut body.name)
+    }
+
+    /// Where the model frame stands in the world.
+    pub fn placement_mut(&mut self) -> &mut Placement {
+        either!(self, body => &mut body.placement)
+    }
+
+    /// Impulses given to regions at the start.
+    pub fn impulses_mut(&mut self) -> &mut Vec<Impulse> {
+        either!(self, body => &mut body.impulses)
+    }
+
+    /// Numbers that change in time, for several of its parts to follow.
+    pub fn drives_mut(&mut self) -> &mut Vec<SharedDrive> {
+        either!(self, body => &mut body.drives)
     }
 
     /// Colour in which it is drawn.
@@ -149,7 +221,7 @@ impl<'a> AnyBodyMut<'a> {
     }
 
     /// The paths of the models that its shape and its voids name.
-    fn into_model_paths(self) -> Vec<&'a mut String> {
+    pub(crate) fn into_model_paths(self) -> Vec<&'a mut String> {
         match self {
             Self::Solid(Body { shape, voids, .. }) => {
                 let own = if let Shape::Mesh(shape) = shape { Some(&mut shape.path) } else { None };

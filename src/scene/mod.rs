@@ -29,6 +29,7 @@ mod pin;
 mod region;
 mod region_material;
 mod room;
+mod round_shape;
 mod shape;
 mod start;
 mod time;
@@ -38,7 +39,7 @@ mod void;
 mod wind;
 
 pub use activation::{Activation, Curl, MusclePull, TwistRate};
-pub use any_body::{AnyBody, AnyBodyMut};
+pub use any_body::{AnyBody, AnyBodyMut, OwnedBody};
 pub use assets::{Assets, ModelFile};
 pub use axis::{Axis, Side};
 pub use body::{Body, BodyKind};
@@ -67,6 +68,7 @@ pub use pin::{Distance, DrivenMotion, DrivenTurn, Easing, Keyframe, Motion, Pin,
 pub use region::{Region, Selector};
 pub use region_material::RegionMaterial;
 pub use room::{Room, Sticking};
+pub use round_shape::{BallShape, CapsuleShape, CylinderShape, TorusShape};
 pub use shape::{BoxShape, MeshShape, Placement, Rotation, Shape};
 pub use start::{Impulse, Initial};
 pub use time::{Automatic, Manual, Time, TimeStep};

@@ -1,6 +1,7 @@
 //! Rest shapes of fibre solids, and where a body stands.
 
-use super::{Axis, Extra};
+use super::{Axis, BallShape, CapsuleShape, CylinderShape, Extra, TorusShape};
+use crate::geometry::mesh::TriangleMesh;
 use glam::{DQuat, DVec3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -11,19 +12,71 @@ use serde::{Deserialize, Serialize};
 pub enum Shape {
     /// A box.
     Box(BoxShape),
+    /// A ball.
+    Ball(BallShape),
+    /// A cylinder.
+    Cylinder(CylinderShape),
+    /// A cylinder with round ends.
+    Capsule(CapsuleShape),
+    /// A ring.
+    Torus(TorusShape),
     /// A closed mesh from a file.
     Mesh(MeshShape),
 }
 
-impl From<BoxShape> for Shape {
-    fn from(shape: BoxShape) -> Self {
-        Self::Box(shape)
-    }
+macro_rules! shapes {
+    ($($kind:ident $shape:ty;)*) => {
+        $(impl From<$shape> for Shape {
+            fn from(shape: $shape) -> Self {
+                Self::$kind(shape)
+            }
+        })*
+    };
 }
 
-impl From<MeshShape> for Shape {
-    fn from(shape: MeshShape) -> Self {
-        Self::Mesh(shape)
+shapes! {
+    Box BoxShape;
+    Ball BallShape;
+    Cylinder CylinderShape;
+    Capsule CapsuleShape;
+    Torus TorusShape;
+    Mesh MeshShape;
+}
+
+impl Shape {
+    /// The surface of a round shape in faces of about `edge` [m]; none of a box, nor of a mesh, which has its own.
+    pub(crate) fn round_surface(&self, edge: f64) -> Option<TriangleMesh> {
+        match self {
+            Self::Box(_) | Self::Mesh(_) => None,
+            Self::Ball(shape) => Some(shape.surface(edge)),
+            Self::Cylinder(shape) => Some(shape.surface(edge)),
+            Self::Capsule(shape) => Some(shape.surface(edge)),
+            Self::Torus(shape) => Some(shape.surface(edge)),
+        }
+    }
+
+    /// Full extents along the axes of the model frame [m]; none of a mesh, which the document does not hold.
+    pub fn size(&self) -> Option<[f64; 3]> {
+        match self {
+            Self::Box(shape) => Some(shape.size),
+            Self::Ball(shape) => Some(shape.size()),
+            Self::Cylinder(shape) => Some(shape.size()),
+            Self::Capsule(shape) => Some(shape.size()),
+            Self::Torus(shape) => Some(shape.size()),
+            Self::Mesh(_) => None,
+        }
+    }
+
+    /// Volume [m³]; none of a mesh.
+    pub fn volume(&self) -> Option<f64> {
+        match self {
+            Self::Box(shape) => Some(shape.size.iter().product()),
+            Self::Ball(shape) => Some(shape.volume()),
+            Self::Cylinder(shape) => Some(shape.volume()),
+            Self::Capsule(shape) => Some(shape.volume()),
+            Self::Torus(shape) => Some(shape.volume()),
+            Self::Mesh(_) => None,
+        }
     }
 }
 

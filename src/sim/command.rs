@@ -21,8 +21,6 @@ pub enum SimCommand {
     Speed(f64),
     /// The document has changed: put it together again and go on from the present motion.
     Edit(Arc<Scene>),
-    /// The models that the document names from its next edit on.
-    Models(Arc<Assets>),
     /// Another document and its models: put it together and start anew.
     Open(Arc<Scene>, Arc<Assets>),
     /// Take hold of a point of a body and pull it to another place.

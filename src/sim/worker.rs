@@ -10,6 +10,7 @@ mod effect;
 mod ghost;
 mod grabs;
 mod live;
+mod models;
 mod motion;
 mod playback;
 mod queue;
@@ -31,6 +32,7 @@ use super::command::SimCommand;
 use super::journal::Journal;
 use super::status::Published;
 use crate::scene::{Assets, Scene};
+use models::NewestModels;
 use queue::{CommandSender, command_queue};
 use shared::{Outlet, Shared};
 use sim_thread::SimThread;
@@ -42,6 +44,7 @@ use std::thread::JoinHandle;
 pub struct Worker {
     commands: Option<CommandSender>,
     shared: Shared,
+    models: NewestModels,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -50,22 +53,33 @@ impl Worker {
     pub fn start(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, notify: impl Fn() + Send + 'static) -> Self {
         let (commands, receiver) = command_queue();
         let shared = Shared::default();
+        let models = NewestModels::default();
+        let newest = models.clone();
         let outlet = Outlet::new(shared.clone(), notify);
         let thread = std::thread::Builder::new()
             .name("solver".into())
             .spawn(move || {
                 let simulation = Simulation::new(scene, assets, playing, outlet, receiver.stop());
-                SimThread::new(simulation, receiver).run();
+                SimThread::new(simulation.with_models(newest), receiver).run();
             })
             .ok();
-        Self { commands: Some(commands), shared, thread }
+        Self { commands: Some(commands), shared, models, thread }
     }
 
     /// Asks for something, which is done in the order in which it was asked for, as soon as the frame is finished that
     /// is being computed. What a later request makes pointless may be left out: of a drag, of settings and of documents
     /// that follow each other only the newest counts. False if the thread is gone.
     pub fn send(&self, command: SimCommand) -> bool {
+        if matches!(command, SimCommand::Open(..)) {
+            self.models.set(None);
+        }
         self.commands.as_ref().is_some_and(|commands| commands.send(command))
+    }
+
+    /// Hands over the models of the document, with those that came into it since it was opened: edits that follow may name
+    /// them.
+    pub fn set_models(&self, models: Arc<Assets>) {
+        self.models.set(Some(models));
     }
 
     /// Ends the putting together of a scene, if one is being put together just now: what was there before goes on, and

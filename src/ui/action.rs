@@ -63,6 +63,7 @@ macro_rules! actions {
 
 actions! {
     New in File [ctrl(Key::N)] "New from the soft bar": "Starts over with the built-in scene";
+    NewEmpty in File [ctrl_shift(Key::N)] "New, empty": "Starts over with a floor and nothing on it";
     Open in File [ctrl(Key::O)] "Open…": "Opens a scene or a model; dropping one on the window does the same";
     Examples in File [ctrl(Key::E)] "Examples…":
         "Shows every scene that ships, with a picture and what to look at";
@@ -82,13 +83,23 @@ actions! {
     Quit in File [ctrl(Key::Q)] "Quit": "Closes the window";
     Undo in Edit [ctrl(Key::Z)] "Undo": "Takes the last change of the scene back";
     Redo in Edit [ctrl_shift(Key::Z), ctrl(Key::Y)] "Redo": "Makes the change that was taken back again";
-    Delete in Edit [plain(Key::Delete), plain(Key::X)] "Delete": "Deletes the selected fibres, vertices or pin";
-    Duplicate in Edit [shift(Key::D)] "Duplicate": "Copies the selected fibres and moves the copies with the pointer";
-    Cut in Edit [ctrl(Key::X)] "Cut": "Puts the selected fibres on the clipboard and takes them out of the body";
-    Copy in Edit [ctrl(Key::C)] "Copy": "Puts the selected fibres on the clipboard, for this scene or another one";
-    Paste in Edit [ctrl(Key::V)] "Paste": "Puts the fibres of the clipboard into the body";
+    Delete in Edit [plain(Key::Delete), plain(Key::X)] "Delete": "Deletes the selected fibres, vertices, pin or body";
+    Duplicate in Edit [shift(Key::D)] "Duplicate": "Copies the selected fibres or body and moves the copy with the pointer";
+    Cut in Edit [ctrl(Key::X)] "Cut": "Puts the selected fibres or body on the clipboard and takes them away";
+    Copy in Edit [ctrl(Key::C)] "Copy": "Puts the selected fibres or body on the clipboard, for this scene or another one";
+    Paste in Edit [ctrl(Key::V)] "Paste": "Puts the fibres or the pattern of the clipboard into the body, or its body into the scene";
     SelectAll in Edit [plain(Key::A), ctrl(Key::A)] "Select all": "Selects every fibre of the body, or every vertex of the fibre";
     BoxSelect in Edit [plain(Key::B)] "Select by a box": "Selects what a box is dragged around; Shift adds";
+    AddBox in Body [] "Add a box": "Adds a soft box where there is room";
+    AddBall in Body [] "Add a ball": "Adds a soft ball where there is room";
+    AddCylinder in Body [] "Add a cylinder": "Adds a soft cylinder where there is room";
+    AddCapsule in Body [] "Add a capsule": "Adds a soft cylinder with round ends where there is room";
+    AddTorus in Body [] "Add a torus": "Adds a soft ring where there is room";
+    AddModel in Body [] "Add a model…": "Adds a soft solid in the shape of a model to the scene";
+    AddSegment in Body [] "Add a two-layer segment": "Adds two particles and a spring where there is room";
+    AddRing in Body [] "Add a two-layer ring": "Adds a ring in a plane with gas in it where there is room";
+    AddBalloon in Body [] "Add a two-layer ball": "Adds a ball with gas in it where there is room";
+    AddLayered in Body [] "Add a two-layer model…": "Adds the surface of a closed model with gas in it to the scene";
     DrawTool in Fibre [plain(Key::E)] "Draw tool": "A drag in a drawing view draws a stroke, wherever it begins";
     SelectTool in Fibre [plain(Key::W)] "Select tool":
         "A drag in a drawing view moves the selection by its handles, or elsewhere selects by a box";
@@ -98,6 +109,8 @@ actions! {
         "Moves the selection with the pointer; X, Y and Z lock an axis, numbers are taken in mm";
     Turn in Fibre [plain(Key::R)] "Rotate":
         "Turns the selection about its middle; X, Y and Z choose an axis, numbers are taken in degrees";
+    Scale in Fibre [plain(Key::S)] "Scale":
+        "Scales the selection with the pointer; a number is taken as a factor. A body keeps its material";
     MirrorX in Fibre [] "Mirror along X": "Mirrors the selected fibres left to right in the middle of the body";
     MirrorY in Fibre [] "Mirror along Y": "Mirrors the selected fibres top to bottom in the middle of the body";
     MirrorZ in Fibre [] "Mirror along Z": "Mirrors the selected fibres front to back in the middle of the body";
@@ -121,8 +134,8 @@ actions! {
     ImportFibres in Fibre [] "Import fibres…": "Takes lines of a file (OBJ, CSV, JSON) as fibres of the body";
     ExportFibres in Fibre [] "Export fibres…":
         "Writes the selected fibres, or all of the body, as lines to a file (OBJ, CSV, JSON)";
-    Hide in Edit [plain(Key::H)] "Hide": "Hides the selected fibres; they act all the same";
-    ShowAll in Edit [alt(Key::H)] "Show all": "Shows every hidden fibre of the body";
+    Hide in Edit [plain(Key::H)] "Hide": "Hides the selected fibres or body; they act all the same";
+    ShowAll in Edit [alt(Key::H)] "Show all": "Shows every hidden body, and fibre of the body";
     PlayPause in Simulation [plain(Key::Space)] "Play or pause": "Runs or holds the simulation";
     Step in Simulation [plain(Key::Period), plain(Key::ArrowRight)] "Advance one frame":
         "Shows the next frame and holds the simulation; at the end of what is kept it is computed";
@@ -160,6 +173,7 @@ actions! {
     Plots in View [alt(Key::E)] "Show plots": "Plots energies, momenta and the scene's measures below the views";
     Theme in View [alt(Key::T)] "Light or dark": "Switches between the light and the dark theme";
     Palette in Help [ctrl(Key::P)] "Command palette…": "Finds any of these by its name";
+    FirstScene in Help [] "First scene": "Tells how a scene of your own is made, step by step";
     Help in Help [plain(Key::F1)] "Keys and gestures": "Lists every key and gesture";
 }
 
@@ -222,7 +236,8 @@ impl std::ops::Index<Action> for ActionStates {
 }
 
 /// Gestures of the pointer and single keys that are no actions, for the help.
-pub(crate) const GESTURES: [(&str, &str); 18] = [
+pub(crate) const GESTURES: [(&str, &str); 19] = [
+    ("Click on a body in the result view", "selects it: G, R, S and its handles move, turn and scale it"),
     ("Click on a fibre, Shift + click", "selects it, selects it too"),
     ("Drag an arrow, the square, the ring", "moves along an axis, moves freely, turns"),
     ("X, Y, Z, numbers, Shift, Ctrl while moving", "lock an axis, mm or degrees, finely, in steps"),
@@ -240,5 +255,5 @@ pub(crate) const GESTURES: [(&str, &str); 18] = [
     ("1, 3, 7, the ends of the axes", "shows the result from the front, the side, the top"),
     ("Ctrl + 1, 3, 7", "shows it from the other side"),
     ("5", "changes between parallel and perspective"),
-    ("Drop a scene or a model on the window", "opens it"),
+    ("Drop a scene or a model on the window", "opens it; a model joins a scene that you have begun"),
 ];

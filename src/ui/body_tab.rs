@@ -1,5 +1,6 @@
 //! The right panel's first tab: what the active body is made of and how it is stepped.
 
+use super::bodies::place_and_shape;
 use super::context::{Context, Step};
 use super::material_fields::material_fields;
 use super::region_material_fields::region_material_fields;
@@ -31,6 +32,7 @@ pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
     } else {
         ui.label("No body is chosen");
     }
+    place_and_shape(ui, cx);
     if let Some(baking) = &cx.simulation.published().status.baking {
         ui.add_space(GRID);
         // On as many lines as it needs: a wider panel would make the views jump.

@@ -158,7 +158,7 @@ pub(super) fn add_mesh(cx: &mut Context, file: &Path) -> Result<(), IoError> {
     let path = add_collider_model(&mut assets, file, &cx.document.folder)?;
     let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     cx.document.assets = Arc::new(assets);
-    cx.simulation.take_models(&cx.document);
+    cx.simulation.set_models(&cx.document);
     cx.selection.choose_collider(id.clone());
     colliders.push(Collider { name, ..Collider::new(id, ColliderMesh::new(path)) });
     cx.edit(&Command::SetColliders(colliders), Step::Own);

@@ -10,6 +10,9 @@ use std::sync::Arc;
 /// The built-in scene.
 const BUILT_IN: &str = include_str!("../../scenes/short_bar_soft.json");
 
+/// Share of critical damping with which the floor of an empty scene is met: what lands there comes to rest.
+const LANDING: f64 = 0.2;
+
 /// A scene as it was read.
 #[derive(Clone, Debug)]
 pub struct Document {
@@ -49,6 +52,13 @@ impl Document {
         Ok(Self { scene, assets, path, folder, note })
     }
 
+    /// A scene with nothing in it but a floor.
+    pub(super) fn empty() -> Self {
+        let mut scene = Scene::new("").with_floor(0.0);
+        scene.room.contact_damping = LANDING;
+        Self { scene, assets: Arc::default(), path: None, folder: PathBuf::new(), note: None }
+    }
+
     /// Whether it is what the window starts with unless it is given something else.
     pub(super) fn is_built_in(&self) -> bool {
         self.path.is_none() && self.note.is_none()
@@ -84,6 +94,15 @@ pub(super) fn moved(scene: &Scene, from: &Path, to: &Path) -> Scene {
         *path = seen_from(&from.join(&*path), &to);
     }
     scene
+}
+
+/// How a scene in a folder names a file: from there, or by its whole path where the scene has no folder yet.
+pub(super) fn named_from(path: &Path, folder: &Path) -> String {
+    let whole = resolved(path).unwrap_or_else(|| path.to_owned());
+    match resolved(folder).filter(|_| !folder.as_os_str().is_empty()) {
+        Some(folder) => seen_from(&whole, &folder),
+        None => whole.display().to_string(),
+    }
 }
 
 /// A path relative to a folder, both absolute, with `/` between the names.

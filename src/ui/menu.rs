@@ -7,6 +7,8 @@ pub enum Menu {
     File,
     /// The document.
     Edit,
+    /// Bodies.
+    Body,
     /// Fibres.
     Fibre,
     /// The running simulation.
@@ -19,13 +21,15 @@ pub enum Menu {
 
 impl Menu {
     /// All menus in their order.
-    pub const ALL: [Self; 6] = [Self::File, Self::Edit, Self::Fibre, Self::Simulation, Self::View, Self::Help];
+    pub const ALL: [Self; 7] =
+        [Self::File, Self::Edit, Self::Body, Self::Fibre, Self::Simulation, Self::View, Self::Help];
 
     /// Title.
     pub fn title(self) -> &'static str {
         match self {
             Self::File => "File",
             Self::Edit => "Edit",
+            Self::Body => "Body",
             Self::Fibre => "Fibre",
             Self::Simulation => "Simulation",
             Self::View => "View",

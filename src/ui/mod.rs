@@ -7,6 +7,7 @@
 pub(crate) mod action;
 pub(crate) mod app;
 mod autosave;
+mod bodies;
 mod body_tab;
 mod breaks;
 mod clipboard;

@@ -9,6 +9,8 @@ use std::path::PathBuf;
 pub(super) enum Next {
     /// The built-in scene.
     New,
+    /// A floor and nothing on it.
+    Empty,
     /// A file.
     Open(PathBuf),
     /// A scene that ships.

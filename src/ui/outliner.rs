@@ -28,18 +28,22 @@ pub(super) fn left_panel(ui: &mut Ui, cx: &mut Context, editing: &mut Editing) {
 }
 
 fn bodies(ui: &mut Ui, cx: &mut Context) {
-    let listed = |body: AnyBody<'_>| (body.id().to_owned(), body.title().to_owned(), body.hidden());
-    let bodies: Vec<(String, String, bool)> = cx.scene().all_bodies().map(listed).collect();
+    let listed = |body: AnyBody<'_>| (body.id().to_owned(), body.title().to_owned(), body.hidden(), body.color());
+    let bodies: Vec<_> = cx.scene().all_bodies().map(listed).collect();
     if bodies.is_empty() {
-        ui.label("The scene has no body. Open a scene or a model, or start from the soft bar (Ctrl+N).");
+        ui.label(
+            "The scene has no body. Add one by the menu Body, drop a model here, or start from the soft bar (Ctrl+N).",
+        );
         return;
     }
     ui.heading("Bodies");
-    for (index, (id, name, hidden)) in bodies.into_iter().enumerate() {
+    let usual = cx.tone.pictures().skin;
+    for (index, (id, name, hidden, color)) in bodies.into_iter().enumerate() {
         ui.horizontal(|ui| {
-            let item = Item::Body(id);
+            let item = Item::Body(id.clone());
+            colour(ui, cx, &item, color, theme::color(usual));
             if row(ui, cx, &item, &name, hidden, index == cx.active.index) {
-                cx.request(Request::Activate(index));
+                cx.request(Request::ChooseBody(id));
             }
         });
     }
@@ -106,7 +110,8 @@ fn fibres(ui: &mut Ui, cx: &mut Context) {
     for (k, fibre) in fibres.iter().enumerate() {
         let item = Item::Fibre { body: id.clone(), fibre: fibre.id.clone() };
         ui.horizontal(|ui| {
-            colour(ui, cx, &item, fibre, k);
+            let hue = theme::color(cx.tone.pictures().fibre(k));
+            colour(ui, cx, &item, fibre.color, hue);
             let chosen = cx.selection.contains(&fibre.id);
             let is_in = is_in_solid(cx, fibre);
             if row(ui, cx, &item, fibre.title(), fibre.hidden, chosen) {
@@ -158,15 +163,17 @@ fn is_in_solid(cx: &Context, fibre: &Fibre) -> bool {
     !is_settled || status.failure.is_some() || known.is_none_or(is_there)
 }
 
-/// The colour of a fibre, which can be changed.
-fn colour(ui: &mut Ui, cx: &mut Context, item: &Item, fibre: &Fibre, k: usize) {
-    let hue = theme::color(cx.tone.pictures().fibre(k));
-    let now = fibre.color.map_or(hue, |[r, g, b]| Color32::from_rgb(r, g, b));
+/// The colour of a fibre or a body, which can be changed; that of the theme unless it has its own.
+fn colour(ui: &mut Ui, cx: &mut Context, item: &Item, own: Option<[u8; 3]>, usual: Color32) {
+    let now = own.map_or(usual, |[r, g, b]| Color32::from_rgb(r, g, b));
     let mut color = [now.r(), now.g(), now.b()];
     ui.scope(|ui| {
         ui.spacing_mut().interact_size = egui::vec2(14.0, 14.0);
-        if ui.color_edit_button_srgb(&mut color).on_hover_text("Colour").changed() {
+        let button = ui.color_edit_button_srgb(&mut color).on_hover_text("Colour; right click: that of the theme");
+        if button.changed() {
             cx.edit(&Command::SetColor { items: vec![item.clone()], color: Some(color) }, Step::Present);
+        } else if button.secondary_clicked() {
+            cx.edit(&Command::SetColor { items: vec![item.clone()], color: None }, Step::Own);
         }
     });
 }

@@ -98,7 +98,7 @@ fn what_falls_on_a_ball_does_not_come_to_lie_in_it() {
     assert!(worst < 0.2 * D && pressed > 2.0, "{} D, {pressed} N", worst / D);
 }
 
-fn two_layer(bodies: serde_json::Value) -> Scene {
+fn two_layer(bodies: &serde_json::Value) -> Scene {
     scene_from_json(&json!({"version": 1, "two_layer": bodies}).to_string()).expect("a scene")
 }
 
@@ -106,7 +106,7 @@ fn two_layer(bodies: serde_json::Value) -> Scene {
 fn a_ball_of_two_layers_drapes_over_a_mesh() {
     let mesh = box_surface(&Cuboid { center: DVec3::ZERO, size: DVec3::new(3.0, 0.5, 3.0) }, 0.75);
     for hollow in [false, true] {
-        let mut scene = two_layer(json!([{"id": "ball", "shape": {"ball": {"subdivisions": 2}}, "pressure": 0.0,
+        let mut scene = two_layer(&json!([{"id": "ball", "shape": {"ball": {"subdivisions": 2}}, "pressure": 0.0,
             "placement": {"translation": [0.35, 2.35, 0.1]}}]));
         let post = Collider::new("post", ColliderMesh { hollow, ..ColliderMesh::new("post") });
         scene = scene.with_collider(post.with_friction(1.0));

@@ -7,10 +7,13 @@ use proptest::option;
 use proptest::prelude::*;
 use proptest::sample::select;
 use sinew::edit::{Command, Item};
-use sinew::scene::{Dab, Fibre, FibreSource, IntegratorKind, Region, RegionMaterial, Room, Selector, Void};
+use sinew::scene::{
+    Body, Dab, Fibre, FibreSource, IntegratorKind, OwnedBody, Placement, Region, RegionMaterial, Room, Selector,
+    TwoLayer, Void,
+};
 
 /// Number of kinds of commands.
-pub const KINDS: usize = 19;
+pub const KINDS: usize = 23;
 
 /// Which kind a command is. Without a wildcard: a new kind is to be put in here and into [`any_command`].
 pub fn kind(command: &Command) -> usize {
@@ -34,6 +37,10 @@ pub fn kind(command: &Command) -> usize {
         Command::SetVoids { .. } => 16,
         Command::SetRegionMaterials { .. } => 17,
         Command::SetColliders(_) => 18,
+        Command::AddBody(_) => 19,
+        Command::SetBody { .. } => 20,
+        Command::RemoveBody { .. } => 21,
+        Command::SetPlacement { .. } => 22,
     }
 }
 
@@ -156,8 +163,30 @@ fn of_pins() -> impl Strategy<Value = Command> {
     })
 }
 
+/// Bodies come and go; one of an identifier that is taken, or not there, is refused.
+fn of_bodies() -> impl Strategy<Value = Command> {
+    let known = || select(["cube", "tube", "new-body", "none"].map(str::to_owned).to_vec());
+    let body = || {
+        (known(), [-0.2..0.2f64, 0.1..0.4, -0.2..0.2], any::<bool>()).prop_map(|(id, at, solid)| -> OwnedBody {
+            if solid {
+                Body::cuboid(id, [0.1; 3]).with_translation(at).into()
+            } else {
+                TwoLayer::ring(id).with_translation(at).into()
+            }
+        })
+    };
+    prop_oneof![
+        body().prop_map(Command::AddBody),
+        body().prop_map(|body| Command::SetBody { verb: "Scale".into(), body }),
+        known().prop_map(|body| Command::RemoveBody { body }),
+        (known(), [-0.2..0.2f64, 0.1..0.4, -0.2..0.2]).prop_map(|(body, translation)| {
+            Command::SetPlacement { body, placement: Placement { translation, ..Placement::default() } }
+        }),
+    ]
+}
+
 fn single() -> impl Strategy<Value = Command> {
-    prop_oneof![3 => of_fibres(), 2 => of_looks(), 3 => of_matter(), 3 => of_world(), 1 => of_pins()]
+    prop_oneof![3 => of_fibres(), 2 => of_looks(), 3 => of_matter(), 3 => of_world(), 1 => of_pins(), 2 => of_bodies()]
 }
 
 /// A command for the scene with every field.

@@ -5,7 +5,7 @@ use crate::{every_field, scene};
 use sinew::edit::fibre_ops::{Transform, copies, smooth, transform};
 use sinew::edit::{Command, EditError, Editor, Item};
 use sinew::io::{load_scene, save_scene, scene_to_json};
-use sinew::scene::{Dab, Fibre, add_dab};
+use sinew::scene::{Body, Dab, Fibre, Placement, TwoLayer, add_dab};
 
 fn fibres(editor: &Editor) -> &[Fibre] {
     &editor.scene().bodies[0].fibres
@@ -71,6 +71,27 @@ fn many_changes_are_all_made_or_none() {
     let there_and_back = Command::Many { name: "Nothing".into(), commands: vec![add, remove] };
     editor.apply(&there_and_back).expect("a change");
     assert!(editor.undo_name().is_none(), "what changes nothing is no step");
+}
+
+#[test]
+fn bodies_come_and_go_with_what_reads_them() {
+    let mut editor = Editor::new(every_field());
+    let before = every_field();
+    let taken = Command::AddBody(Body::cuboid("balloon", [0.1; 3]).into());
+    assert!(matches!(editor.apply(&taken), Err(EditError::Missing(_))), "of either kind");
+    editor.apply(&Command::RemoveBody { body: "bar".into() }).expect("a change");
+    let left = editor.scene();
+    assert!(left.find_body("bar").is_none() && left.measures.iter().all(|measure| measure.body != "bar"));
+    assert!(left.measures.len() < before.measures.len());
+    editor.apply(&Command::AddBody(TwoLayer::ball("bar").into())).expect("its name is free");
+    let placement = Placement { translation: [1.0, 2.0, 3.0], ..Placement::default() };
+    editor.apply(&Command::SetPlacement { body: "bar".into(), placement }).expect("a change");
+    assert_eq!(editor.scene().two_layer_body("bar").expect("it is there").placement.translation, [1.0, 2.0, 3.0]);
+    assert_eq!(editor.undo_name(), Some("Place body"));
+    let other = Command::SetBody { verb: "Scale".into(), body: Body::cuboid("bar", [0.1; 3]).into() };
+    assert!(matches!(editor.apply(&other), Err(EditError::Missing(_))), "it is of the other kind");
+    while editor.undo() {}
+    assert_eq!(**editor.scene(), before);
 }
 
 #[test]

@@ -28,6 +28,7 @@ mod press;
 mod printed;
 mod region_materials;
 mod rods;
+mod round;
 mod ship;
 mod shipped;
 mod stable_step;

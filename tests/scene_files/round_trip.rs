@@ -245,9 +245,16 @@ fn body() -> impl Strategy<Value = Body> {
             extra,
         },
     );
-    let shape = ([0.1..0.5, 0.1..0.5, 0.1..0.5], vector(), rotation(), extra()).prop_map(
+    let cuboid = ([0.1..0.5, 0.1..0.5, 0.1..0.5], vector(), rotation(), extra()).prop_map(
         |(size, center, lattice_rotation, extra)| Shape::Box(BoxShape { center, size, lattice_rotation, extra }),
     );
+    let round = (0..4, 0.1..0.5, 0.01..0.09, extra()).prop_map(|(kind, radius, less, extra)| match kind {
+        0 => Shape::Ball(BallShape { radius, extra }),
+        1 => Shape::Cylinder(CylinderShape { radius, height: less, extra }),
+        2 => Shape::Capsule(CapsuleShape { radius, height: less, extra }),
+        _ => Shape::Torus(TorusShape { radius, tube_radius: less, extra }),
+    });
+    let shape = prop_oneof![cuboid, round];
     let placement = (vector(), rotation(), extra()).prop_map(|(translation, rotation, extra)| Placement {
         translation,
         rotation,

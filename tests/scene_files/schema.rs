@@ -32,7 +32,7 @@ fn schema_refuses_wrong_types() {
         ("/time/step", json!("fast")),
         ("/time/step/manual/substeps_per_frame", json!(-1)),
         ("/bodies", json!({})),
-        ("/bodies/0/shape", json!({"ball": {"radius": 1.0}})),
+        ("/bodies/0/shape", json!({"pyramid": {"height": 1.0}})),
         ("/bodies/0/material/young_modulus", json!("soft")),
         ("/bodies/0/material/mass", json!({"density": 1.0, "per_particle": 1.0})),
         ("/bodies/0/hidden", json!(1)),

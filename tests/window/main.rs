@@ -3,11 +3,13 @@
 
 mod at_hand;
 mod autosave;
+mod bodies;
 mod commands;
 mod comparing;
 mod editing;
 mod exporting;
 mod fibres;
+mod first_scene;
 mod gallery;
 mod hashes;
 mod hurried;

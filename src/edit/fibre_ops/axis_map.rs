@@ -9,8 +9,8 @@ use glam::DVec3;
 pub(super) struct AxisMap {
     /// Index of the axis that an axis goes to.
     pub(super) to: [usize; 3],
-    /// 1 or -1: which way along it.
-    pub(super) sign: [f64; 3],
+    /// How far along it, backwards below zero: 1 or -1 but for a scaling.
+    pub(super) factor: [f64; 3],
     /// Where the origin goes [m].
     pub(super) offset: DVec3,
 }
@@ -24,7 +24,7 @@ pub(super) fn carried(pair: &StrokePair, map: &AxisMap) -> StrokePair {
         let points = stroke.points.iter().map(|point| {
             view.axes().map(|axis| {
                 let from = usize::from(targets[1] == axis);
-                map.sign[stroke.view.axes()[from]] * point[from] + map.offset[axis]
+                map.factor[stroke.view.axes()[from]] * point[from] + map.offset[axis]
             })
         });
         ViewStroke { view, points: points.collect(), extra: stroke.extra.clone() }

@@ -57,6 +57,9 @@ pub enum FibreEditError {
     /// An axis or normal that points nowhere.
     #[error("The direction ({}, {}, {}) points nowhere. Give one of any length but zero", .0[0], .0[1], .0[2])]
     NoDirection([f64; 3]),
+    /// A scaling that leaves nothing, or more than there is room for.
+    #[error("Scaled by {0} nothing would be left. Give a factor above 0")]
+    NoSize(f64),
     /// A cut that leaves a half that cannot bend.
     #[error(
         "Cut at vertex {}, one half would have {left} vertices, and 3 are needed to bend. Cut nearer to the middle",

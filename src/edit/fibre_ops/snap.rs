@@ -9,6 +9,9 @@ use crate::geometry::nearest::SurfaceIndex;
 use crate::scene::{Assets, Body, Fibre, Shape};
 use glam::DVec3;
 
+/// Faces across the thickness of a round body.
+const FACES: f64 = 24.0;
+
 /// The surface of a body in its model frame; none of a mesh that was not loaded.
 pub fn surface(body: &Body, assets: &Assets) -> Option<SurfaceIndex> {
     match &body.shape {
@@ -20,6 +23,11 @@ pub fn surface(body: &Body, assets: &Assets) -> Option<SurfaceIndex> {
         Shape::Mesh(shape) => {
             let surface = &assets.solid(shape)?.surface;
             Some(SurfaceIndex::new(surface.points.clone(), surface.faces.clone()))
+        }
+        round => {
+            let size = DVec3::from_array(round.size()?);
+            let mesh = round.round_surface(size.min_element() / FACES)?;
+            Some(SurfaceIndex::new(mesh.positions, mesh.triangles))
         }
     }
 }

@@ -10,7 +10,7 @@ use glam::{DMat3, DQuat, DVec3};
 /// A turn's entries within this of -1, 0 and 1 are taken for them: right angles come out of radians with such errors.
 const ROUND_OFF: f64 = 1e-12;
 
-/// A move, turn or mirroring of the model frame.
+/// A move, turn, mirroring or scaling of the model frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transform {
     matrix: DMat3,
@@ -44,6 +44,17 @@ impl Transform {
         Ok(Self { matrix, offset: point - matrix * point })
     }
 
+    /// Larger by a factor above zero about a pivot [m].
+    ///
+    /// # Errors
+    /// A factor that leaves nothing.
+    pub fn scaling(pivot: DVec3, factor: f64) -> Result<Self, FibreEditError> {
+        if !(factor.is_finite() && factor > 0.0) {
+            return Err(FibreEditError::NoSize(factor));
+        }
+        Ok(Self { matrix: DMat3::from_diagonal(DVec3::splat(factor)), offset: (1.0 - factor) * pivot })
+    }
+
     /// Where it takes a point [m].
     pub fn apply(&self, point: DVec3) -> DVec3 {
         self.matrix * point + self.offset
@@ -52,15 +63,19 @@ impl Transform {
     /// What becomes of how a fibre acts: the axis that it curls about turns along, and a mirroring reverses a sense of turning
     /// about an axis as well as one along the fibre.
     fn carry(&self, fibre: Fibre) -> Fibre {
-        let sense = self.matrix.determinant().signum();
+        let volume = self.matrix.determinant();
+        let sense = volume.signum();
+        // Of a turn it is one but for round-off.
+        let size = if (volume.abs() - 1.0).abs() < ROUND_OFF { 1.0 } else { volume.abs().cbrt() };
         let mut activation = fibre.activation;
         if let Some(Activation { curl, twist, .. }) = &mut activation {
             if let Some(curl) = curl {
                 // Adding zero turns -0 into 0.
                 curl.axis = (sense * (self.matrix * DVec3::from_array(curl.axis)) + DVec3::ZERO).to_array();
+                curl.degrees_per_metre /= size;
             }
             if let Some(twist) = twist {
-                twist.degrees_per_metre *= sense;
+                twist.degrees_per_metre *= sense / size;
             }
         }
         Fibre { activation, ..fibre }
@@ -68,14 +83,14 @@ impl Transform {
 
     /// Where it takes the axes, if it takes axes to axes.
     pub(super) fn axis_map(&self) -> Option<AxisMap> {
-        let mut map = AxisMap { to: [0; 3], sign: [0.0; 3], offset: self.offset };
+        let mut map = AxisMap { to: [0; 3], factor: [0.0; 3], offset: self.offset };
         for axis in 0..3 {
             let image = self.matrix.col(axis);
             let to = image.abs().max_position();
-            if image.abs() != DVec3::AXES[to] {
+            if image.abs() != image[to].abs() * DVec3::AXES[to] {
                 return None;
             }
-            (map.to[axis], map.sign[axis]) = (to, image[to]);
+            (map.to[axis], map.factor[axis]) = (to, image[to]);
         }
         Some(map)
     }
@@ -90,8 +105,8 @@ fn exact(matrix: DMat3) -> DMat3 {
     DMat3::from_cols_array(&matrix.to_cols_array().map(near))
 }
 
-/// Moves, turns or mirrors a fibre, with what it does by itself. A pair of strokes stays one under any move, and under turns and mirrorings that
-/// take axes to axes; it becomes vertices under others.
+/// Moves, turns, mirrors or scales a fibre, with what it does by itself. A pair of strokes stays one under any move and scaling,
+/// and under turns and mirrorings that take axes to axes; it becomes vertices under others.
 ///
 /// # Errors
 /// Numbers that are not finite, or strokes that give no curve.

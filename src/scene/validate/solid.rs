@@ -8,7 +8,8 @@ use super::parts::{impulses, initial, model_file, pins, placement, regions, rota
 use super::voids::voids;
 use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
-    Body, Dab, Fibre, IntegratorChoice, IntegratorKind, MAX_DABS, MAX_PARTICLES, Mass, Material, Shape, Stiffness,
+    Body, CapsuleShape, CylinderShape, Dab, Fibre, IntegratorChoice, IntegratorKind, MAX_DABS, MAX_PARTICLES, Mass,
+    Material, Shape, Stiffness, TorusShape,
 };
 use glam::{DMat3, DVec3};
 
@@ -59,6 +60,23 @@ fn shape(at: &At<'_>, shape: &Shape) -> Checked {
             }
             rotation(&at.field("lattice_rotation"), &shape.lattice_rotation)
         }
+        Shape::Ball(shape) => positive(&at.field("ball").field("radius"), shape.radius, "m"),
+        Shape::Cylinder(CylinderShape { radius, height, .. }) => {
+            positive(&at.field("cylinder").field("radius"), *radius, "m")?;
+            positive(&at.field("cylinder").field("height"), *height, "m")
+        }
+        Shape::Capsule(CapsuleShape { radius, height, .. }) => {
+            positive(&at.field("capsule").field("radius"), *radius, "m")?;
+            positive(&at.field("capsule").field("height"), *height, "m")
+        }
+        Shape::Torus(TorusShape { radius, tube_radius, .. }) => {
+            let at = at.field("torus");
+            positive(&at.field("radius"), *radius, "m")?;
+            positive(&at.field("tube_radius"), *tube_radius, "m")?;
+            require(&at.field("tube_radius"), tube_radius, tube_radius < radius, "leaves the torus no hole", || {
+                format!("give less than its radius of {} m", brief(radius))
+            })
+        }
         Shape::Mesh(shape) => {
             let at = at.field("mesh");
             model_file(&at, shape.into())?;
@@ -102,16 +120,24 @@ fn material(at: &At<'_>, material: &Material) -> Checked {
 /// Particles of the bodies so far, this one included, as their volumes and spacings have it.
 fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, SceneError> {
     // The volume of a mesh is not in the document: baking counts its particles.
-    let Shape::Box(shape) = &body.shape else { return Ok(before) };
     let material = &body.material;
-    let turn = &shape.lattice_rotation;
-    let axes = if turn.degrees == 0.0 {
-        DMat3::IDENTITY
-    } else {
-        let axis = DVec3::from_array(turn.axis).normalize_or(DVec3::Y);
-        DMat3::from_axis_angle(axis, turn.degrees.to_radians())
+    let own = match &body.shape {
+        Shape::Box(shape) => {
+            let turn = &shape.lattice_rotation;
+            let axes = if turn.degrees == 0.0 {
+                DMat3::IDENTITY
+            } else {
+                let axis = DVec3::from_array(turn.axis).normalize_or(DVec3::Y);
+                DMat3::from_axis_angle(axis, turn.degrees.to_radians())
+            };
+            points_looked_at(DVec3::from_array(shape.size), material.spacing(), axes)
+        }
+        round => match round.volume() {
+            Some(volume) => volume / material.spacing().powi(3),
+            None => return Ok(before),
+        },
     };
-    let particles = before + points_looked_at(DVec3::from_array(shape.size), material.spacing(), axes);
+    let particles = before + own;
     let most = MAX_PARTICLES as f64;
     let rounded = |value: f64| if value < 1e6 { format!("{value:.1}") } else { format!("{value:.1e}") };
     let problem = format!(

@@ -106,7 +106,6 @@ impl Motion {
             SimCommand::Memory(limit) => self.limit_memory(limit),
             SimCommand::Reset
             | SimCommand::Edit(_)
-            | SimCommand::Models(_)
             | SimCommand::Open(..)
             | SimCommand::Compare { .. }
             | SimCommand::Ghost(_)

@@ -2,6 +2,7 @@
 
 use super::build::{Tell, build};
 use super::comparison::side_by_side;
+use super::models::NewestModels;
 use super::motion::Motion;
 use super::shared::Outlet;
 use super::stop::Stop;
@@ -21,6 +22,7 @@ const READABLE: Duration = Duration::from_millis(200);
 pub(super) struct Simulation {
     scene: Arc<Scene>,
     assets: Arc<Assets>,
+    newest: NewestModels,
     pub(super) motion: Motion,
     /// Ends the work on a scene.
     stop: Stop,
@@ -34,7 +36,12 @@ impl Simulation {
     /// Of a scene that is still to be put together.
     pub(super) fn new(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, outlet: Outlet, stop: Stop) -> Self {
         let motion = Motion::new(Arc::clone(&scene), playing, outlet, stop.clone());
-        Self { scene, assets, motion, stop, is_stale: false, is_new: true }
+        Self { scene, assets, newest: NewestModels::default(), motion, stop, is_stale: false, is_new: true }
+    }
+
+    /// Heeding the models that come into the document.
+    pub(super) fn with_models(self, newest: NewestModels) -> Self {
+        Self { newest, ..self }
     }
 
     /// Puts the scene together and shows its start.
@@ -49,7 +56,6 @@ impl Simulation {
         self.motion.status.edits += documents;
         match command {
             SimCommand::Edit(scene) => self.edit(scene),
-            SimCommand::Models(assets) => self.assets = assets,
             SimCommand::Open(scene, assets) => self.open(scene, assets),
             SimCommand::Reset => self.reset(),
             SimCommand::Compare { integrators, dt } => {
@@ -62,7 +68,7 @@ impl Simulation {
                 self.rebuild_ghost();
             }
             SimCommand::Take(MotionTaker(sender)) => {
-                let motion = self.motion.taken(&self.scene, &self.assets).filter(|_| {
+                let motion = self.motion.taken(&self.scene, &self.models()).filter(|_| {
                     // What is there was put together of another scene otherwise.
                     !self.is_stale && !self.is_new && self.motion.status.failure.is_none()
                 });
@@ -155,7 +161,7 @@ impl Simulation {
 
     fn start_comparison(&mut self) {
         let Some(chosen) = self.motion.comparison.replace() else { return };
-        let (scene, assets) = (Arc::clone(&self.scene), Arc::clone(&self.assets));
+        let (scene, assets) = (Arc::clone(&self.scene), self.models());
         match self.told(|tell| side_by_side(&scene, &assets, &chosen, tell)) {
             Ok(Some(runs)) => self.motion.comparison.start(runs),
             Ok(None) => self.note_stopped(),
@@ -165,8 +171,13 @@ impl Simulation {
 
     /// Bakes a scene with the document's models.
     fn build(&mut self, scene: &Scene) -> Result<Option<Baked>, String> {
-        let assets = Arc::clone(&self.assets);
+        let assets = self.models();
         self.told(|tell| build(scene, &assets, tell))
+    }
+
+    /// The document's models, with those that came into it since it was opened.
+    fn models(&self) -> Arc<Assets> {
+        self.newest.get().unwrap_or_else(|| Arc::clone(&self.assets))
     }
 
     /// Shows what is being worked on, and ends it where it is no longer wanted.

@@ -56,8 +56,6 @@ impl Urgency {
             | SimCommand::Tension(_)
             | SimCommand::ContinueHere
             | SimCommand::Live
-            // They come with the edit that names them.
-            | SimCommand::Models(_)
             | SimCommand::Take(_)
             | SimCommand::Memory(_) => Self::None,
         }

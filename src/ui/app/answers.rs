@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::ui::autosave::{Loss, Question, Reply};
+use crate::ui::bodies::add_model;
 use crate::ui::colliders_section::add_mesh;
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{self, Answer, Dialog, PathPurpose};
@@ -24,6 +25,9 @@ impl App {
                 if let Err(error) = add_mesh(&mut self.cx, &path) {
                     self.cx.say(Severity::Error, error.to_string());
                 }
+            }
+            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Add(layers), .. }) => {
+                add_model(&path, layers, &mut self.cx);
             }
             (Answer::Path(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => {
                 export::export_to(&mut self.cx, path);

@@ -5,9 +5,11 @@
 
 use super::App;
 use crate::draw::SkinStyle;
+use crate::scene::AnyBody;
 use crate::sim::SimCommand;
 use crate::ui::action::{Action, ActionState, ActionStates};
 use crate::ui::autosave::Question;
+use crate::ui::bodies::{self, Layers, NewBody};
 use crate::ui::clipboard;
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{Dialog, PathPurpose};
@@ -67,8 +69,12 @@ impl App {
         let display = &self.views.options.display;
         let replay = |perform| unless(self.no_replay(), perform);
         let selected = |perform| when(self.cx.selection.active().is_some(), "Select a fibre first", perform);
+        let is_body = self.cx.selection.is_body();
+        let has_thing = is_body || self.cx.selection.active().is_some();
+        let thing = |perform| when(has_thing, "Select a fibre or a body first", perform);
         match action {
             Action::New => always(|app, ctx| app.leave(ctx, Next::New)),
+            Action::NewEmpty => always(|app, ctx| app.leave(ctx, Next::Empty)),
             Action::Open => always(|app, _| {
                 app.dialog = Some(Dialog::path(PathPurpose::Open, app.cx.document.path.as_deref()));
             }),
@@ -112,24 +118,42 @@ impl App {
             }
             Action::Delete => unless(self.nothing_to_delete(), |app, _| match app.cx.selection.pin().cloned() {
                 Some(pin) => remove_pin(&pin, &mut app.cx),
+                None if app.cx.selection.is_body() => bodies::delete(&mut app.cx),
                 None => editing::delete(&mut app.cx),
             }),
-            Action::Duplicate => selected(|app, ctx| {
+            Action::Duplicate if is_body => always(|app, ctx| {
+                app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx);
+                editing::move_copy(app.views.editing_mut());
+            }),
+            Action::Duplicate => thing(|app, ctx| {
                 let (gesture, of) = editing::duplicate(&mut app.cx);
                 app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx);
                 editing::moves_copies(app.views.editing_mut(), gesture, of);
             }),
-            Action::Cut => selected(|app, ctx| {
+            Action::Cut => thing(|app, ctx| {
                 app.copy(ctx);
-                editing::delete(&mut app.cx);
+                if app.cx.selection.is_body() {
+                    bodies::delete(&mut app.cx);
+                } else {
+                    editing::delete(&mut app.cx);
+                }
             }),
-            Action::Copy => selected(Self::copy),
-            Action::Paste => {
-                let met = self.cx.active_body().is_some();
-                when(met, "Fibres go into fibre solids", |_, ctx| ctx.send_viewport_cmd(ViewportCommand::RequestPaste))
-            }
+            Action::Copy => thing(Self::copy),
+            Action::Paste => always(|_, ctx| ctx.send_viewport_cmd(ViewportCommand::RequestPaste)),
             Action::SelectAll => self.with_fibres(|app, _| editing::select_all(&mut app.cx)),
             Action::BoxSelect => self.with_fibres(|app, _| app.views.editing_mut().begin_box()),
+            Action::AddBox => always(|app, _| bodies::add(NewBody::Box, &mut app.cx)),
+            Action::AddBall => always(|app, _| bodies::add(NewBody::Ball, &mut app.cx)),
+            Action::AddCylinder => always(|app, _| bodies::add(NewBody::Cylinder, &mut app.cx)),
+            Action::AddCapsule => always(|app, _| bodies::add(NewBody::Capsule, &mut app.cx)),
+            Action::AddTorus => always(|app, _| bodies::add(NewBody::Torus, &mut app.cx)),
+            Action::AddModel => {
+                always(|app, _| app.dialog = Some(Dialog::path(PathPurpose::Add(Layers::Filled), None)))
+            }
+            Action::AddSegment => always(|app, _| bodies::add(NewBody::Segment, &mut app.cx)),
+            Action::AddRing => always(|app, _| bodies::add(NewBody::Ring, &mut app.cx)),
+            Action::AddBalloon => always(|app, _| bodies::add(NewBody::Balloon, &mut app.cx)),
+            Action::AddLayered => always(|app, _| app.dialog = Some(Dialog::path(PathPurpose::Add(Layers::Two), None))),
             Action::DrawTool => {
                 let is_in_hand = self.views.drawing_tool(&self.cx) == DrawingTool::Draw;
                 always(|app, _| app.views.take_in_hand(DrawingTool::Draw, &mut app.cx)).on(is_in_hand)
@@ -139,8 +163,9 @@ impl App {
                 always(|app, _| app.views.take_in_hand(DrawingTool::Select, &mut app.cx)).on(is_in_hand)
             }
             Action::Vertices => selected(|app, _| app.toggle_vertices()).on(self.cx.selection.vertices().is_some()),
-            Action::Move => selected(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx)),
-            Action::Turn => selected(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Turn, &mut app.cx)),
+            Action::Move => thing(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx)),
+            Action::Turn => thing(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Turn, &mut app.cx)),
+            Action::Scale => thing(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Scale, &mut app.cx)),
             Action::MirrorX => selected(|app, _| editing::mirror(&mut app.cx, DVec3::X)),
             Action::MirrorY => selected(|app, _| editing::mirror(&mut app.cx, DVec3::Y)),
             Action::MirrorZ => selected(|app, _| editing::mirror(&mut app.cx, DVec3::Z)),
@@ -179,10 +204,12 @@ impl App {
                 when(met, "Fibres go into fibre solids", |app, _| Transfer::ask_import(&mut app.cx))
             }
             Action::ExportFibres => self.with_fibres(|app, _| Transfer::ask_export(&mut app.cx)),
-            Action::Hide => selected(|app, _| editing::hide(&mut app.cx)),
+            Action::Hide if is_body => always(|app, _| bodies::hide(&mut app.cx)),
+            Action::Hide => thing(|app, _| editing::hide(&mut app.cx)),
             Action::ShowAll => {
-                let met = self.cx.active_body().is_some_and(|body| body.fibres.iter().any(|fibre| fibre.hidden));
-                when(met, "No fibre of the body is hidden", |app, _| editing::show_all(&mut app.cx))
+                let fibres = self.cx.active_body().is_some_and(|body| body.fibres.iter().any(|fibre| fibre.hidden));
+                let met = fibres || self.cx.scene().all_bodies().any(AnyBody::hidden);
+                when(met, "No body and no fibre of the body is hidden", |app, _| editing::show_all(&mut app.cx))
             }
             Action::PlayPause => always(|app, _| {
                 let playing = app.cx.simulation.is_playing();
@@ -221,6 +248,7 @@ impl App {
                 app.cx.tone.apply(ctx);
             }),
             Action::Palette => always(|app, _| app.dialog = Some(Dialog::palette())),
+            Action::FirstScene => always(|app, _| app.dialog = Some(Dialog::FirstScene)),
             Action::Help => always(|app, _| app.dialog = Some(Dialog::Help)),
         }
     }
@@ -266,13 +294,13 @@ impl App {
     /// Why nothing can be deleted.
     fn nothing_to_delete(&self) -> Option<&'static str> {
         match self.cx.selection.vertices() {
-            _ if self.cx.selection.pin().is_some() => None,
+            _ if self.cx.selection.pin().is_some() || self.cx.selection.is_body() => None,
             Some(chosen) => chosen.is_empty().then_some("Select vertices first"),
-            None => self.cx.selection.active().is_none().then_some("Select a fibre or a pin first"),
+            None => self.cx.selection.active().is_none().then_some("Select a fibre, a pin or a body first"),
         }
     }
 
-    /// Puts the selected fibres on the clipboard.
+    /// Puts the selected fibres or body on the clipboard.
     fn copy(&mut self, ctx: &egui::Context) {
         if let Some(text) = clipboard::copied(&mut self.cx) {
             ctx.copy_text(text);

@@ -64,6 +64,15 @@ impl App {
         }
     }
 
+    /// Opens a scene with nothing in it but a floor.
+    pub(super) fn open_empty(&mut self) {
+        self.take_up(Document::empty(), None);
+        self.cx.say(
+            Severity::Note,
+            "Nothing but a floor: the menu Body adds bodies, and so does a model that is dropped here",
+        );
+    }
+
     /// Opens an example as a document without a file.
     pub(super) fn open_example(&mut self, example: &Example) {
         match Document::of_example(example) {

@@ -23,6 +23,7 @@ impl App {
     pub(super) fn go_on(&mut self, ctx: &egui::Context, next: Next) {
         match next {
             Next::New => self.open_document(ctx, None),
+            Next::Empty => self.open_empty(),
             Next::Open(path) => self.open_document(ctx, Some(path)),
             Next::Example(example) => self.open_example(example),
             Next::Recover(offer) => self.recover(ctx, &offer),

@@ -1,8 +1,10 @@
 //! What the window takes up before it shows anything: the newest state of the simulation, keys and drops.
 
 use super::App;
+use crate::io::is_model;
 use crate::sim::Published;
 use crate::ui::action::Action;
+use crate::ui::bodies::{Layers, add_model};
 use crate::ui::clipboard;
 use crate::ui::context::Severity;
 use crate::ui::editing;
@@ -21,7 +23,15 @@ impl App {
         }
         let dropped = ctx.input(|input| input.raw.dropped_files.iter().map(|file| file.path().to_owned()).next());
         if let Some(path) = dropped {
-            self.leave(ctx, Next::Open(path));
+            // Into a scene of one's own a model comes beside what is there.
+            if is_model(&path)
+                && (self.cx.document.editor.is_changed() || self.cx.scene().all_bodies().next().is_none())
+            {
+                add_model(&path, Layers::Filled, &mut self.cx);
+                self.carry_out(ctx);
+            } else {
+                self.leave(ctx, Next::Open(path));
+            }
         }
         // Keys belong to what stands in front of everything.
         if self.dialog.is_some() || editing::take_keys(self.views.editing_mut(), ctx, &mut self.cx) {
@@ -77,9 +87,13 @@ impl App {
         }
         self.comparison.record(&now.compared);
         if !std::sync::Arc::ptr_eq(&now.at_rest, &before.at_rest) {
-            let last = now.at_rest.bodies.len().saturating_sub(1);
+            let last = self.cx.scene().all_bodies().count().saturating_sub(1);
             self.cx.active.index = self.cx.active.index.min(last);
             self.cx.take_model();
+            if now.at_rest.bodies.len() > before.at_rest.bodies.len() {
+                // What has come into the scene is to be seen.
+                self.views.reframe(false);
+            }
         }
     }
 

@@ -86,6 +86,11 @@ impl App {
         self.cx.selection.fibres().to_vec()
     }
 
+    /// Identifier of the body that is selected as a whole.
+    pub fn selected_body(&self) -> Option<String> {
+        self.cx.chosen_body().map(|body| body.id().to_owned())
+    }
+
     /// Where the result view shows a point of the world [m]; none behind its eye.
     pub fn shown_at(&self, point: DVec3) -> Option<Pos2> {
         self.views.shown_at(point)

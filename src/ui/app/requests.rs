@@ -15,7 +15,13 @@ impl App {
                 Request::Open(dialog) => self.dialog = Some(dialog),
                 Request::OpenRecent(path) => self.open_recent(ctx, path),
                 Request::ForgetRecent => self.recent = RecentFiles::default(),
-                Request::Activate(index) => self.activate(index),
+                Request::ChooseBody(id) => {
+                    let place = self.cx.scene().all_bodies().position(|body| body.id() == id);
+                    if let Some(index) = place {
+                        self.activate(index);
+                        self.cx.selection.choose_body();
+                    }
+                }
                 Request::ShowPatterns => self.right_panel.show_tab(PropertyTab::Patterns),
                 Request::ShowWorld => self.right_panel.show_tab(PropertyTab::World),
                 Request::StretchStrokes => self.views.sketching().stretch(&mut self.cx),

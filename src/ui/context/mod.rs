@@ -34,6 +34,7 @@ use super::theme::Tone;
 use crate::edit::Command;
 use crate::scene::Scene;
 use crate::sim::SimCommand;
+use crate::solver::snapshot::Snapshot;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -55,6 +56,8 @@ pub(super) struct Context {
     pub actions: ActionStates,
     /// The pattern that is chosen, before it is there.
     pub pattern: PatternPreview,
+    /// The bodies as they would be placed, while one is moved, in place of the simulation.
+    pub placed: Option<Arc<Snapshot>>,
     /// Whether something is open over the window.
     pub has_dialog: bool,
     /// What is said in the result view about what is seen there.
@@ -78,6 +81,7 @@ impl Context {
             status: StatusLine::default(),
             actions: ActionStates::default(),
             pattern: PatternPreview::default(),
+            placed: None,
             has_dialog: false,
             caption: None,
             ghost_beside: false,
@@ -127,9 +131,10 @@ impl Context {
             Step::Of(gesture) => gesture,
         };
         let before = Arc::clone(self.scene());
+        let active = self.active_id();
         match self.document.editor.apply_in(command, Some(gesture)) {
             Ok(()) if Arc::ptr_eq(&before, self.scene()) => {}
-            Ok(()) => self.hand_over(),
+            Ok(()) => self.hand_over(active),
             Err(error) => self.say(Severity::Error, error.to_string()),
         }
         if step == Step::Own {
@@ -163,27 +168,44 @@ impl Context {
 
     /// Gives a gesture up: the document is as it was before it.
     pub(super) fn abandon(&mut self, gesture: u64) {
+        let active = self.active_id();
         if self.document.editor.abandon(gesture) {
-            self.hand_over();
+            self.hand_over(active);
         }
     }
 
     /// Takes the last change back.
     pub(super) fn undo(&mut self) {
+        let active = self.active_id();
         if self.document.editor.undo() {
-            self.hand_over();
+            self.hand_over(active);
         }
     }
 
     /// Makes the last change that was taken back again.
     pub(super) fn redo(&mut self) {
+        let active = self.active_id();
         if self.document.editor.redo() {
-            self.hand_over();
+            self.hand_over(active);
         }
     }
 
-    /// Gives the present document to the simulation, which goes on from its present motion.
-    fn hand_over(&mut self) {
+    /// The active body's identifier.
+    fn active_id(&self) -> Option<String> {
+        self.scene().any_body(self.active.index).map(|body| body.id().to_owned())
+    }
+
+    /// Gives the present document to the simulation, which goes on from its present motion. The body that was active stays
+    /// that under its new number; where it is gone, another one is.
+    fn hand_over(&mut self, active: Option<String>) {
+        let place = active.and_then(|id| self.scene().all_bodies().position(|body| body.id() == id));
+        if place != Some(self.active.index) {
+            let last = self.scene().all_bodies().count().saturating_sub(1);
+            self.active.index = place.unwrap_or(self.active.index.min(last));
+            if place.is_none() {
+                self.forget_selection();
+            }
+        }
         self.forget_what_is_gone();
         self.simulation.edit(&self.document);
     }

@@ -1,6 +1,7 @@
 //! What panels ask of the document: the active body, what is selected of it and where that lies.
 
 use super::{ChosenPin, Context, Lift};
+use crate::edit::body_ops::placed;
 use crate::edit::fibre_ops::Sampling;
 use crate::scene::{AnyBody, Body, Fibre, FibreSource, Shape, TwoLayer};
 use crate::sketch::View;
@@ -21,6 +22,17 @@ impl Context {
     /// The two-layer body whose properties are shown.
     pub(crate) fn active_two_layer(&self) -> Option<&TwoLayer> {
         self.scene().any_body(self.active.index)?.two_layer()
+    }
+
+    /// The active body, if it is selected as a whole.
+    pub(crate) fn chosen_body(&self) -> Option<AnyBody<'_>> {
+        self.scene().any_body(self.active.index).filter(|_| self.selection.is_body())
+    }
+
+    /// The middle of the active body where it starts [m]; none before it is put together.
+    pub(crate) fn body_pivot(&self) -> Option<DVec3> {
+        let body = self.scene().any_body(self.active.index)?;
+        Some(placed(body.placement(), self.active.bounds()?.center()))
     }
 
     /// How strokes of the active body become vertices.
@@ -74,6 +86,9 @@ impl Context {
 
     /// The middle of what is selected, in the model frame [m]; none if nothing is.
     pub(crate) fn pivot(&self) -> Option<DVec3> {
+        if self.selection.is_body() {
+            return Some(self.active.bounds()?.center());
+        }
         let points: Vec<DVec3> = if let Some(chosen) = self.selection.vertices() {
             let vertices = self.active_vertices();
             chosen.iter().filter_map(|&k| vertices.get(k).copied()).collect()

@@ -15,8 +15,8 @@ pub(crate) enum Request {
     OpenRecent(PathBuf),
     /// Forgets the files that were used.
     ForgetRecent,
-    /// Draws into another body from now on, by its place in the snapshot.
-    Activate(usize),
+    /// Selects the body of this identifier as a whole, and draws into it from now on.
+    ChooseBody(String),
     /// Shows the layouts of fibres.
     ShowPatterns,
     /// Shows what surrounds the bodies.

@@ -1,4 +1,4 @@
-//! What is selected: fibres of the active body, and vertices of one of them while those are edited.
+//! What is selected: fibres of the active body, vertices of one of them while those are edited, a pin, or the body itself.
 
 /// Fibres by their identifiers, the last chosen at the end; vertices of that one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -7,6 +7,8 @@ pub(crate) struct Selection {
     vertices: Option<Vec<usize>>,
     pin: Option<ChosenPin>,
     collider: Option<String>,
+    /// Whether the active body is selected as a whole.
+    body: bool,
 }
 
 /// A pin, by what it is known by.
@@ -66,7 +68,17 @@ impl Selection {
         if self.fibres.len() == before {
             self.fibres.push(fibre.to_owned());
         }
-        (self.vertices, self.pin, self.collider) = (None, None, None);
+        *self = Self { fibres: std::mem::take(&mut self.fibres), ..Self::default() };
+    }
+
+    /// Whether the active body is selected as a whole.
+    pub(crate) fn is_body(&self) -> bool {
+        self.body
+    }
+
+    /// Selects the active body as a whole, and nothing else.
+    pub(crate) fn choose_body(&mut self) {
+        *self = Self { body: true, ..Self::default() };
     }
 
     /// The pin that is chosen.

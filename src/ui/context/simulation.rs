@@ -90,9 +90,9 @@ impl Simulation {
         self.send_ghost(document);
     }
 
-    /// Hands over the models that the document names from its next edit on.
-    pub(crate) fn take_models(&self, document: &OpenDocument) {
-        self.ask(SimCommand::Models(Arc::clone(&document.assets)));
+    /// Hands over the models of the document, with those that came into it.
+    pub(crate) fn set_models(&self, document: &OpenDocument) {
+        self.worker.set_models(Arc::clone(&document.assets));
     }
 
     /// Hands over another document, which begins anew.

@@ -1,6 +1,7 @@
 //! What can open over the window, as plain data.
 
 use crate::ui::autosave::Question;
+use crate::ui::bodies::Layers;
 use crate::ui::loading::Loading;
 use crate::ui::next::Next;
 use crate::ui::patterns::PatternQuestion;
@@ -13,6 +14,8 @@ use std::sync::mpsc::Receiver;
 pub(crate) enum PathPurpose {
     /// To open a scene.
     Open,
+    /// To add a model to the scene.
+    Add(Layers),
     /// To save the scene.
     Save,
     /// To write the time series as a table.
@@ -32,6 +35,8 @@ pub(crate) enum Dialog {
     },
     /// Lists keys and gestures.
     Help,
+    /// Tells how a first scene is made.
+    FirstScene,
     /// Asks for a path.
     Path {
         /// What for.
@@ -63,7 +68,8 @@ impl Dialog {
 
     /// A request for a path, beginning with the present one.
     pub(crate) fn path(purpose: PathPurpose, present: Option<&Path>) -> Self {
-        let text = present.map_or_else(|| "scene.json".to_owned(), |path| path.display().to_string());
+        let usual = if matches!(purpose, PathPurpose::Add(_)) { "model.obj" } else { "scene.json" };
+        let text = present.map_or_else(|| usual.to_owned(), |path| path.display().to_string());
         Self::Path { purpose, text, browsing: None, next: None }
     }
 

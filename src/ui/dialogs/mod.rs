@@ -2,6 +2,7 @@
 
 mod answer;
 mod dialog;
+mod first_scene;
 mod palette;
 mod path;
 mod show;

@@ -2,10 +2,15 @@
 
 use super::answer::Answer;
 use super::dialog::PathPurpose;
+use crate::ui::bodies::Layers;
 use crate::ui::recent_menu::choose_recent;
 use egui::{Context, Key, RichText, TextEdit, Ui};
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, channel};
+
+/// How names of models end.
+const MODELS: [&str; 5] = ["obj", "stl", "ply", "gltf", "glb"];
+const MODEL_HINT: &str = "Path of an .obj, .stl, .ply, .gltf or .glb model";
 
 /// Asks for a path.
 pub(super) fn ask_path(
@@ -19,6 +24,8 @@ pub(super) fn ask_path(
     let scene_hint = "Path of a .json scene, or of an .obj, .stl, .ply, .gltf or .glb model";
     let (title, verb, hint) = match purpose {
         PathPurpose::Open => ("Open a scene or a model", "Open", scene_hint),
+        PathPurpose::Add(Layers::Filled) => ("Add a model as a soft solid", "Add", MODEL_HINT),
+        PathPurpose::Add(Layers::Two) => ("Add a closed model as two layers", "Add", MODEL_HINT),
         PathPurpose::Save => ("Save the scene", "Save", scene_hint),
         PathPurpose::Collider => {
             ("Add a model that bodies touch", "Add", "Path of an .obj, .stl, .ply, .gltf or .glb model")
@@ -67,9 +74,9 @@ fn browse(purpose: PathPurpose, ctx: Context) -> Receiver<Option<PathBuf>> {
     std::thread::spawn(move || {
         let scenes = || rfd::FileDialog::new().add_filter("sinew scene", &["json"]);
         let picked = match purpose {
-            PathPurpose::Open => scenes().add_filter("model", &["obj", "stl", "ply", "gltf", "glb"]).pick_file(),
-            PathPurpose::Collider => {
-                rfd::FileDialog::new().add_filter("model", &["obj", "stl", "ply", "gltf", "glb"]).pick_file()
+            PathPurpose::Open => scenes().add_filter("model", &MODELS).pick_file(),
+            PathPurpose::Collider | PathPurpose::Add(_) => {
+                rfd::FileDialog::new().add_filter("model", &MODELS).pick_file()
             }
             PathPurpose::Save => scenes().set_file_name("scene.json").save_file(),
             PathPurpose::Export => {

@@ -2,6 +2,7 @@
 
 use super::answer::Answer;
 use super::dialog::Dialog;
+use super::first_scene::first_scene;
 use super::palette::{help, palette};
 use super::path::ask_path;
 use crate::ui::autosave::{About, RecoveryOffer, ask};
@@ -28,6 +29,7 @@ pub(crate) fn show(
     let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| match dialog {
         Dialog::Palette { text, chosen } => palette(ui, text, chosen, &cx.actions),
         Dialog::Help => help(ui),
+        Dialog::FirstScene => first_scene(ui),
         Dialog::Path { purpose, text, browsing, .. } => ask_path(ui, *purpose, text, browsing, recent),
         Dialog::Question(question) => ask(ui, question, &about).map_or(Answer::None, Answer::Reply),
         Dialog::Examples => gallery.show(ui).map_or(Answer::None, |choice| match choice {

@@ -160,10 +160,13 @@ pub(crate) fn hide(cx: &mut Context) {
     cx.edit(&Command::SetHidden { items, hidden: true }, Step::Own);
 }
 
-/// Shows every hidden fibre of the body.
+/// Shows every hidden body, and fibre of the active one.
 pub(crate) fn show_all(cx: &mut Context) {
-    let Some(body) = cx.active_body() else { return };
-    let hidden = body.fibres.iter().filter(|fibre| fibre.hidden);
-    let items = hidden.map(|fibre| Item::Fibre { body: body.id.clone(), fibre: fibre.id.clone() }).collect();
+    let bodies = cx.scene().all_bodies().filter(|body| body.hidden());
+    let mut items: Vec<Item> = bodies.map(|body| Item::Body(body.id().to_owned())).collect();
+    if let Some(body) = cx.active_body() {
+        let hidden = body.fibres.iter().filter(|fibre| fibre.hidden);
+        items.extend(hidden.map(|fibre| Item::Fibre { body: body.id.clone(), fibre: fibre.id.clone() }));
+    }
     cx.edit(&Command::SetHidden { items, hidden: false }, Step::Own);
 }

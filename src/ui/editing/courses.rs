@@ -1,5 +1,6 @@
 //! Where fibres and their vertices are seen in a view, and which of them lies under the pointer.
 
+use crate::draw::Bounds;
 use crate::scene::Body;
 use crate::ui::context::Context;
 use crate::ui::views::{DisplayedState, PaneKind, ViewFrame};
@@ -69,6 +70,12 @@ pub(super) fn view_from_model(kind: PaneKind, cx: &Context) -> DMat3 {
 pub(super) fn seen_pivot(kind: PaneKind, pivot: DVec3, cx: &Context) -> DVec3 {
     if kind != PaneKind::Result {
         return pivot;
+    }
+    if cx.selection.is_body() {
+        // It may have moved from where it starts.
+        let bodies = &cx.simulation.published().snapshot.bodies;
+        let now = bodies.get(cx.active.index).and_then(|body| Bounds::of(body.particles.iter().copied()));
+        return now.map_or(pivot, |bounds| bounds.center());
     }
     let points: Vec<DVec3> = if let Some(chosen) = cx.selection.vertices() {
         let marks = vertex_marks(kind, cx);

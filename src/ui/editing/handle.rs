@@ -9,6 +9,8 @@ pub(super) enum Handle {
     Middle,
     /// Turns about the line of sight.
     Ring,
+    /// Scales.
+    Corner,
     /// A vertex that is edited.
     Vertex(usize),
 }

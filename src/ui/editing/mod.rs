@@ -1,8 +1,9 @@
-//! Editing fibres that are there: choosing them and their vertices, moving and turning them, painting, and what menus do to
-//! them.
+//! Editing fibres and bodies that are there: choosing them and their vertices, moving, turning and scaling them, painting, and
+//! what menus do to them.
 
 mod actions;
 mod allowed;
+mod body;
 mod brush;
 mod brush_panel;
 mod courses;
@@ -20,6 +21,7 @@ pub(crate) use actions::{
     split,
 };
 pub(crate) use allowed::Allowed;
+pub(crate) use body::move_copy;
 pub(crate) use brush::toggle_brush;
 pub(crate) use brush_panel::brush_panel;
 pub(crate) use keys::take_keys;

@@ -1,21 +1,48 @@
-//! Moving and turning what is selected with the pointer, by typed numbers, along one axis, finely or in steps.
+//! Moving, turning and scaling what is selected with the pointer, by typed numbers, along one axis, finely or in steps.
 
 use crate::edit::fibre_ops::{FibreEditError, Transform};
-use crate::scene::Fibre;
+use crate::scene::{Fibre, OwnedBody};
 use crate::text::quantity::typed;
 use egui::Pos2;
 use glam::{DMat3, DVec2, DVec3};
 
-/// Moved or turned.
+/// What is done to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// Along with the pointer.
     Move,
     /// About the pivot.
     Turn,
+    /// Away from the pivot and towards it.
+    Scale,
 }
 
-/// A gesture under way. All places are in the model frame.
+/// What a gesture comes to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Change {
+    /// By a way [m].
+    Move(DVec3),
+    /// About an axis through the pivot, right-handed [rad].
+    Turn(DVec3, f64),
+    /// By a factor about the pivot.
+    Scale(f64),
+}
+
+impl Change {
+    /// As it is done to fibres about a pivot [m].
+    ///
+    /// # Errors
+    /// An axis without a direction, a factor that leaves nothing.
+    pub(super) fn about(self, pivot: DVec3) -> Result<Transform, FibreEditError> {
+        match self {
+            Self::Move(by) => Ok(Transform::translation(by)),
+            Self::Turn(axis, radians) => Transform::rotation(pivot, axis, radians),
+            Self::Scale(factor) => Transform::scaling(pivot, factor),
+        }
+    }
+}
+
+/// A gesture under way. Places are in the model frame where fibres are moved, in the world where a body is.
 #[derive(Clone, Debug)]
 pub(super) struct Moving {
     pub kind: Kind,
@@ -29,17 +56,36 @@ pub(super) struct Moving {
     pub start: Pos2,
     /// Where what is moved has its middle [m].
     pub pivot: DVec3,
-    /// The fibres as they were.
-    pub originals: Vec<Fibre>,
-    /// Vertices of the one fibre; all of every fibre if none.
-    pub vertices: Option<Vec<usize>>,
+    /// What is moved.
+    pub subject: Subject,
     /// Changes of this gesture are one step of undo.
     pub gesture: u64,
     /// Steps in which it snaps [m].
     pub step: f64,
-    /// What the fibres are copies of, where they are: copies that are given up go again, and none is left on what it is
-    /// a copy of.
-    pub copied: Option<Vec<String>>,
+}
+
+/// What is moved.
+#[derive(Clone, Debug)]
+pub(super) enum Subject {
+    /// Fibres, or vertices of one.
+    Fibres {
+        /// The fibres as they were.
+        originals: Vec<Fibre>,
+        /// Vertices of the one fibre; all of every fibre if none.
+        vertices: Option<Vec<usize>>,
+        /// What the fibres are copies of, where they are: copies that are given up go again, and none is left on what it
+        /// is a copy of.
+        copied: Option<Vec<String>>,
+    },
+    /// A body.
+    Body {
+        /// The body as it was.
+        original: OwnedBody,
+        /// Whether a copy of it is moved, which is not there yet.
+        copies: bool,
+        /// Whether the simulation ran, and is to run on.
+        plays: bool,
+    },
 }
 
 /// What a pointer and the keys beside it ask for.
@@ -49,6 +95,8 @@ pub(super) struct Asked {
     pub to: DVec3,
     /// Turn of the pointer about the pivot as seen, counter-clockwise [rad].
     pub angle: f64,
+    /// How many times as far from the pivot it is as it was.
+    pub stretch: f64,
     /// Towards the eye.
     pub toward_eye: DVec3,
     /// Shift: a tenth of it.
@@ -61,23 +109,28 @@ pub(super) struct Asked {
 const FINE: f64 = 0.1;
 /// Steps of turns [degrees].
 const TURN_STEP: f64 = 5.0;
-
+/// Steps of scalings, and the least and greatest one.
+const SCALE_STEP: f64 = 0.1;
+const SCALES: (f64, f64) = (0.01, 100.0);
 const AXES: [&str; 3] = ["X", "Y", "Z"];
 
 impl Moving {
-    /// What is typed, as metres or degrees; none while nothing is, or what is makes no number.
+    /// Whether a body is moved.
+    pub(super) fn is_body(&self) -> bool {
+        matches!(self.subject, Subject::Body { .. })
+    }
+
+    /// What is typed, as metres, degrees or a factor; none while nothing is, or what is makes no number.
     fn number(&self) -> Option<f64> {
         match self.kind {
             Kind::Move => typed(&self.typed, "mm").map(|mm| 1e-3 * mm),
             Kind::Turn => typed(&self.typed, "°"),
+            Kind::Scale => typed(&self.typed, "").filter(|factor| (SCALES.0..=SCALES.1).contains(factor)),
         }
     }
 
-    /// The transform that is asked for.
-    ///
-    /// # Errors
-    /// An axis without a direction.
-    pub(super) fn transform(&self, asked: &Asked) -> Result<Transform, FibreEditError> {
+    /// What is asked for.
+    pub(super) fn change(&self, asked: &Asked) -> Change {
         let share = if asked.fine { FINE } else { 1.0 };
         let stepped = |value: f64, step: f64| if asked.snap { (value / step).round() * step } else { value };
         match self.kind {
@@ -85,40 +138,48 @@ impl Moving {
                 let by = share * (asked.to - self.pivot);
                 let by = DVec3::from_array(by.to_array().map(|along| stepped(along, self.step)));
                 let locked = |axis: usize, value: f64| value * DMat3::IDENTITY.col(axis);
-                Ok(Transform::translation(match (self.axis, self.number()) {
+                Change::Move(match (self.axis, self.number()) {
                     (Some(axis), Some(number)) => locked(axis, number),
                     (None, Some(number)) => number * by.normalize_or(DVec3::X),
                     (Some(axis), None) => locked(axis, by[axis]),
                     (None, None) => by,
-                }))
+                })
             }
             Kind::Turn => {
                 let axis = self.axis.map_or(asked.toward_eye, |axis| DMat3::IDENTITY.col(axis));
                 // Seen from behind, an axis turns the other way.
                 let side = if axis.dot(asked.toward_eye) < 0.0 { -1.0 } else { 1.0 };
                 let degrees = stepped(share * side * asked.angle.to_degrees(), TURN_STEP);
-                Transform::rotation(self.pivot, axis, self.number().unwrap_or(degrees).to_radians())
+                Change::Turn(axis, self.number().unwrap_or(degrees).to_radians())
+            }
+            Kind::Scale => {
+                let factor = stepped(1.0 + share * (asked.stretch - 1.0), SCALE_STEP);
+                Change::Scale(self.number().unwrap_or_else(|| factor.clamp(SCALES.0, SCALES.1)))
             }
         }
     }
 
     /// What is going on, for the status bar.
     pub(super) fn hint(&self) -> String {
-        let what = match self.kind {
-            Kind::Move => "Move",
-            Kind::Turn => "Turn",
+        let (what, unit) = match self.kind {
+            Kind::Move => ("Move", "mm"),
+            Kind::Turn => ("Turn", "degrees"),
+            Kind::Scale => ("Scale", "times"),
         };
         let axis = self.axis.map_or(String::new(), |axis| format!(" along {}", AXES[axis]));
-        let axis = if self.kind == Kind::Turn { axis.replace("along", "about") } else { axis };
-        let unit = if self.kind == Kind::Move { "mm" } else { "degrees" };
+        let axis = match self.kind {
+            Kind::Move => axis,
+            Kind::Turn => axis.replace("along", "about"),
+            Kind::Scale => String::new(),
+        };
         let typed = match self.number() {
             Some(_) if self.kind == Kind::Move && self.typed.contains('m') => format!(": {}", self.typed),
             _ if self.typed.is_empty() => String::new(),
             _ => format!(": {} {unit}", self.typed),
         };
-        format!(
-            "{what}{axis}{typed}   X Y Z lock an axis, a number is taken in {unit}, Shift finely, Ctrl in steps, Escape back"
-        )
+        let locks = if self.kind == Kind::Scale { "" } else { "X Y Z lock an axis, " };
+        let number = if self.kind == Kind::Scale { "as a factor".to_owned() } else { format!("in {unit}") };
+        format!("{what}{axis}{typed}   {locks}a number is taken {number}, Shift finely, Ctrl in steps, Escape back")
     }
 }
 
@@ -149,23 +210,23 @@ mod tests {
             by_drag: false,
             start: Pos2::ZERO,
             pivot: DVec3::new(0.01, 0.02, 0.03),
-            originals: Vec::new(),
-            vertices: None,
+            subject: Subject::Fibres { originals: Vec::new(), vertices: None, copied: None },
             gesture: 0,
             step: 0.002,
-            copied: None,
         }
     }
 
     fn asked(to: DVec3, angle: f64) -> Asked {
-        Asked { to, angle, toward_eye: DVec3::Z, fine: false, snap: false }
+        Asked { to, angle, stretch: 1.0, toward_eye: DVec3::Z, fine: false, snap: false }
     }
 
     #[test]
     fn a_move_follows_the_pointer_locked_fine_in_steps_or_as_typed() {
         let mut moving = moving(Kind::Move);
         let to = moving.pivot + DVec3::new(0.0051, -0.0029, 0.0);
-        let by = |moving: &Moving, asked: &Asked| moving.transform(asked).unwrap().apply(moving.pivot) - moving.pivot;
+        let by = |moving: &Moving, asked: &Asked| {
+            moving.change(asked).about(moving.pivot).unwrap().apply(moving.pivot) - moving.pivot
+        };
         let close = |a: DVec3, b: DVec3| assert!(a.distance(b) < 1e-15, "{a}, not {b}");
         let mut asked = asked(to, 0.0);
         close(by(&moving, &asked), DVec3::new(0.0051, -0.0029, 0.0));
@@ -189,7 +250,7 @@ mod tests {
         let mut moving = moving(Kind::Turn);
         let quarter = asked(DVec3::ZERO, std::f64::consts::FRAC_PI_2);
         let at = |moving: &Moving, asked: &Asked| {
-            moving.transform(asked).unwrap().apply(moving.pivot + DVec3::X) - moving.pivot
+            moving.change(asked).about(moving.pivot).unwrap().apply(moving.pivot + DVec3::X) - moving.pivot
         };
         assert!(at(&moving, &quarter).distance(DVec3::Y) < 1e-12);
         moving.axis = Some(2);
@@ -198,6 +259,25 @@ mod tests {
         moving.typed = "90".to_owned();
         assert!(at(&moving, &behind).distance(DVec3::Y) < 1e-12);
         assert!((seen_angle(DVec2::X, -DVec2::Y, DVec2::ZERO) - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_scaling_follows_the_pointer_away_from_the_pivot_or_is_typed() {
+        let mut moving = moving(Kind::Scale);
+        let mut asked = Asked { stretch: 1.34, ..asked(DVec3::ZERO, 0.0) };
+        let factor = |moving: &Moving, asked: &Asked| match moving.change(asked) {
+            Change::Scale(factor) => factor,
+            other => panic!("{other:?}"),
+        };
+        assert!((factor(&moving, &asked) - 1.34).abs() < 1e-12);
+        asked.snap = true;
+        assert!((factor(&moving, &asked) - 1.3).abs() < 1e-12);
+        moving.typed = "2.5".to_owned();
+        assert_eq!(factor(&moving, &asked), 2.5);
+        moving.typed = "0".to_owned();
+        assert!((factor(&moving, &asked) - 1.3).abs() < 1e-12, "nothing would be left");
+        asked = Asked { stretch: 0.0, snap: false, ..asked };
+        assert_eq!(factor(&moving, &asked), SCALES.0);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What the pointer does to fibres and vertices in the views: clicks, handles, boxes; and what is painted over them.
+//! What the pointer does to fibres, vertices and bodies in the views: clicks, handles, boxes; and what is painted over them.
 
 use super::allowed::Allowed;
 use super::brush::{brush, paint_brush};
@@ -9,9 +9,9 @@ use super::motion::{begin_moving, follow_pointer};
 use super::moving::Kind;
 use super::state::{BoxDrag, Editing};
 use crate::draw::Slice;
-use crate::ui::context::Context;
+use crate::ui::context::{Context, Request};
 use crate::ui::theme;
-use crate::ui::views::ViewFrame;
+use crate::ui::views::{PaneKind, ViewFrame, body_at};
 use egui::{CursorIcon, Pos2, Rect, Response, Stroke, StrokeKind, Ui};
 use glam::DVec3;
 
@@ -29,9 +29,6 @@ pub(crate) fn take_pointer(
     allowed: Allowed,
     cx: &mut Context,
 ) {
-    if cx.active_body().is_none() {
-        return;
-    }
     let (at, press, modifiers) =
         ui.input(|input| (input.pointer.latest_pos(), input.pointer.press_origin(), input.modifiers));
     if follow_pointer(editing, ui, response, frame, cx)
@@ -59,6 +56,7 @@ pub(crate) fn take_pointer(
             Handle::Axis(axis) => (Kind::Move, Some(axis)),
             Handle::Middle => (Kind::Move, None),
             Handle::Ring => (Kind::Turn, None),
+            Handle::Corner => (Kind::Scale, None),
             Handle::Vertex(vertex) => {
                 if !cx.selection.vertices().is_some_and(|chosen| chosen.contains(&vertex)) {
                     cx.selection.click_vertex(Some(vertex), modifiers.shift);
@@ -68,32 +66,55 @@ pub(crate) fn take_pointer(
         };
         begin_moving(editing, kind, axis, frame.kind, start, true, cx);
         editing.hovered = None;
-    } else if starts && allowed.boxes {
+    } else if starts && allowed.boxes && cx.active_body().is_some() {
         editing.boxed = Some(BoxDrag { from: press });
     } else if response.clicked_by(egui::PointerButton::Primary)
         && let Some(at) = at
     {
-        click(frame, at, modifiers.shift, cx);
+        click(frame, at, modifiers.shift, slice, cx);
     }
 }
 
-/// Chooses the fibre at a point, unless it is chosen already, for the menu of what lies there.
-pub(crate) fn choose_at(frame: &ViewFrame, at: Pos2, cx: &mut Context) {
-    if cx.selection.vertices().is_none()
-        && let Some(fibre) = fibre_at(frame, at, cx).filter(|fibre| !cx.selection.contains(fibre))
-    {
-        cx.selection.only(fibre);
+/// Chooses the fibre at a point, or else the body, unless it is chosen already, for the menu of what lies there.
+pub(crate) fn choose_at(frame: &ViewFrame, at: Pos2, slice: Option<Slice>, cx: &mut Context) {
+    if cx.selection.vertices().is_some() {
+        return;
+    }
+    match fibre_at(frame, at, cx) {
+        Some(fibre) if cx.selection.contains(&fibre) => {}
+        Some(fibre) => cx.selection.only(fibre),
+        None if cx.selection.active().is_none() => {
+            choose_body_at(frame, at, slice, cx);
+        }
+        None => {}
     }
 }
 
-fn click(frame: &ViewFrame, at: Pos2, adding: bool, cx: &mut Context) {
+fn click(frame: &ViewFrame, at: Pos2, adding: bool, slice: Option<Slice>, cx: &mut Context) {
     if cx.selection.vertices().is_some() {
         let vertex = vertex_at(frame, at, cx);
         cx.selection.click_vertex(vertex, adding);
         return;
     }
     let fibre = fibre_at(frame, at, cx);
+    if fibre.is_none() && !adding && choose_body_at(frame, at, slice, cx) {
+        return;
+    }
     cx.selection.click(fibre.as_deref(), adding);
+}
+
+/// Selects the body that is seen at a point of the result view; false where there is none.
+fn choose_body_at(frame: &ViewFrame, at: Pos2, slice: Option<Slice>, cx: &mut Context) -> bool {
+    if frame.kind != PaneKind::Result || cx.simulation.is_comparing() {
+        return false;
+    }
+    let found = body_at(frame, slice, at, &cx.simulation.published().snapshot.bodies);
+    let id = found.and_then(|index| cx.scene().any_body(index)).map(|body| body.id().to_owned());
+    let is_there = id.is_some();
+    if let Some(id) = id {
+        cx.request(Request::ChooseBody(id));
+    }
+    is_there
 }
 
 /// Draws a box around what is to be selected; whether one is being drawn.

@@ -1,8 +1,7 @@
 //! What is being done to what is selected.
 
 use super::handle::Handle;
-use super::moving::Moving;
-use crate::edit::fibre_ops::Transform;
+use super::moving::{Change, Moving};
 use crate::scene::Dab;
 use crate::ui::views::PaneKind;
 use egui::Pos2;
@@ -14,7 +13,7 @@ pub(crate) struct Editing {
     /// A move or turn under way, and the view in which it goes on.
     pub(super) moving: Option<(Moving, PaneKind)>,
     /// What the last move asked for and is not in the document yet.
-    pub(super) pending: Option<Transform>,
+    pub(super) pending: Option<Change>,
     /// A box that is to be drawn around what is to be selected.
     pub(super) boxed: Option<BoxDrag>,
     /// The handle under the pointer.

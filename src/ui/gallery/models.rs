@@ -1,11 +1,36 @@
 //! Examples as documents, and their models put where a scene is saved.
 
 use super::examples::{Example, shipped};
-use crate::io::{IoError, put_beside};
+use crate::geometry::Model;
+use crate::io::{IoError, load_model, put_beside, read_model};
 use crate::scene::Scene;
 use crate::ui::document::Document;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// A model by its path, or one that ships by its file's name.
+///
+/// # Errors
+/// It cannot be read.
+pub(crate) fn shipped_or_read(path: &Path) -> Result<Model, IoError> {
+    match path.to_str().and_then(shipped) {
+        Some(bytes) => read_model(path, bytes),
+        None => load_model(path),
+    }
+}
+
+/// Whether a model of this name ships.
+pub(crate) fn is_shipped(name: &str) -> bool {
+    shipped(name).is_some()
+}
+
+/// Puts a model that ships into a folder; gives the name that it has there.
+///
+/// # Errors
+/// It cannot be written, or no model of that name ships.
+pub(crate) fn shipped_beside(folder: &Path, name: &str) -> Result<String, IoError> {
+    put_beside(folder, name, shipped(name).ok_or(IoError::Missing)?)
+}
 
 /// The scene of an example as it can be saved in a folder: its models are put there beside it.
 ///

@@ -154,6 +154,10 @@ impl Patterns {
             if ui.add_enabled(count > 0, button).on_hover_text(tooltip).clicked() {
                 self.add(cx);
             }
+            let tooltip = "Puts the pattern on the clipboard, to be pasted into another body, scene or window";
+            if ui.add_enabled(count > 0, Button::new("Copy")).on_hover_text(tooltip).clicked() {
+                self.copy(ui.ctx(), cx);
+            }
             ui.label(RichText::new(if count == 1 { "1 fibre".to_owned() } else { format!("{count} fibres") }).weak());
         });
     }

@@ -5,6 +5,7 @@ use crate::edit::Command;
 use crate::edit::fibre_ops::{BENDING, Called, laid};
 use crate::scene::Fibre;
 use crate::sketch::pattern::{Pattern, Polyline};
+use crate::ui::clipboard::copied_pattern;
 use crate::ui::context::{Context, PatternPreview, Severity, Step};
 use crate::ui::thumbs::Thumbs;
 use glam::DVec3;
@@ -119,6 +120,19 @@ impl Patterns {
                 let title = self.own.get(path)?.title().to_owned();
                 Some((title, "pattern".to_owned(), BENDING))
             }
+        }
+    }
+
+    /// Puts the chosen pattern on the clipboard.
+    pub(super) fn copy(&self, ctx: &egui::Context, cx: &mut Context) {
+        let Some((title, _, bending)) = self.called() else { return };
+        let does = match &self.chosen {
+            Some(Chosen::Shipped(id)) => Pattern::by_id(id).map_or("", |pattern| pattern.does),
+            Some(Chosen::Own(path)) => self.own.get(path).map_or("", |own| own.does()),
+            None => "",
+        };
+        if let Some(text) = copied_pattern(&title, does, bending, cx) {
+            ctx.copy_text(text);
         }
     }
 

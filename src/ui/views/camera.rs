@@ -7,7 +7,7 @@ use super::links::Links;
 use super::pane::Pane;
 use crate::draw::Bounds;
 use crate::render::{Camera, Facing, Projection};
-use crate::solver::snapshot::{BodySnapshot, Snapshot};
+use crate::solver::snapshot::BodySnapshot;
 use crate::ui::context::Context;
 use egui::{Key, PointerButton, Rect, Response, Ui};
 use glam::{DVec2, DVec3};
@@ -115,7 +115,10 @@ fn to_fit(kind: PaneKind, fits_selected: bool, cx: &Context) -> Option<Bounds> {
     }
 }
 
-fn selected_bounds(shown: &Snapshot, cx: &Context) -> Option<Bounds> {
+fn selected_bounds(shown: &DisplayedState, cx: &Context) -> Option<Bounds> {
+    if cx.selection.is_body() && matches!(shown, DisplayedState::Running(_)) {
+        return Bounds::of(shown.bodies.get(cx.active.index)?.particles.iter().copied());
+    }
     let fibres = shown.bodies.iter().flat_map(|body| &body.fibres);
     let chosen = fibres.filter(|fibre| cx.selection.contains(&fibre.id));
     let bounds = Bounds::of(chosen.flat_map(|fibre| fibre.vertices.iter().copied()))?;

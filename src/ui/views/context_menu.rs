@@ -6,7 +6,7 @@ use crate::ui::context::Context;
 use crate::ui::controls::menu_entry;
 use egui::{Popup, Response, SetOpenCommand};
 
-/// What can be done to chosen fibres, to a body without any chosen, and in a view of either kind.
+/// What can be done to chosen fibres, where nothing is chosen, and in a view of either kind.
 const CHOSEN: [Action; 9] = [
     Action::Vertices,
     Action::Duplicate,
@@ -16,6 +16,17 @@ const CHOSEN: [Action; 9] = [
     Action::Delete,
     Action::Smooth,
     Action::SnapToSurface,
+    Action::Hide,
+];
+/// What can be done to a chosen body.
+const BODY: [Action; 8] = [
+    Action::Move,
+    Action::Turn,
+    Action::Scale,
+    Action::Duplicate,
+    Action::Copy,
+    Action::Cut,
+    Action::Delete,
     Action::Hide,
 ];
 const NONE_CHOSEN: [Action; 3] = [Action::Paste, Action::SelectAll, Action::ShowAll];
@@ -31,8 +42,12 @@ pub(super) fn context_menu(response: &Response, kind: PaneKind, opens: bool, cx:
         response.clicked().then_some(SetOpenCommand::Bool(false))
     };
     Popup::menu(response).open_memory(command).at_pointer_fixed().show(|ui| {
-        let of_fibres: &[Action] = if cx.selection.active().is_some() { &CHOSEN } else { &NONE_CHOSEN };
-        for &action in of_fibres {
+        let of_chosen: &[Action] = match (cx.selection.active(), cx.selection.is_body()) {
+            (Some(_), _) => &CHOSEN,
+            (None, true) => &BODY,
+            (None, false) => &NONE_CHOSEN,
+        };
+        for &action in of_chosen {
             menu_entry(ui, cx, action);
         }
         ui.separator();

@@ -14,6 +14,8 @@ pub(crate) enum DisplayedState {
     Model(Arc<Snapshot>),
     /// The simulation.
     Running(Arc<Published>),
+    /// The bodies as they would be placed.
+    Placed(Arc<Snapshot>),
 }
 
 impl Deref for DisplayedState {
@@ -21,7 +23,7 @@ impl Deref for DisplayedState {
 
     fn deref(&self) -> &Snapshot {
         match self {
-            Self::Model(snapshot) => snapshot,
+            Self::Model(snapshot) | Self::Placed(snapshot) => snapshot,
             Self::Running(published) => &published.snapshot,
         }
     }
@@ -31,7 +33,7 @@ impl PartialEq for DisplayedState {
     /// Whether it is the same one: what is published is never changed.
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Model(a), Self::Model(b)) => Arc::ptr_eq(a, b),
+            (Self::Model(a), Self::Model(b)) | (Self::Placed(a), Self::Placed(b)) => Arc::ptr_eq(a, b),
             (Self::Running(a), Self::Running(b)) => Arc::ptr_eq(a, b),
             _ => false,
         }
@@ -42,6 +44,7 @@ impl DisplayedState {
     /// What a view of this kind shows.
     pub(crate) fn of(kind: PaneKind, cx: &Context) -> Self {
         match kind {
+            PaneKind::Result if cx.placed.is_some() => Self::Placed(cx.placed.clone().unwrap_or_default()),
             PaneKind::Result => Self::Running(Arc::clone(cx.simulation.published())),
             PaneKind::Drawing(_) => Self::Model(Arc::clone(&cx.active.model)),
         }
@@ -50,7 +53,7 @@ impl DisplayedState {
     /// The place of the active body among the bodies that are shown.
     pub(crate) fn active(&self, cx: &Context) -> usize {
         match self {
-            Self::Running(_) => cx.active.index,
+            Self::Running(_) | Self::Placed(_) => cx.active.index,
             Self::Model(_) => 0,
         }
     }

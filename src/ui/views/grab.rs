@@ -64,6 +64,11 @@ fn hit(frame: &ViewFrame, slice: Option<Slice>, at: Pos2, bodies: &[BodySnapshot
     Some(Grabbed { body, vertex, depth, target })
 }
 
+/// The number of the body that is seen at a pixel of the result view; none where there is none.
+pub(crate) fn body_at(frame: &ViewFrame, slice: Option<Slice>, at: Pos2, bodies: &[BodySnapshot]) -> Option<usize> {
+    hit(frame, slice, at, bodies).map(|hit| hit.body)
+}
+
 /// What is seen of a skin at a pixel of the result view: a face, and where on it [m].
 pub(crate) fn seen_on(
     skin: &[DVec3],

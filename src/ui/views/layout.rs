@@ -110,6 +110,10 @@ impl Views {
         if ui.input(|input| input.pointer.button_released(PointerButton::Secondary)) {
             self.tools.editing.note_release();
         }
+        if !self.tools.editing.has_gesture() {
+            // However a gesture has ended, what it showed is gone.
+            cx.placed = None;
+        }
         cx.status.gesture = self.tools.editing.hint();
         cx.status.strokes = self.tools.sketching.tool.stage().number();
         cx.status.offers_stretch = self.tools.sketching.is_refused();

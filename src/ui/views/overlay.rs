@@ -3,6 +3,7 @@
 use super::frame::ViewFrame;
 use super::grab::grabbed_point;
 use super::kind::PaneKind;
+use super::outline::paint_outline;
 use super::sketching::Sketching;
 use crate::scene::AnyBody;
 use crate::sketch::View;
@@ -18,6 +19,7 @@ pub(super) fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx
     let accent = theme::color(cx.tone.pictures().accent);
     let bodies = &cx.simulation.published().snapshot.bodies;
     paint_thin(&painter, frame, cx);
+    paint_outline(&painter, frame, cx);
     if let Some(caption) = cx.caption {
         paint_words(&painter, frame.rect, caption, cx);
     }

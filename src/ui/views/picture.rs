@@ -102,7 +102,7 @@ impl Painter {
         if changed {
             let ghost = match &inputs.state {
                 DisplayedState::Running(published) => published.ghost.as_ref(),
-                DisplayedState::Model(_) => None,
+                DisplayedState::Model(_) | DisplayedState::Placed(_) => None,
             };
             let moved = ghost.filter(|_| inputs.ghost_aside != DVec3::ZERO).map(|ghost| {
                 let bodies = ghost.bodies.iter().map(|body| body.moved(inputs.ghost_aside)).collect();

@@ -91,7 +91,7 @@ pub(super) fn show(
     }
     let opens = response.secondary_clicked() && tools.editing.opens_menu();
     if let Some(at) = ui.input(|input| input.pointer.interact_pos()).filter(|_| opens) {
-        editing::choose_at(&frame, at, cx);
+        editing::choose_at(&frame, at, slice, cx);
     }
     context_menu(&response, frame.kind, opens, cx);
     paint_picture(pane, ui, &options.display, painter, cx);

@@ -1,15 +1,15 @@
-//! Fibres on the system's clipboard: as JSON text, so that they go from scene to scene, window to window and into letters.
+//! Fibres as text, with the drives that they follow.
 
-use super::context::{Context, Severity, Step};
 use crate::draw::Bounds;
 use crate::edit::Command;
 use crate::edit::fibre_ops::{self, Transform};
 use crate::scene::{Body, Drive, Fibre, SharedDrive};
+use crate::ui::context::{Context, Severity, Step};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// What the text says that it holds.
-const FIBRES: &str = "fibres";
+pub(super) const FIBRES: &str = "fibres";
 /// Fibres that would lie on their like are put aside by this share of the body's diagonal.
 const APART: f64 = 0.04;
 
@@ -34,16 +34,13 @@ pub(super) fn copied(cx: &mut Context) -> Option<String> {
     Some(text)
 }
 
-/// Puts the fibres of a text into the body, selected.
-pub(super) fn paste(text: &str, cx: &mut Context) {
-    let clipping = serde_json::from_str::<Clipping>(text).ok().filter(|clipping| clipping.sinew == FIBRES);
-    let Some(Clipping { mut fibres, drives, .. }) = clipping.filter(|clipping| !clipping.fibres.is_empty()) else {
-        cx.say(Severity::Warning, "The clipboard holds no fibres: copy some with Ctrl+C first");
-        return;
-    };
+/// Puts the fibres of a text into the body, selected; false where the text holds none.
+pub(super) fn paste(text: &str, cx: &mut Context) -> bool {
+    let clipping = serde_json::from_str::<Clipping>(text).ok().filter(|clipping| !clipping.fibres.is_empty());
+    let Some(Clipping { mut fibres, drives, .. }) = clipping else { return false };
     let Some(body) = cx.active_body() else {
         cx.say(Severity::Error, "Fibres go into fibre solids: choose one in the list of bodies");
-        return;
+        return true;
     };
     let id = body.id.clone();
     for fibre in &mut fibres {
@@ -64,6 +61,7 @@ pub(super) fn paste(text: &str, cx: &mut Context) {
         }
         Err(error) => cx.say(Severity::Error, error.to_string()),
     }
+    true
 }
 
 /// The name of the shared drive that a fibre follows.

@@ -1,0 +1,36 @@
+//! The system's clipboard: fibres, bodies and patterns as JSON text, so that they go from scene to scene, window to window and
+//! into letters.
+
+mod bodies;
+mod fibres;
+mod patterns;
+
+pub(crate) use patterns::copied_pattern;
+
+use super::context::{Context, Severity};
+use serde::Deserialize;
+
+/// What a text says that it holds.
+#[derive(Deserialize)]
+struct Clipping {
+    sinew: String,
+}
+
+/// What is selected as text.
+pub(super) fn copied(cx: &mut Context) -> Option<String> {
+    if cx.selection.is_body() { bodies::copied(cx) } else { fibres::copied(cx) }
+}
+
+/// Puts what a text holds into the scene, selected.
+pub(super) fn paste(text: &str, cx: &mut Context) {
+    let holds = serde_json::from_str::<Clipping>(text).map(|clipping| clipping.sinew);
+    let is_pasted = match holds.as_deref() {
+        Ok(fibres::FIBRES) => fibres::paste(text, cx),
+        Ok(bodies::BODY) => bodies::paste(text, cx),
+        Ok(patterns::PATTERN) => patterns::paste(text, cx),
+        _ => false,
+    };
+    if !is_pasted {
+        cx.say(Severity::Warning, "The clipboard holds no fibres, body or pattern: copy some with Ctrl+C first");
+    }
+}

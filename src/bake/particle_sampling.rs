@@ -38,7 +38,7 @@ pub(super) struct ParticleSampling<'a> {
 
 enum Source<'a> {
     Box(Cuboid),
-    Mesh(Cow<'a, Solid>),
+    Mesh(Box<Cow<'a, Solid>>),
 }
 
 impl Source<'_> {
@@ -84,7 +84,7 @@ pub(super) fn sample_particles<'a>(
                 sample: filling.sample,
                 volume: solid.volume,
                 size: solid.size(),
-                source: Source::Mesh(Cow::Borrowed(solid)),
+                source: Source::Mesh(Box::new(Cow::Borrowed(solid))),
             }
         }
         round => {
@@ -141,7 +141,7 @@ fn fill_round_shape<'a>(
         sample: filling.sample,
         volume: shape.volume().unwrap_or(solid.volume),
         size: solid.size(),
-        source: Source::Mesh(Cow::Owned(solid)),
+        source: Source::Mesh(Box::new(Cow::Owned(solid))),
     })
 }
 

@@ -19,7 +19,6 @@ impl Command {
                 }
             }
             Self::SetBody { body: OwnedBody::Solid(body), .. } => *body_of(scene, &body.id)? = (**body).clone(),
-            Self::SetBody { body: OwnedBody::TwoLayer(body), .. } => *two_layer_of(scene, &body.id)? = (**body).clone(),
             Self::RemoveBody { body } => {
                 any_body_of(scene, body)?;
                 scene.bodies.retain(|old| old.id != *body);
@@ -70,7 +69,9 @@ impl Command {
                 body.regions_mut().clone_from(regions);
                 body.pins_mut().clone_from(pins);
             }
-            Self::SetTwoLayer(body) => *two_layer_of(scene, &body.id)? = (**body).clone(),
+            Self::SetBody { body: OwnedBody::TwoLayer(body), .. } | Self::SetTwoLayer(body) => {
+                *two_layer_of(scene, &body.id)? = (**body).clone();
+            }
             Self::SetTime(time) => scene.time = time.clone(),
             Self::SetGravity(gravity) => scene.gravity = *gravity,
             Self::SetRoom(room) => scene.room = room.clone(),

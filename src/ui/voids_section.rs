@@ -91,6 +91,7 @@ fn new_void(ui: &mut Ui, cx: &Context, body: &Body) -> Option<Void> {
 fn middle(cx: &Context, body: &Body) -> [f64; 3] {
     match &body.shape {
         Shape::Box(BoxShape { center, .. }) => *center,
+        Shape::Ball(_) | Shape::Cylinder(_) | Shape::Capsule(_) | Shape::Torus(_) => [0.0; 3],
         Shape::Mesh(mesh) => {
             let solid = cx.document.assets.solid(mesh);
             solid.map_or([0.0; 3], |solid| (0.5 * (solid.min + solid.max)).to_array())

@@ -18,7 +18,7 @@ pub fn copy(body: &OwnedBody, scene: &Scene) -> OwnedBody {
 /// The number under which an identifier is free; none where it is so already.
 fn first_free(id: &str, scene: &Scene) -> Option<usize> {
     scene.find_body(id)?;
-    (2..).find(|number| scene.find_body(&format!("{}-{number}", stem(id))).is_none())
+    (2..usize::MAX).find(|number| scene.find_body(&format!("{}-{number}", stem(id))).is_none())
 }
 
 fn stem(id: &str) -> &str {

@@ -41,7 +41,9 @@ pub(super) fn scaled_source(source: &FibreSource, factor: f64) -> Result<FibreSo
 
 /// Waves along fibres are as many as before.
 pub(super) fn scaled_drives(drives: &mut [SharedDrive], factor: f64) {
-    drives.iter_mut().for_each(|shared| scale_drive(&mut shared.drive, factor));
+    for shared in drives {
+        scale_drive(&mut shared.drive, factor);
+    }
 }
 
 fn scale_drive(drive: &mut Drive, factor: f64) {

@@ -1,11 +1,11 @@
 //! Checks of the fibre solids: shape, material, fibres, paint.
 
-use super::SceneError;
 use super::check::{At, Checked, Ids, fraction, not_negative, positive, require, vector, within};
 use super::drives;
 use super::lines::source;
 use super::parts::{impulses, initial, model_file, pins, placement, regions, rotation};
 use super::voids::voids;
+use super::{SceneError, brief};
 use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
     Body, CapsuleShape, CylinderShape, Dab, Fibre, IntegratorChoice, IntegratorKind, MAX_DABS, MAX_PARTICLES, Mass,

@@ -70,7 +70,7 @@ fn place(ui: &mut Ui, id: &str, before: &Placement, cx: &mut Context) {
 fn shape(ui: &mut Ui, before: &OwnedBody, cx: &mut Context) {
     let changed = match before {
         OwnedBody::Solid(body) => solid_shape(ui, body).map(OwnedBody::from),
-        OwnedBody::TwoLayer(body) => two_layer_shape(ui, body).map(OwnedBody::from),
+        OwnedBody::TwoLayer(body) => Some(two_layer_shape(ui, body).into()),
     };
     let Some(body) = changed.filter(|changed| changed != before) else { return };
     let is_there = before.view().model().is_none_or(|model| scaled_model(model, &body, cx));
@@ -133,7 +133,7 @@ fn mesh_shape(ui: &mut Ui, body: &Body, shape: &MeshShape) -> Option<Body> {
     Some(Body { shape: shape.into(), ..body.clone() })
 }
 
-fn two_layer_shape(ui: &mut Ui, body: &TwoLayer) -> Option<TwoLayer> {
+fn two_layer_shape(ui: &mut Ui, body: &TwoLayer) -> TwoLayer {
     let mut body = body.clone();
     match &mut body.shape {
         TwoLayerShape::Segment(shape) => {
@@ -151,5 +151,5 @@ fn two_layer_shape(ui: &mut Ui, body: &TwoLayer) -> Option<TwoLayer> {
             SCALE.show(ui, &mut shape.scale);
         }
     }
-    Some(body)
+    body
 }

@@ -2,6 +2,7 @@
 
 use super::displayed::DisplayedState;
 use super::frame::ViewFrame;
+use crate::scene::AnyBody;
 use crate::solver::snapshot::BodySnapshot;
 use crate::ui::context::Context;
 use crate::ui::theme;
@@ -15,7 +16,7 @@ const WIDTH: f32 = 1.5;
 
 /// Paints a line around the body that is selected.
 pub(super) fn paint_outline(painter: &Painter, frame: &ViewFrame, cx: &Context) {
-    if cx.chosen_body().is_none_or(|body| body.hidden()) || cx.simulation.is_comparing() {
+    if cx.chosen_body().is_none_or(AnyBody::hidden) || cx.simulation.is_comparing() {
         return;
     }
     let shown = DisplayedState::of(frame.kind, cx);

@@ -20,7 +20,7 @@ const fn beside_start(name: &'static str, at: f64) -> ExamplePicture {
 }
 
 /// Every scene that ships.
-pub(super) const EXAMPLES: [ExamplePicture; 71] = [
+pub(super) const EXAMPLES: [ExamplePicture; 81] = [
     beside_start("alive_fish", 2.0),
     at("alive_gripper", 2.0),
     at("alive_heart", 0.6),
@@ -28,6 +28,8 @@ pub(super) const EXAMPLES: [ExamplePicture; 71] = [
     beside_start("alive_worm", 4.0),
     beside_start("alive_worm_back", 4.0),
     at("cantilever", 1.0),
+    at("collider_carry", 2.0),
+    beside_start("collider_steps", 2.5),
     at("figure_06_without", 0.002),
     at("figure_06_without_soft", 0.033),
     at("figure_06a", 0.002),
@@ -68,6 +70,10 @@ pub(super) const EXAMPLES: [ExamplePicture; 71] = [
     at("leaf", 0.01),
     at("long_bar", 0.02),
     at("plant", 0.01),
+    at("plastic_dent", 1.4),
+    at("plastic_dent_without", 1.4),
+    beside_start("plastic_wire", 2.3),
+    beside_start("plastic_wire_without", 2.3),
     at("press_short_bar", 0.01),
     at("short_bar", 0.003),
     at("short_bar_mesh", 0.003),
@@ -92,6 +98,10 @@ pub(super) const EXAMPLES: [ExamplePicture; 71] = [
     at("two_layer_stability_soft", 10.0),
     at("two_layer_stability_stiff", 1.0),
     at("two_layer_subdivisions", 0.9),
+    at("viscous_block", 0.2),
+    at("viscous_without", 0.2),
+    at("void_bores", 0.45),
+    at("void_without", 0.45),
 ];
 
 #[cfg(test)]

@@ -28,6 +28,8 @@ pub enum Group {
     Start,
     /// Fibres that act.
     Alive,
+    /// Matter with holes, that yields or flows, and what it touches.
+    Matter,
     /// The fibre paper.
     Fibres,
     /// The two-layer paper.
@@ -36,13 +38,14 @@ pub enum Group {
 
 impl Group {
     /// All groups in their order.
-    pub const ALL: [Self; 4] = [Self::Start, Self::Alive, Self::Fibres, Self::TwoLayer];
+    pub const ALL: [Self; 5] = [Self::Start, Self::Alive, Self::Matter, Self::Fibres, Self::TwoLayer];
 
     /// What it is called.
     pub fn title(self) -> &'static str {
         match self {
             Self::Start => "Start",
             Self::Alive => "Fibres that act",
+            Self::Matter => "Matter and colliders",
             Self::Fibres => "Fibres",
             Self::TwoLayer => "Two-layer bodies",
         }
@@ -130,6 +133,16 @@ examples! {
     Alive "alive_gripper", "A gripper", "": "Two fingers curl round a ball, lift it and hold it by friction.";
     Alive "alive_octopus", "An arm", "": "Oblique fibres twist it both ways, and others curl it up.";
     Alive "alive_fish", "A fish", "": "A wave from head to tail pushes water aside, and it swims.";
+    Matter "collider_steps", "A bar on steps", "": "It falls on a ball and down three steps, and lies still by friction.";
+    Matter "collider_carry", "A bar that is carried", "": "Two fingers close on it, lift it and carry it along by friction.";
+    Matter "void_bores", "A bored bar", "": "Two bores cross in it: landing, it is squeezed further.";
+    Matter "void_without", "The bar without bores", "": "Solid, it keeps more of its height.";
+    Matter "plastic_dent", "A dent in clay", "": "A stamp leaves a dent that stays.";
+    Matter "plastic_dent_without", "No dent in rubber", "": "The same stamp: all of it springs back.";
+    Matter "plastic_wire", "A bent wire", "": "The wire in the arm yields: the arm keeps its pose.";
+    Matter "plastic_wire_without", "A springy wire", "": "The same arm springs back up.";
+    Matter "viscous_block", "A block like dough", "": "It lands and hardly bounces.";
+    Matter "viscous_without", "A block like rubber", "": "It lands as fast and bounces.";
     Fibres "figure_06_without_soft", "A bar without fibres", "Figure 6":
         "Squeezed as it lands, and neither sheared nor twisted.";
     Fibres "figure_06a_soft", "A bar that keeps its height", "Figure 6a":

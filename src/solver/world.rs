@@ -10,6 +10,7 @@ mod asleep;
 mod checkpoint;
 mod eased;
 mod grips;
+mod measured;
 mod probe;
 mod starts;
 mod totals;

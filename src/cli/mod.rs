@@ -62,12 +62,12 @@ pub struct Cli {
     pub trace: Option<PathBuf>,
     /// What to do.
     #[command(subcommand)]
-    pub command: Option<Command>,
+    pub command: Option<CliCommand>,
 }
 
 /// What the program does without its window.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub enum CliCommand {
     /// Run a scene or a model and report what it shows
     Simulate(simulate::Simulate),
     /// Take a picture of a scene or a model at some time
@@ -105,21 +105,21 @@ const DIVERGED: u8 = 3;
 const NO_DRIVER: u8 = 4;
 
 /// Runs a command, says what is to be said and gives the exit code.
-pub fn run(command: &Command, console: &mut Console) -> ExitCode {
+pub fn run(command: &CliCommand, console: &mut Console) -> ExitCode {
     let outcome = match command {
-        Command::Simulate(args) => simulate::run(args, &Interruption::listening(), console),
-        Command::Render(args) => render::run(args, &Interruption::listening(), console),
-        Command::Sweep(args) => sweep::run(args, &Interruption::listening(), console),
-        Command::Compare(args) => compare::run(args, &Interruption::listening(), console),
-        Command::Converge(args) => converge::run(args, &Interruption::listening(), console),
-        Command::Replay(args) => replay::run(args, &Interruption::listening(), console),
-        Command::Check(args) => check::run(args, console),
-        Command::Fibres(args) => fibres::run(args, console),
-        Command::Collect(args) => collect::run(args, console),
-        Command::Table1(args) => table1::run(args, console),
-        Command::Schema => schema::run(console),
-        Command::MakeModels(args) => make_models::run(args, console),
-        Command::MakePictures(args) => make_pictures::run(args, console),
+        CliCommand::Simulate(args) => simulate::run(args, &Interruption::listening(), console),
+        CliCommand::Render(args) => render::run(args, &Interruption::listening(), console),
+        CliCommand::Sweep(args) => sweep::run(args, &Interruption::listening(), console),
+        CliCommand::Compare(args) => compare::run(args, &Interruption::listening(), console),
+        CliCommand::Converge(args) => converge::run(args, &Interruption::listening(), console),
+        CliCommand::Replay(args) => replay::run(args, &Interruption::listening(), console),
+        CliCommand::Check(args) => check::run(args, console),
+        CliCommand::Fibres(args) => fibres::run(args, console),
+        CliCommand::Collect(args) => collect::run(args, console),
+        CliCommand::Table1(args) => table1::run(args, console),
+        CliCommand::Schema => schema::run(console),
+        CliCommand::MakeModels(args) => make_models::run(args, console),
+        CliCommand::MakePictures(args) => make_pictures::run(args, console),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
@@ -158,5 +158,5 @@ pub fn without_window(scene: Option<PathBuf>, console: &mut Console) -> ExitCode
         "note",
         &"this program was built without its window and runs the scene; `sinew --help` lists the commands",
     );
-    run(&Command::Simulate(simulate::Simulate::of(scene)), console)
+    run(&CliCommand::Simulate(simulate::Simulate::of(scene)), console)
 }

@@ -2,7 +2,7 @@
 
 use super::ease::Ease;
 use super::kind::{PaneKind, facing};
-use super::picture::Picture;
+use super::picture::ViewPicture;
 use crate::render::Camera;
 use crate::solver::snapshot::Snapshot;
 use egui::Rect;
@@ -27,7 +27,7 @@ pub(crate) struct Pane {
     /// Where it lay in the last frame.
     pub rect: Rect,
     /// What it showed in the last frame.
-    pub picture: Picture,
+    pub picture: ViewPicture,
 }
 
 impl Pane {
@@ -45,7 +45,7 @@ impl Pane {
             shown: false,
             followed: None,
             rect: Rect::NOTHING,
-            picture: Picture::default(),
+            picture: ViewPicture::default(),
         }
     }
 

@@ -46,7 +46,7 @@ impl PartialEq for ViewInputs {
 
 /// The picture of one view, kept until what it shows changes.
 #[derive(Default)]
-pub(crate) struct Picture {
+pub(crate) struct ViewPicture {
     inputs: Option<ViewInputs>,
     content: Option<Content>,
     viewport: Option<Viewport>,
@@ -68,7 +68,7 @@ impl Painter {
     }
 
     /// A picture as it was painted last; none before it was.
-    pub(crate) fn picture(&self, picture: &Picture) -> Option<Result<crate::render::Picture, RenderError>> {
+    pub(crate) fn picture(&self, picture: &ViewPicture) -> Option<Result<crate::render::Picture, RenderError>> {
         picture.viewport.as_ref().map(|viewport| read_back(&self.renderer, viewport))
     }
 
@@ -76,7 +76,7 @@ impl Painter {
     /// there is no room.
     pub(crate) fn paint(
         &self,
-        picture: &mut Picture,
+        picture: &mut ViewPicture,
         inputs: ViewInputs,
         camera: &Camera,
         place: Rect,
@@ -131,7 +131,7 @@ impl Painter {
     }
 }
 
-impl Picture {
+impl ViewPicture {
     /// Whether there is one.
     pub(crate) fn is_drawn(&self) -> bool {
         self.viewport.is_some()

@@ -58,7 +58,7 @@ impl Stage {
 
 /// What a released stroke has led to.
 #[derive(Clone, Debug)]
-pub(crate) enum Outcome {
+pub(crate) enum StrokeOutcome {
     /// It was too short to be meant [pixels].
     Slip(f64),
     /// The first stroke is there; the second goes into another view.
@@ -132,35 +132,35 @@ impl SketchTool {
     }
 
     /// Ends the stroke; `model_diagonal` [m] is that of the body that is drawn into.
-    pub(crate) fn release(&mut self, model_diagonal: f64) -> Option<Outcome> {
+    pub(crate) fn release(&mut self, model_diagonal: f64) -> Option<StrokeOutcome> {
         let Stage::Drawing { stroke, length, first, .. } = std::mem::take(&mut self.stage) else { return None };
         if length < SHORTEST_STROKE {
             self.stage = first.map_or(Stage::Empty, |first| Stage::Waiting { first });
-            return Some(Outcome::Slip(length));
+            return Some(StrokeOutcome::Slip(length));
         }
         let Some(first) = first else {
             self.stage = Stage::Waiting { first: stroke };
-            return Some(Outcome::First);
+            return Some(StrokeOutcome::First);
         };
         Some(self.pair(first, stroke, model_diagonal, Mismatch::Clip))
     }
 
     /// Takes a refused pair by stretching the second stroke onto the first.
-    pub(crate) fn stretch(&mut self, model_diagonal: f64) -> Option<Outcome> {
+    pub(crate) fn stretch(&mut self, model_diagonal: f64) -> Option<StrokeOutcome> {
         let Stage::Refused { first, second } = std::mem::take(&mut self.stage) else { return None };
         Some(self.pair(first, second, model_diagonal, Mismatch::Stretch))
     }
 
-    fn pair(&mut self, first: Stroke, second: Stroke, model_diagonal: f64, mismatch: Mismatch) -> Outcome {
+    fn pair(&mut self, first: Stroke, second: Stroke, model_diagonal: f64, mismatch: Mismatch) -> StrokeOutcome {
         let options = LiftOptions { flip_second: false, stretch: mismatch == Mismatch::Stretch, model_diagonal };
         match lift(&first, &second, &options) {
             Ok(lifted) => {
                 let strokes = StrokePair { mismatch, ..StrokePair::new(drawn(&first), drawn(&second)) };
-                Outcome::Pair { strokes, lifted: Box::new(lifted) }
+                StrokeOutcome::Pair { strokes, lifted: Box::new(lifted) }
             }
             Err(error) => {
                 self.stage = Stage::Refused { first, second };
-                Outcome::Refused(error)
+                StrokeOutcome::Refused(error)
             }
         }
     }
@@ -206,7 +206,7 @@ fn drawn(stroke: &Stroke) -> ViewStroke {
 mod tests {
     use super::*;
 
-    fn draw(tool: &mut SketchTool, view: View, points: &[(f64, f64)]) -> Option<Outcome> {
+    fn draw(tool: &mut SketchTool, view: View, points: &[(f64, f64)]) -> Option<StrokeOutcome> {
         let at = |(x, y): (f64, f64)| DVec2::new(x, y);
         tool.press(view, at(points[0]) * 4000.0, at(points[0]));
         for pair in points.windows(2) {
@@ -221,9 +221,10 @@ mod tests {
     #[test]
     fn two_strokes_make_a_pair() {
         let mut tool = SketchTool::default();
-        assert!(matches!(draw(&mut tool, View::Front, &[(0.0, 0.0), (0.02, 0.07)]), Some(Outcome::First)));
+        assert!(matches!(draw(&mut tool, View::Front, &[(0.0, 0.0), (0.02, 0.07)]), Some(StrokeOutcome::First)));
         assert!(tool.guides(View::Side, 0.1).is_some());
-        let Some(Outcome::Pair { strokes, lifted }) = draw(&mut tool, View::Side, &[(0.01, 0.0), (-0.01, 0.07)]) else {
+        let Some(StrokeOutcome::Pair { strokes, lifted }) = draw(&mut tool, View::Side, &[(0.01, 0.0), (-0.01, 0.07)])
+        else {
             panic!("no pair")
         };
         assert_eq!((strokes.first.view, strokes.second.view), (View::Front, View::Side));
@@ -235,10 +236,10 @@ mod tests {
     #[test]
     fn slips_are_refused_and_keep_the_first_stroke() {
         let mut tool = SketchTool::default();
-        assert!(matches!(draw(&mut tool, View::Front, &[(0.0, 0.0), (0.001, 0.001)]), Some(Outcome::Slip(_))));
+        assert!(matches!(draw(&mut tool, View::Front, &[(0.0, 0.0), (0.001, 0.001)]), Some(StrokeOutcome::Slip(_))));
         assert!(tool.first().is_none());
         draw(&mut tool, View::Front, &[(0.0, 0.0), (0.02, 0.07)]);
-        assert!(matches!(draw(&mut tool, View::Side, &[(0.0, 0.0), (0.001, 0.001)]), Some(Outcome::Slip(_))));
+        assert!(matches!(draw(&mut tool, View::Side, &[(0.0, 0.0), (0.001, 0.001)]), Some(StrokeOutcome::Slip(_))));
         assert!(tool.first().is_some());
     }
 
@@ -246,7 +247,7 @@ mod tests {
     fn a_stroke_in_the_first_ones_view_takes_its_place_and_escape_goes_back() {
         let mut tool = SketchTool::default();
         draw(&mut tool, View::Front, &[(0.0, 0.0), (0.02, 0.07)]);
-        assert!(matches!(draw(&mut tool, View::Front, &[(0.0, 0.0), (0.0, 0.07)]), Some(Outcome::First)));
+        assert!(matches!(draw(&mut tool, View::Front, &[(0.0, 0.0), (0.0, 0.07)]), Some(StrokeOutcome::First)));
         assert!(tool.first().is_some_and(|first| first.points.iter().all(|point| point.x == 0.0)));
         tool.press(View::Side, DVec2::ZERO, DVec2::ZERO);
         assert!(tool.cancel() && tool.first().is_some());
@@ -259,7 +260,7 @@ mod tests {
         let mut tool = SketchTool::default();
         draw(&mut tool, View::Front, &[(0.0, 0.0), (0.02, 0.07)]);
         let refused = draw(&mut tool, View::Side, &[(0.0, 0.0), (0.01, 0.03)]);
-        assert!(matches!(refused, Some(Outcome::Refused(SketchError::Overlap { .. }))), "{refused:?}");
-        assert!(matches!(tool.stretch(0.1), Some(Outcome::Pair { .. })));
+        assert!(matches!(refused, Some(StrokeOutcome::Refused(SketchError::Overlap { .. }))), "{refused:?}");
+        assert!(matches!(tool.stretch(0.1), Some(StrokeOutcome::Pair { .. })));
     }
 }

@@ -1,7 +1,7 @@
 //! Drawing fibres: from the pointer's samples to a fibre in the document.
 
 use super::frame::ViewFrame;
-use super::sketch_tool::{Outcome, SHORTEST_STROKE, SketchTool, Stage};
+use super::sketch_tool::{SHORTEST_STROKE, SketchTool, Stage, StrokeOutcome};
 use crate::edit::Command;
 use crate::edit::fibre_ops::{self, FibreEditError};
 use crate::scene::{Fibre, FibreSource, Mismatch, StrokePair, ViewStroke};
@@ -115,19 +115,19 @@ impl Sketching {
     }
 
     /// What a released stroke leads to.
-    fn released(&mut self, outcome: Outcome, cx: &mut Context) {
+    fn released(&mut self, outcome: StrokeOutcome, cx: &mut Context) {
         match outcome {
-            Outcome::Slip(length) => cx.say(
+            StrokeOutcome::Slip(length) => cx.say(
                 Severity::Warning,
                 format!("That stroke was only {length:.0} pixels long; draw at least {SHORTEST_STROKE:.0}"),
             ),
-            Outcome::First if self.redraws => self.redraw(cx),
-            Outcome::First => cx.say(Severity::Note, "Now draw the same fibre as the other view sees it"),
-            Outcome::Refused(error) => {
+            StrokeOutcome::First if self.redraws => self.redraw(cx),
+            StrokeOutcome::First => cx.say(Severity::Note, "Now draw the same fibre as the other view sees it"),
+            StrokeOutcome::Refused(error) => {
                 let error: SketchError = error;
                 cx.say(Severity::Error, error.to_string());
             }
-            Outcome::Pair { strokes, lifted } => {
+            StrokeOutcome::Pair { strokes, lifted } => {
                 let notes: Vec<String> = lifted.notes.iter().map(ToString::to_string).collect();
                 self.add_fibre(strokes, cx);
                 if !notes.is_empty() {

@@ -41,8 +41,9 @@ impl PartialEq for Obstacle {
     }
 }
 
-/// Steps in which the place where a way goes in is looked for; a way that only grazes is not followed further.
-const MOST_STEPS: u32 = 96;
+/// Steps in which the place where a way goes in is looked for. Few are needed but by a way that grazes: one that goes less
+/// than a thousandth of its size into a round thing is not followed further.
+const MOST_STEPS: u32 = 512;
 
 impl Obstacle {
     /// Least and greatest corner [m].

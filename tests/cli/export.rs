@@ -178,7 +178,7 @@ fn another_programs_unit_and_axes_are_those_of_every_place() {
 fn a_program_stands_for_its_unit_and_axes_and_fewer_frames_last_as_long() {
     let desk = desk();
     let frame = |name: &str, options: &str| {
-        desk.done(&format!("simulate scene.json --frames 3..3 {options} --out {name}"));
+        desk.done(format!("simulate scene.json --frames 3..3 --out {name} {options}").trim_end());
         desk.text(&format!("{name}/frame_000003.obj"))
     };
     let plain = frame("plain", "");

@@ -77,10 +77,10 @@ fn new_void(ui: &mut Ui, cx: &Context, body: &Body) -> Option<Void> {
     let radius = FIRST_RADIUS * body.material.spacing();
     let [x, y, z] = middle(cx, body);
     let mut void = None;
-    if ui.button("Add a ball").on_hover_text("Takes a ball out of the body's middle").clicked() {
+    if ui.button("Take a ball out").on_hover_text("Takes a ball out of the body's middle").clicked() {
         void = Some(Void::sphere(id_of("Ball", body), [x, y, z], radius));
     }
-    if ui.button("Add a box").on_hover_text("Takes a box out of the body's middle").clicked() {
+    if ui.button("Take a box out").on_hover_text("Takes a box out of the body's middle").clicked() {
         let (min, max) = ([x - radius, y - radius, z - radius], [x + radius, y + radius, z + radius]);
         void = Some(Void::in_box(id_of("Box", body), min, max));
     }

@@ -140,7 +140,11 @@ fn a_pulled_rod_yields_at_its_yield_stress_and_stays_long() {
         } else if hardening > 0.0 {
             // Stress sy + H al, strain 5 % = stress / E + al.
             let expected = (2e4 + hardening * 0.05) / (1.0 + hardening / E);
-            assert!((mean / expected - 1.0).abs() < 0.03, "{mean} Pa, not {expected}");
+            let pull = scalar(&runner, 0).abs() / area;
+            println!("{pull} Pa pulled, {expected} by theory");
+            // What holds the lattice together does not yield: the pull is a little above, what the matter carries below.
+            assert!((1.0..1.07).contains(&(pull / expected)), "{pull} Pa pulled, not {expected}");
+            assert!((0.92..1.0).contains(&(mean / expected)), "{mean} Pa, not {expected}");
         } else {
             // Without hardening it necks: no particle carries more than the yield stress, and some carry less.
             assert!(most < 2e4 * (1.0 + 1e-9) && most > 1.95e4 && mean > 1.8e4, "{mean} Pa, {most} Pa at most");

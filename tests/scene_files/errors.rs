@@ -248,7 +248,7 @@ fn wrong_types_are_said_with_their_place() {
         ("/bodies/0/fibres/0/color/1", json!(256), ["256 has", "a whole number from 0 to 255"]),
         ("/two_layer/0/color", json!([1, 2]), ["array of length 3", "Colour in which it is drawn"]),
         ("/bodies/0/integrator", json!("velvet"), ["\"velvet\" is unknown here", "`leap_frog`"]),
-        ("/bodies/0/shape", json!({"ball": {}}), ["is unknown here", "`box`"]),
+        ("/bodies/0/shape", json!({"pyramid": {}}), ["is unknown here", "`box`"]),
         ("/bodies/0/material/mass", json!({"density": 1, "per_particle": 1}), ["a single member", "Density or mass"]),
         ("/bodies/0/material", json!([]), ["expected an object (Material)", "What it is made of"]),
         ("/bodies", json!({}), ["expected an array", "The soft bodies"]),

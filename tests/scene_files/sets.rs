@@ -68,7 +68,11 @@ fn pointers_into_nothing_and_misspelt_ones_are_refused() {
             "2e5",
             ["no member of /bodies/0/material", "did you mean \"young_modulus\"?"],
         ),
-        ("/bodies/0/material/colour", "\"red\"", ["\"colour\" is no member", "it has damping, mass, poisson_ratio"]),
+        (
+            "/bodies/0/material/colour",
+            "\"red\"",
+            ["\"colour\" is no member", "it has damping, fibre_embedding, mass, plasticity"],
+        ),
         ("/duration", "1", ["no member of the scene", "it has bodies, description, gravity"]),
         ("/bodies/7/name", "\"x\"", ["leads to no item of /bodies, which has 1", "from 0 to 0"]),
         ("/panels/0/mass", "1", ["leads to no item of /panels, which has 0", "/panels/- first"]),

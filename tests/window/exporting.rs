@@ -178,7 +178,7 @@ fn fibres_come_in_as_lines_and_go_out_again() {
     assert!(window.query_by_label_contains("such as millimetres").is_some());
     assert_eq!(window.state().scene().bodies[0].fibres.len(), 1);
     press(&mut window, Role::ComboBox, "Unit");
-    press(&mut window, Role::Button, "Millimetres");
+    click(&mut window, "Millimetres");
     press(&mut window, Role::Button, "Z up");
     press(&mut window, Role::RadioButton, "Model");
     press(&mut window, Role::Button, "Import");

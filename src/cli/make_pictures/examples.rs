@@ -29,7 +29,7 @@ pub(super) const EXAMPLES: [ExamplePicture; 81] = [
     beside_start("alive_worm_back", 4.0),
     at("cantilever", 1.0),
     at("collider_carry", 2.0),
-    beside_start("collider_steps", 2.5),
+    beside_start("collider_steps", 0.4),
     at("figure_06_without", 0.002),
     at("figure_06_without_soft", 0.033),
     at("figure_06a", 0.002),

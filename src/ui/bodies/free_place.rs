@@ -33,7 +33,18 @@ pub(super) fn usual_size(cx: &Context) -> f64 {
 pub(crate) fn beside(half: DVec3, cx: &Context) -> DVec3 {
     let published = cx.simulation.published();
     let of = |points: &[DVec3]| Bounds::of(points.iter().copied());
-    let mut taken: Vec<Bounds> = published.snapshot.bodies.iter().filter_map(|body| of(&body.particles)).collect();
+    // The skin reaches beyond the particles, by as much as where the body is at rest.
+    let reach = |index: usize| {
+        let rest = published.at_rest.bodies.get(index)?;
+        let [skin, particles] = [of(&rest.skin)?, of(&rest.particles)?];
+        Some((particles.min - skin.min).max(skin.max - particles.max).max(DVec3::ZERO))
+    };
+    let now = published.snapshot.bodies.iter().enumerate().filter_map(|(index, body)| {
+        let Bounds { min, max } = of(&body.particles)?;
+        let reach = reach(index).unwrap_or_default();
+        Some(Bounds { min: min - reach, max: max + reach })
+    });
+    let mut taken: Vec<Bounds> = now.collect();
     taken.extend(starts(cx));
     let around = taken.iter().copied().reduce(Bounds::union);
     let middle = around.map_or(DVec3::ZERO, |bounds| bounds.center());
@@ -64,7 +75,8 @@ fn starts(cx: &Context) -> Vec<Bounds> {
     let rest = &cx.simulation.published().at_rest.bodies;
     let boxes = cx.scene().all_bodies().zip(rest).filter_map(|(body, rest)| {
         let place = |&at: &DVec3| placed(body.placement(), at);
-        Bounds::of(rest.particles.iter().map(place))
+        let points = if rest.skin.is_empty() { &rest.particles } else { &rest.skin };
+        Bounds::of(points.iter().map(place))
     });
     boxes.collect()
 }

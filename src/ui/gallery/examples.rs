@@ -133,8 +133,8 @@ examples! {
     Alive "alive_gripper", "A gripper", "": "Two fingers curl round a ball, lift it and hold it by friction.";
     Alive "alive_octopus", "An arm", "": "Oblique fibres twist it both ways, and others curl it up.";
     Alive "alive_fish", "A fish", "": "A wave from head to tail pushes water aside, and it swims.";
-    Matter "collider_steps", "A bar on steps", "": "It falls on a ball and down three steps, and lies still by friction.";
-    Matter "collider_carry", "A bar that is carried", "": "Two fingers close on it, lift it and carry it along by friction.";
+    Matter "collider_steps", "A bar on steps", "": "It falls on a ball and tumbles down three steps.";
+    Matter "collider_carry", "A bar that is carried", "": "Two fingers lift it and carry it along by friction alone.";
     Matter "void_bores", "A bored bar", "": "Two bores cross in it: landing, it is squeezed further.";
     Matter "void_without", "The bar without bores", "": "Solid, it keeps more of its height.";
     Matter "plastic_dent", "A dent in clay", "": "A stamp leaves a dent that stays.";

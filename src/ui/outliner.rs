@@ -62,14 +62,16 @@ fn row(ui: &mut Ui, cx: &mut Context, item: &Item, name: &str, hidden: bool, cho
     let id = Id::unique(("rename", item));
     if let Some(mut text) = ui.data(|data| data.get_temp::<String>(id)) {
         let edit = ui.add(TextEdit::singleline(&mut text).desired_width(f32::INFINITY));
-        edit.request_focus();
         let escaped = ui.input(|input| input.key_pressed(egui::Key::Escape));
         if edit.lost_focus() || ui.input(|input| input.key_pressed(egui::Key::Enter)) || escaped {
+            // Or else keys would go on meaning text.
+            edit.surrender_focus();
             ui.data_mut(|data| data.remove::<String>(id));
             if !escaped && text != name {
                 cx.edit(&Command::SetName { item: item.clone(), name: text }, Step::Own);
             }
         } else {
+            edit.request_focus();
             ui.data_mut(|data| data.insert_temp(id, text));
         }
         return false;

@@ -3,6 +3,7 @@
 use super::editing::{set, type_path};
 use super::pulling::CUBE;
 use super::{Window, button, click, hold, is_settled, open, press_key, scene, still, until};
+use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
@@ -164,7 +165,11 @@ fn a_body_is_chosen_by_a_click_and_moved_turned_and_scaled_each_in_one_step() {
     let [x, y, _] = body(&window, 0).view().placement().translation;
     assert!(x > 0.003 && y > 0.003, "right and up as it is seen: {x} {y}");
     let seen = window.state().shown_at(middle(&window, 0)).expect("seen");
-    assert!(seen.distance(at + Vec2::new(60.0, -40.0)) < 4.0, "it is where the pointer left it: {seen:?}");
+    // But for the points within which a press is no drag yet.
+    assert!(
+        seen.distance(at + Vec2::new(60.0, -40.0)) < 10.0,
+        "it is where the pointer left it: {seen:?}, from {at:?}"
+    );
 }
 
 #[test]
@@ -262,6 +267,8 @@ fn numbers_place_a_body_and_give_its_shape() {
     assert_eq!(body(&window, 0).view().placement().rotation.degrees, 90.0);
     choose(&mut window, "Body", "Add a ball");
     let particles = window.state().published().at_rest.bodies[1].particles.len();
+    window.get_by_role_and_label(Role::SpinButton, "Radius").scroll_to_me();
+    window.run_steps(20);
     set(&mut window, "Radius", "40 mm");
     settle(&mut window);
     assert_eq!(window.state().scene().bodies[1].shape.size(), Some([0.08; 3]));

@@ -184,7 +184,7 @@ fn fibres_come_in_as_lines_and_go_out_again() {
     press(&mut window, Role::Button, "Import");
     until(&mut window, |app| app.scene().bodies[0].fibres.len() == 2);
     assert_eq!(window.state().selected_names(), ["mine"]);
-    assert_eq!(window.state().undo_name(), Some("Import fibres"));
+    assert_eq!(window.state().undo_name(), Some("Import mine"));
 
     // The selected one goes out, into the world's frame.
     let out = desk.path().join("out.json");

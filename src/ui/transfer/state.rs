@@ -308,7 +308,7 @@ fn finish_lines(done: LinesDone, cx: &mut Context) {
         LinesDone::Read(body, fibres) => {
             let (count, ids): (_, Vec<String>) = (fibres.len(), fibres.iter().map(|fibre| fibre.id.clone()).collect());
             cx.say(Severity::Note, format!("Imported {count} fibres; they are selected"));
-            cx.edit(&Command::add_fibres("Import fibres", &body, fibres), Step::Own);
+            cx.edit(&Command::add_fibres("Import", &body, fibres), Step::Own);
             let known = |id: &String| cx.active_body().is_some_and(|body| body.fibres.iter().any(|f| f.id == *id));
             let there: Vec<String> = ids.into_iter().filter(known).collect();
             cx.selection.set(there);

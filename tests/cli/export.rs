@@ -178,7 +178,7 @@ fn another_programs_unit_and_axes_are_those_of_every_place() {
 fn a_program_stands_for_its_unit_and_axes_and_fewer_frames_last_as_long() {
     let desk = desk();
     let frame = |name: &str, options: &str| {
-        desk.done(format!("simulate scene.json --frames 3..3 --out {name} {options}").trim_end());
+        desk.ran(format!("simulate scene.json --frames 3..3 --out {name} {options}").trim_end());
         desk.text(&format!("{name}/frame_000003.obj"))
     };
     let plain = frame("plain", "");
@@ -189,7 +189,7 @@ fn a_program_stands_for_its_unit_and_axes_and_fewer_frames_last_as_long() {
     assert_eq!(frame("unreal", "--for unreal"), frame("cm_z", "--scale 100 --up z"));
     assert!(desk.refused("simulate scene.json --for paint --out no").contains("blender, houdini, maya, unreal"));
 
-    desk.done("simulate scene.json --frames 1..6 --step 2 --format usd,mdd --out every");
+    desk.ran("simulate scene.json --frames 1..6 --step 2 --format usd,mdd --out every");
     let stage = desk.text("every/motion.usda");
     for part in ["startTimeCode = 0\n", "endTimeCode = 2\n", "timeCodesPerSecond = 25\n"] {
         assert!(stage.contains(part), "{stage}");

@@ -73,7 +73,7 @@ fn pointers_into_nothing_and_misspelt_ones_are_refused() {
             "\"red\"",
             ["\"colour\" is no member", "it has damping, fibre_embedding, mass, plasticity"],
         ),
-        ("/duration", "1", ["no member of the scene", "it has bodies, description, gravity"]),
+        ("/duration", "1", ["no member of the scene", "it has bodies, colliders, description"]),
         ("/bodies/7/name", "\"x\"", ["leads to no item of /bodies, which has 1", "from 0 to 0"]),
         ("/panels/0/mass", "1", ["leads to no item of /panels, which has 0", "/panels/- first"]),
         ("/bodies/00/name", "\"x\"", ["leads to no item of /bodies", "index"]),

@@ -98,9 +98,9 @@
 //!
 //! What a module may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
 //! geometry; solver geometry; bake scene, sketch, geometry and solver; export scene, geometry and solver; io scene, geometry,
-//! export and the solver's snapshot;
-//! sim scene, bake and solver; transfer scene, geometry, edit, solver, sim, export, io, draw and render; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
-//! ui; ui all but cli; any but geometry and solver may import text; and test_support may import all. A test holds the code to this.
+//! export and the solver's snapshot; sim scene, bake and solver; transfer scene, geometry, edit, solver, sim, export, io, draw
+//! and render; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but ui; ui all but cli; any but
+//! geometry and solver may import text; and test_support may import all. A test holds the code to this.
 //!
 //! # Where to find
 //!
@@ -128,7 +128,7 @@
 //! | what a file may hold, and the errors | `scene::validate` |
 //! | what a file holds of a mesh, vertex by vertex | [`geometry::FileMesh`], kept by the readers in `io::model` |
 //! | how its vertices ride on the particles, how its normals turn | `export::carrier`, `export::normals` |
-//! | a format that a motion is written in | `io::export`; of moving pictures: `io::moving`; who is offered it: the table in `transfer::format` |
+//! | a format that a motion is written in | `io::export`, of moving pictures `io::moving`; all that are offered: `transfer::format` |
 //! | which frames of a run are written, and for which program | `transfer::run_files`, `transfer::program` |
 //! | what the window writes beside itself | `ui::transfer`; from the recording: `sim::taken` |
 //! | which integrator is which scheme | [`scene::IntegratorKind`] |

@@ -5,10 +5,10 @@
 //! to its start begins a new journal.
 
 use super::command::SimCommand;
+use super::report::state_hash;
 use crate::scene::Scene;
 use crate::solver::world::World;
 use serde::{Deserialize, Serialize};
-use std::hash::{DefaultHasher, Hasher};
 use std::sync::Arc;
 
 /// The journal of a motion.
@@ -21,7 +21,7 @@ pub struct Journal {
     pub scene: Arc<Scene>,
     /// What was asked, in order.
     pub asked: Vec<JournalEntry>,
-    /// Hash of all positions and velocities after every frame, equal only for equal bits; to be compared on one machine.
+    /// Hash of the state after every frame, equal only for equal bits; to be compared on one machine.
     pub hashes: Vec<String>,
 }
 
@@ -148,7 +148,7 @@ impl Journal {
 
     /// Notes that a frame has come to this.
     pub(super) fn push_frame(&mut self, world: &World) {
-        self.hashes.push(world_hash(world));
+        self.hashes.push(state_hash(world.bodies()));
     }
 
     /// Back to where so many frames had been computed and nothing asked since.
@@ -156,19 +156,6 @@ impl Journal {
         self.hashes.truncate(frames as usize);
         self.asked.retain(|entry| entry.frame < frames);
     }
-}
-
-/// Hash of all positions and velocities of a world.
-fn world_hash(world: &World) -> String {
-    let mut hasher = DefaultHasher::new();
-    for body in world.bodies() {
-        for v in body.state().positions.iter().chain(&body.state().velocities) {
-            for component in v.to_array() {
-                hasher.write_u64(component.to_bits());
-            }
-        }
-    }
-    format!("{:016x}", hasher.finish())
 }
 
 /// Scenes that are shared in memory and written each for itself.

@@ -5,7 +5,6 @@ use crate::scene::Scene;
 use crate::solver::body::Body;
 use crate::solver::collider::Collider;
 use crate::solver::energy::Energies;
-use crate::solver::forces::ColliderContact;
 use crate::solver::measure::MeasureValue;
 use crate::solver::world::World;
 use serde::Serialize;
@@ -218,13 +217,19 @@ impl BodyReport {
             energy: body.energies(time),
             linear_momentum: state.linear_momentum().to_array(),
             angular_momentum: state.angular_momentum().to_array(),
-            state_hash: state_hash(body),
+            state_hash: state_hash([body]),
         }
     }
 }
 
-fn state_hash(body: &Body) -> String {
+/// Hash of a state of bodies, equal only for equal bits: of all that their motion goes on from but what has broken.
+pub(super) fn state_hash<'a>(bodies: impl IntoIterator<Item = &'a Body>) -> String {
     let mut hasher = DefaultHasher::new();
+    bodies.into_iter().for_each(|body| add_state(body, &mut hasher));
+    format!("{:016x}", hasher.finish())
+}
+
+fn add_state(body: &Body, hasher: &mut DefaultHasher) {
     for v in body.state().positions.iter().chain(&body.state().velocities) {
         for component in v.to_array() {
             hasher.write_u64(component.to_bits());
@@ -233,12 +238,6 @@ fn state_hash(body: &Body) -> String {
     for force in &body.parts().forces {
         force.remembered(&mut |number| hasher.write_u64(number.to_bits()));
     }
-    for (collider, particle, place) in body.collider_contact().into_iter().flat_map(ColliderContact::held) {
-        hasher.write_usize(collider);
-        hasher.write_u32(particle);
-        place.to_array().iter().for_each(|component| hasher.write_u64(component.to_bits()));
-    }
-    format!("{:016x}", hasher.finish())
 }
 
 #[cfg(test)]

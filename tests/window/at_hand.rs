@@ -2,7 +2,7 @@
 
 use super::editing::set;
 use super::pulling::{CUBE, move_to, press};
-use super::{Window, button, click, is_settled, open, press_key, scene, still, until, view};
+use super::{Window, button, click, click_on, is_settled, open, press_key, scene, still, until, view};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Vec2};
 use egui_kittest::kittest::Queryable;
@@ -29,8 +29,7 @@ fn on_fibre(window: &Window, name: &str) -> Pos2 {
 fn a_regions_pin_is_seen_in_every_view_and_removed_where_it_is() {
     let mut window = still();
     click(&mut window, "World");
-    window.get_by_role_and_label(Role::ComboBox, "Pin a region").click();
-    window.run_steps(2);
+    click_on(&mut window, Role::ComboBox, "Pin a region");
     click(&mut window, "top");
     until(&mut window, is_settled);
     window.step();
@@ -145,8 +144,7 @@ fn fields_and_moves_take_arithmetic_and_units() {
     set(&mut window, "Young's modulus", "3 cm");
     assert_eq!(*window.state().scene(), before, "a length is no modulus");
     // And what is typed belongs to the field.
-    window.get_by_role_and_label(Role::SpinButton, "Young's modulus").click();
-    window.run_steps(2);
+    click_on(&mut window, Role::SpinButton, "Young's modulus");
     press_key(&mut window, Modifiers::COMMAND, Key::A);
     assert!(window.state().selected_names().is_empty());
 }
@@ -155,8 +153,7 @@ fn fields_and_moves_take_arithmetic_and_units() {
 fn a_material_is_chosen_by_its_name() {
     let mut window = still();
     let before = window.state().scene().bodies[0].material.clone();
-    window.get_by_role_and_label(Role::ComboBox, "Like").click();
-    window.run_steps(2);
+    click_on(&mut window, Role::ComboBox, "Like");
     click(&mut window, "Jelly");
     let material = window.state().scene().bodies[0].material.clone();
     assert!(material.young_modulus < before.young_modulus && material.spacing() == before.spacing());

@@ -1,6 +1,6 @@
 //! Panels, files and drops change the document as they say.
 
-use super::{Window, advance, click, hold, is_settled, open, press_key, reset, scene, still, until};
+use super::{Window, advance, click, click_on, hold, is_settled, open, press_key, reset, scene, still, until};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -12,9 +12,7 @@ use std::sync::Arc;
 
 /// Types a value into a field.
 pub(super) fn set(window: &mut Window, label: &str, value: &str) {
-    window.get_by_role_and_label(Role::SpinButton, label).click();
-    window.step();
-    window.step();
+    click_on(window, Role::SpinButton, label);
     press_key(window, Modifiers::COMMAND, Key::A);
     window.event(Event::Text(value.to_owned()));
     window.step();
@@ -82,9 +80,7 @@ fn a_panel_is_added_falls_and_is_removed() {
 fn a_pin_holds_the_bottom_and_can_be_removed() {
     let mut window = still();
     click(&mut window, "World");
-    window.get_by_role_and_label(Role::ComboBox, "Pin a region").click();
-    window.step();
-    window.step();
+    click_on(&mut window, Role::ComboBox, "Pin a region");
     let pins = window.state().scene().bodies[0].pins.len();
     click(&mut window, "right");
     let body = window.state().scene().bodies[0].clone();
@@ -109,9 +105,7 @@ fn a_pin_added_on_the_way_holds_what_it_finds_and_not_the_start() {
     let start = window.state().published().placed.expect("a body")[1].y;
     assert!((found[held[0]].y - start).abs() > 5e-3, "it is elsewhere by now: {}", found[held[0]].y - start);
     click(&mut window, "World");
-    window.get_by_role_and_label(Role::ComboBox, "Pin a region").click();
-    window.step();
-    window.step();
+    click_on(&mut window, Role::ComboBox, "Pin a region");
     click(&mut window, "top");
     until(&mut window, |app| app.published().status.edits == 1 && is_settled(app));
     for _ in 0..20 {

@@ -1,6 +1,6 @@
 //! Motions, clips and fibres leave the window for other programs and come in, by the menus and dialogs that people use.
 
-use super::{Window, advance, click, hold, open, press_key, reset, until, until_seen};
+use super::{Window, advance, click, click_on, hold, open, press_key, reset, until, until_seen};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -44,14 +44,9 @@ fn choose(window: &mut Window, menu: &str, entry: &str) {
     window.run_steps(3);
 }
 
-fn press(window: &mut Window, role: Role, label: &str) {
-    window.get_by_role_and_label(role, label).click();
-    window.run_steps(3);
-}
-
 /// Types into a field of a name in place of what it holds.
 fn type_into(window: &mut Window, role: Role, label: &str, text: &str) {
-    press(window, role, label);
+    click_on(window, role, label);
     press_key(window, Modifiers::COMMAND, Key::A);
     window.event(Event::Text(text.to_owned()));
     window.step();
@@ -85,9 +80,9 @@ fn what_the_window_exports_is_what_the_command_line_writes() {
     choose(&mut window, "File", "Export motion…");
     until_seen(&mut window, |window| window.query_by_label_contains("13 vertices, 8 faces, 1 fibre").is_some());
     for format in ["PC2", "OBJ", "CSV"] {
-        press(&mut window, Role::CheckBox, format);
+        click_on(&mut window, Role::CheckBox, format);
     }
-    press(&mut window, Role::Button, "Maya");
+    click_on(&mut window, Role::Button, "Maya");
     let spins = window.get_all_by_role(Role::SpinButton).count();
     assert!(spins >= 3);
     type_into(&mut window, Role::SpinButton, "From", "1");
@@ -99,7 +94,7 @@ fn what_the_window_exports_is_what_the_command_line_writes() {
     {
         assert!(window.query_all_by_label_contains(told).next().is_some(), "{told}");
     }
-    press(&mut window, Role::Button, "Export");
+    click_on(&mut window, Role::Button, "Export");
     until(&mut window, |app| app.written().is_some());
     let told = window.state().written().unwrap_or_default().to_owned();
     assert!(told.contains("PC2 cache of 4 frames") && told.contains("4 OBJ files written to"), "{told}");
@@ -109,13 +104,13 @@ fn what_the_window_exports_is_what_the_command_line_writes() {
     // The same of a run from the start, and by the command line.
     choose(&mut window, "File", "Export motion…");
     until_seen(&mut window, |window| window.query_by_label_contains("13 vertices").is_some());
-    press(&mut window, Role::RadioButton, "Computed anew");
+    click_on(&mut window, Role::RadioButton, "Computed anew");
     type_into(&mut window, Role::SpinButton, "to", "7");
     type_into(&mut window, Role::SpinButton, "From", "1");
     type_into(&mut window, Role::SpinButton, "every", "2");
     let again = desk.path().join("anew");
     type_into(&mut window, Role::TextInput, "Folder", &again.display().to_string());
-    press(&mut window, Role::Button, "Export");
+    click_on(&mut window, Role::Button, "Export");
     until(&mut window, |app| app.written().is_some_and(|told| told.contains("anew")));
     let headless = desk.path().join("headless");
     let arguments =
@@ -141,14 +136,14 @@ fn an_export_is_cancelled_with_whole_files_while_the_window_goes_on() {
     advance(&mut window);
     choose(&mut window, "File", "Export motion…");
     until_seen(&mut window, |window| window.query_by_label_contains("13 vertices").is_some());
-    press(&mut window, Role::CheckBox, "USD");
+    click_on(&mut window, Role::CheckBox, "USD");
     assert!(window.query_by_label_contains("Choose a format").is_some());
-    press(&mut window, Role::CheckBox, "PC2");
-    press(&mut window, Role::RadioButton, "Computed anew");
+    click_on(&mut window, Role::CheckBox, "PC2");
+    click_on(&mut window, Role::RadioButton, "Computed anew");
     type_into(&mut window, Role::SpinButton, "to", "9000000");
     let folder = desk.path().join("out");
     type_into(&mut window, Role::TextInput, "Folder", &folder.display().to_string());
-    press(&mut window, Role::Button, "Export");
+    click_on(&mut window, Role::Button, "Export");
     let cache = folder.join("Prism.pc2");
     until(&mut window, |_| cache.is_file());
     // What is simulated and seen goes on meanwhile; nothing else is written at the same time.
@@ -156,7 +151,7 @@ fn an_export_is_cancelled_with_whole_files_while_the_window_goes_on() {
     choose(&mut window, "File", "Save clip…");
     assert!(window.query_by_label("Save").is_none());
     press_key(&mut window, Modifiers::NONE, Key::Escape);
-    press(&mut window, Role::Button, "Cancel export");
+    click_on(&mut window, Role::Button, "Cancel export");
     until(&mut window, |app| app.written().is_some());
     let told = window.state().written().unwrap_or_default().to_owned();
     assert!(told.starts_with("Cancelled; until then: PC2 cache of "), "{told}");
@@ -173,15 +168,15 @@ fn fibres_come_in_as_lines_and_go_out_again() {
     fs::write(&lines, "fibre,x,y,z\nmine,0,5,10\nmine,0,5,20\nmine,0,5,30\n").expect("written");
     choose(&mut window, "Fibre", "Import fibres…");
     type_into(&mut window, Role::TextInput, "File", &lines.display().to_string());
-    press(&mut window, Role::Button, "Import");
+    click_on(&mut window, Role::Button, "Import");
     until_seen(&mut window, |window| window.query_by_label_contains("outside of body").is_some());
     assert!(window.query_by_label_contains("such as millimetres").is_some());
     assert_eq!(window.state().scene().bodies[0].fibres.len(), 1);
-    press(&mut window, Role::ComboBox, "Unit");
+    click_on(&mut window, Role::ComboBox, "Unit");
     click(&mut window, "Millimetres");
-    press(&mut window, Role::Button, "Z up");
-    press(&mut window, Role::RadioButton, "Model");
-    press(&mut window, Role::Button, "Import");
+    click_on(&mut window, Role::Button, "Z up");
+    click_on(&mut window, Role::RadioButton, "Model");
+    click_on(&mut window, Role::Button, "Import");
     until(&mut window, |app| app.scene().bodies[0].fibres.len() == 2);
     assert_eq!(window.state().selected_names(), ["mine"]);
     assert_eq!(window.state().undo_name(), Some("Import mine"));
@@ -191,7 +186,7 @@ fn fibres_come_in_as_lines_and_go_out_again() {
     choose(&mut window, "Fibre", "Export fibres…");
     assert!(window.query_by_label("Export 1 fibre").is_some());
     type_into(&mut window, Role::TextInput, "File", &out.display().to_string());
-    press(&mut window, Role::Button, "Export");
+    click_on(&mut window, Role::Button, "Export");
     until(&mut window, |app| app.message().is_some_and(|said| said.starts_with("Wrote 1 fibre")));
     let written: serde_json::Value = serde_json::from_slice(&fs::read(&out).expect("a file")).expect("JSON");
     let vertices: Vec<[f64; 3]> = serde_json::from_value(written["fibres"][0]["vertices"].clone()).expect("vertices");

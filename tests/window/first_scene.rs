@@ -1,7 +1,7 @@
 //! From an empty window to a saved scene of one's own: the steps of the page "First scene", gesture by gesture.
 
 use super::editing::drop_file;
-use super::{Window, drag, is_settled, open, press_key, scene, stroke, until, view};
+use super::{Window, click, click_on, drag, is_settled, open, press_key, scene, stroke, until, view};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -29,12 +29,12 @@ impl Hand {
     }
 
     fn click(&mut self, label: &str) {
-        self.window.get_by_label(label).click();
+        click(&mut self.window, label);
         self.done();
     }
 
     fn choose(&mut self, list: &str, entry: &str) {
-        self.window.get_by_role_and_label(Role::ComboBox, list).click();
+        click_on(&mut self.window, Role::ComboBox, list);
         self.done();
         self.click(entry);
     }

@@ -25,6 +25,7 @@ mod seeing;
 mod sketching;
 mod timeline;
 
+use egui::accesskit::Role;
 use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -167,7 +168,27 @@ fn draw(window: &mut Window, name: &str, curve: impl Fn(f32) -> [f32; 2]) {
 }
 
 fn click(window: &mut Window, label: &str) {
+    until_still(window, |window| window.query_by_label(label).map(|node| node.rect()));
     window.get_by_label(label).click();
     window.step();
     window.step();
+}
+
+/// Clicks what has a role and a label.
+fn click_on(window: &mut Window, role: Role, label: &str) {
+    until_still(window, |window| window.query_by_role_and_label(role, label).map(|node| node.rect()));
+    window.get_by_role_and_label(role, label).click();
+    window.run_steps(3);
+}
+
+/// Shows frames until what is looked for is there and lies where it lay a frame before: what is said in a dialog moves the
+/// buttons below.
+fn until_still(window: &mut Window, place: impl Fn(&Window) -> Option<Rect>) {
+    let mut before = None;
+    until_seen(window, |window| {
+        let now = place(window);
+        let still = now.is_some() && now == before;
+        before = now;
+        still
+    });
 }

@@ -132,7 +132,7 @@ fn a_fibre_is_previewed_and_escape_takes_strokes_back() {
 fn any_two_views_can_be_drawn_in() {
     let mut window = still();
     let rect = view(&window, "Side");
-    window.get_by_label("Side").click();
+    click(&mut window, "Side");
     window.step();
     window.step();
     click(&mut window, "Top");
@@ -149,7 +149,7 @@ fn any_two_views_can_be_drawn_in() {
     let points = &pair.second.points;
     assert!(points[points.len() - 1][1] < points[0][1]);
     // What the other view shows already, they exchange.
-    window.get_by_label("Front").click();
+    click(&mut window, "Front");
     window.step();
     window.step();
     click(&mut window, "Side");

@@ -123,12 +123,6 @@ impl ColliderContact {
         self.touched.iter().map(|touched| touched.work).sum()
     }
 
-    /// What particles hold on to, for telling two states apart.
-    pub(crate) fn held(&self) -> impl Iterator<Item = (usize, u32, DVec3)> {
-        let grips = self.touched.iter().enumerate();
-        grips.flat_map(|(index, touched)| touched.grip.all().map(move |(particle, place)| (index, particle, place)))
-    }
-
     /// When the body has been eased out of all of them [s].
     pub(crate) fn end(&self) -> f64 {
         let easings = self.touched.iter().filter_map(|touched| touched.easing.as_ref());
@@ -298,6 +292,14 @@ impl Force for ColliderContact {
                 if before.colliders[index] == *collider {
                     touched.grip.clone_from(&known.grip);
                 }
+            }
+        }
+    }
+
+    fn remembered(&self, number: &mut dyn FnMut(f64)) {
+        for (index, touched) in self.touched.iter().enumerate() {
+            for (particle, place) in touched.grip.all() {
+                [index as f64, f64::from(particle)].into_iter().chain(place.to_array()).for_each(&mut *number);
             }
         }
     }

@@ -117,6 +117,7 @@
 //! | what does not spring back | `solver::forces::matrix` (`inelastic`, `flow_rule`), `solver::forces::fibre::yielding` |
 //! | implicit steps: the matrix, how a stage is solved, what becomes of one that is not | `solver::implicit` |
 //! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact` |
+//! | contact of a body with itself | `solver::forces::SelfContact`; which particles can touch: `bake::self_contact` |
 //! | colliders: how far a point is from one; where they are; how bodies touch them | `geometry::obstacle`; `solver::collider`; `solver::forces::ColliderContact` |
 //! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::easing`; what is said of it: `bake::overlaps` |
 //! | pins that cannot be meant | `bake::pins` |

@@ -10,7 +10,7 @@ use super::pins::{Following, note_pins};
 use super::region_materials::varied;
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{drives, fibres, regime, room, supports};
+use super::{drives, fibres, regime, room, self_contact, supports};
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
@@ -115,7 +115,10 @@ pub(super) fn draft(
 
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
+    let itself = self_contact::of_solid(body, &contact.law, &sample.points);
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
+    let contact_limit =
+        itself.as_ref().map_or(contact_limit, |of| self_contact::either(contact_limit, of.step_limit(&state)));
     let resistance = unless_stopped(progress, (name, BakeStage::StableStep), |stop| {
         Resistance::measured(&forces, matrix_alone, &state, spacing, contact_limit, material.damping.air, stop)
     })?;
@@ -134,6 +137,7 @@ pub(super) fn draft(
         forces.push(Box::new(contact));
     }
     forces.extend(super::colliders::contact(colliders, law, spacing));
+    forces.extend(itself.map(|itself| Box::new(itself) as Box<dyn Force>));
 
     let constraints = supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?;
     let parts = BodyParts {

@@ -86,8 +86,18 @@ impl LayerModel {
 
     /// Mean distance between particles that an edge of the outer layer joins [m].
     pub(super) fn spacing(&self) -> f64 {
-        let lengths =
-            self.edges.iter().map(|edge| self.points[edge[0] as usize].distance(self.points[edge[1] as usize]));
+        self.mean_edge(0)
+    }
+
+    /// Mean distance between particles that an edge of the inner layer joins [m]; zero where there is none.
+    pub(super) fn inner_spacing(&self) -> f64 {
+        if self.has_inner_layer() { self.mean_edge(self.outer) } else { 0.0 }
+    }
+
+    /// Mean length [m] of the edges of the layer whose particles begin at `first`.
+    fn mean_edge(&self, first: usize) -> f64 {
+        let end = |end: u32| self.points[first + end as usize];
+        let lengths = self.edges.iter().map(|edge| end(edge[0]).distance(end(edge[1])));
         lengths.sum::<f64>() / self.edges.len().max(1) as f64
     }
 

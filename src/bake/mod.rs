@@ -19,6 +19,7 @@ mod pins;
 mod regime;
 mod region_materials;
 mod room;
+mod self_contact;
 mod spans;
 mod stage;
 mod start;

@@ -8,7 +8,7 @@ use super::note::Note;
 use super::pins::{Following, note_pins};
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{drives, limits, room, supports};
+use super::{drives, limits, room, self_contact, supports};
 use crate::scene::{Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, TwoLayer};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::collider::Collider;
@@ -71,6 +71,12 @@ pub(super) fn draft(
         if touches {
             forces.push(Box::new(touched(&at_rest, model.outer, &contact_law(scene, body))));
         }
+        if body.self_contact {
+            // What it touches gives way, and is as light.
+            let law = contact_law(scene, body);
+            let law = ContactLaw { stiffness: 2.0 * law.stiffness, damping: 2.0 * law.damping, ..law };
+            forces.push(Box::new(touched(&at_rest, at_rest.len(), &law)));
+        }
         forces
     };
     let modes = unless_stopped(progress, (name, BakeStage::StableStep), |stop| {
@@ -87,6 +93,7 @@ pub(super) fn draft(
         forces.push(Box::new(contact));
     }
     forces.extend(super::colliders::contact(colliders, law, model.spacing()));
+    forces.extend(self_contact::of_two_layer(body, &law, &model).map(|itself| Box::new(itself) as Box<dyn Force>));
     let mut constraints = in_plane(body, &model, &state);
     constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
     let parts = BodyParts {
@@ -208,9 +215,9 @@ fn gas(body: &TwoLayer, layers: &Layers) -> Vec<Pressure> {
     spaces.into_iter().map(|surfaces| Pressure::new(body.pressure, surfaces).driven(drive.clone())).collect()
 }
 
-/// What a contact asks of the time step: the lightest outer particle touches something that does not give.
-fn touched(state: &ParticleState, outer: usize, law: &ContactLaw) -> Grab {
-    let lightest = (0..outer).min_by(|&a, &b| state.masses[a].total_cmp(&state.masses[b])).unwrap_or(0);
+/// What a contact asks of the time step: the lightest of the first `touching` particles touches something that does not give.
+fn touched(state: &ParticleState, touching: usize, law: &ContactLaw) -> Grab {
+    let lightest = (0..touching).min_by(|&a, &b| state.masses[a].total_cmp(&state.masses[b])).unwrap_or(0);
     Grab {
         point: EmbeddingWeights::of_particle(lightest as u32),
         target: state.positions[lightest],

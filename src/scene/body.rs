@@ -32,6 +32,9 @@ pub struct Body {
     pub placement: Placement,
     /// What it is made of.
     pub material: Material,
+    /// Whether its parts push each other away where they come to meet; they pass through each other unless it is set.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub self_contact: bool,
     /// How it is stepped through time.
     #[serde(default)]
     pub integrator: IntegratorChoice,
@@ -79,6 +82,7 @@ impl Body {
             shape: shape.into(),
             placement: Placement::default(),
             material: Material::default(),
+            self_contact: false,
             integrator: IntegratorChoice::default(),
             initial: Initial::default(),
             impulses: Vec::new(),

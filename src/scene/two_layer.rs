@@ -73,6 +73,9 @@ pub struct TwoLayer {
     /// How it pushes on what it touches.
     #[serde(default)]
     pub contact: TwoLayerContact,
+    /// Whether its parts push each other away where they come to meet; they pass through each other unless it is set.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub self_contact: bool,
     /// How it is stepped through time.
     #[serde(default)]
     pub integrator: IntegratorChoice,
@@ -124,6 +127,7 @@ impl TwoLayer {
             masses: Vec::new(),
             air_drag: 0.0,
             contact: TwoLayerContact::default(),
+            self_contact: false,
             integrator: IntegratorChoice::default(),
             initial: Initial::default(),
             impulses: Vec::new(),

@@ -4,7 +4,7 @@ use super::constraint::{Constraint, held};
 use super::energy::Energies;
 use super::forces::{
     AirDrag, ColliderContact, Contact, FibreForce, Force, Grab, Gravity, Inelastic, MatrixForce, PairDamping, Pressure,
-    Springs,
+    SelfContact, Springs,
 };
 use super::linear_algebra::vectors::axpy;
 use super::state::ParticleState;
@@ -213,6 +213,7 @@ impl Dynamics<'_> {
                 || force
                     .downcast_ref::<ColliderContact>()
                     .is_some_and(|of| of.touching(time, &state.positions).is_empty())
+                || force.downcast_ref::<SelfContact>().is_some()
                 || force.downcast_ref::<MatrixForce>().is_some()
                 || force.downcast_ref::<FibreForce>().is_some()
                 || force.downcast_ref::<Inelastic>().is_some()

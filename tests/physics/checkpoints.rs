@@ -20,7 +20,7 @@ use std::cell::Cell;
 const CROWD: &str = r#"{"version": 1, "room": {"floor": 0, "friction": 0.4},
     "time": {"frames_per_second": 240},
     "panels": [{"id": "lid", "height": 0.1, "size": [4, 4], "mass": 0.5, "motion": "falls"}],
-    "bodies": [{"id": "bar", "shape": {"box": {"center": [0, 0.03, 0], "size": [0.03, 0.06, 0.03]}},
+    "bodies": [{"id": "bar", "self_contact": true, "shape": {"box": {"center": [0, 0.03, 0], "size": [0.03, 0.06, 0.03]}},
         "placement": {"translation": [0, 0.004, 0]},
         "initial": {"velocity": [0.05, -0.5, 0], "deformation": [[1, 0.1, 0], [0, 1.05, 0], [0, 0, 1]]},
         "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.015,
@@ -37,7 +37,7 @@ const CROWD: &str = r#"{"version": 1, "room": {"floor": 0, "friction": 0.4},
         ]}],
     "two_layer": [
         {"id": "ball", "shape": {"ball": {"subdivisions": 1}}, "placement": {"translation": [0, 1.5, 0]}},
-        {"id": "ring", "shape": {"ring": {}}, "placement": {"translation": [0, 1.2, 0]}}],
+        {"id": "ring", "self_contact": true, "shape": {"ring": {}}, "placement": {"translation": [0, 1.2, 0]}}],
     "measures": [{"name": "shear", "body": "bar", "kind": {"size": {"axis": "y"}}, "over_time": "peak"}]}"#;
 
 fn baked(scene: &Scene) -> World {

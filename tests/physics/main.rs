@@ -29,6 +29,7 @@ mod printed;
 mod region_materials;
 mod rods;
 mod round;
+mod self_contact;
 mod ship;
 mod shipped;
 mod stable_step;

@@ -289,6 +289,7 @@ fn body() -> impl Strategy<Value = Body> {
             shape,
             placement,
             material,
+            self_contact: hidden,
             integrator: IntegratorKind::Midpoint.into(),
             initial,
             impulses: Vec::new(),

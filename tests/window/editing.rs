@@ -77,6 +77,18 @@ fn a_panel_is_added_falls_and_is_removed() {
 }
 
 #[test]
+fn a_body_is_told_to_touch_itself_and_goes_on_moving() {
+    let mut window = still();
+    let (before, time) = (window.state().scene().clone(), window.state().published().status.time);
+    click(&mut window, "Touches itself");
+    assert!(window.state().scene().bodies[0].self_contact);
+    until(&mut window, is_settled);
+    assert_eq!(window.state().published().status.time, time);
+    press_key(&mut window, Modifiers::COMMAND, egui::Key::Z);
+    assert_eq!(*window.state().scene(), before);
+}
+
+#[test]
 fn a_pin_holds_the_bottom_and_can_be_removed() {
     let mut window = still();
     click(&mut window, "World");

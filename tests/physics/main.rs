@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
 
 mod asleep;
+mod balance;
 mod behaviours;
 mod breaking;
 mod checkpoints;

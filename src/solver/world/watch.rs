@@ -12,8 +12,15 @@ use crate::solver::momentum::{Drift, Momenta, momenta};
 use crate::solver::unbalanced::Unbalanced;
 use glam::DVec3;
 
-/// Evaluations of the forces from one look to the next.
-const PERIOD: f64 = 600.0;
+/// Looks take up at most this share of the time of a run.
+const COST: f64 = 0.01;
+
+/// Evaluations of the forces that a look at a fibre solid takes as long as.
+const OF_A_SOLID: f64 = 6.0;
+
+/// A look at so few particles, times the evaluations that it takes as long as, is not worth counting: as many microseconds, a
+/// few, for each of a second's frames.
+const FEW: f64 = 600.0;
 
 /// Evaluations of the forces that one of an implicit step takes as long as, with what is solved besides.
 const IMPLICIT: f64 = 6.0;
@@ -140,10 +147,19 @@ impl World {
             let now = all_alone.then(|| self.momenta());
             self.watch.drift.end(seconds, now, [linear, middle.cross(linear)]);
         }
-        let looks = PERIOD * self.bodies.iter().map(|body| body.state().len() as f64).sum::<f64>();
-        if self.effort() - self.watch.looked_at >= looks {
+        let look = self.effort_of_a_look();
+        if look <= FEW || COST * (self.effort() - self.watch.looked_at) >= look {
             self.look();
         }
+    }
+
+    /// Evaluations of the forces that a look takes as long as, times particles.
+    fn effort_of_a_look(&self) -> f64 {
+        let of = |body: &Body| {
+            let each = if body.parts().layers.is_some() { 1.0 } else { OF_A_SOLID };
+            each * body.state().len() as f64
+        };
+        self.bodies.iter().map(of).sum()
     }
 
     /// Linear momentum and angular momentum about the origin of all bodies.

@@ -61,14 +61,14 @@ impl Account {
         self.last = Some(now);
     }
 
-    /// Whether more was gained than may be.
-    pub(super) fn is_unbalanced(&self) -> bool {
-        self.excess > SLACK * self.handled
+    /// Whether more was gained than may be, `explained` [J] of it left out.
+    pub(super) fn is_unbalanced(&self, explained: f64) -> bool {
+        self.excess - explained > SLACK * self.handled
     }
 
     /// Whether so much was gained that nothing is left of the motion.
-    pub(super) fn is_beyond(&self) -> bool {
-        self.excess > HARD_BOUND * self.handled
+    pub(super) fn is_beyond(&self, explained: f64) -> bool {
+        self.excess - explained > HARD_BOUND * self.handled
     }
 
     /// What the balance has changed by since the first look [J].

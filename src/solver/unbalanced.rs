@@ -81,8 +81,7 @@ fn step_of(parts: &BodyParts) -> &str {
 
 fn remedy(parts: &BodyParts) -> String {
     let BodyParts { dt, stable_dt, pointer, .. } = parts;
-    if dt > stable_dt {
-        return format!("its step is beyond the stable {stable_dt:.2e} s: lower {}", step_of(parts));
-    }
-    format!("lower {}, or choose another {pointer}/integrator", step_of(parts))
+    let beyond =
+        if dt > stable_dt { format!("its step is beyond the stable {stable_dt:.2e} s: ") } else { String::new() };
+    format!("{beyond}lower {}, or choose another {pointer}/integrator", step_of(parts))
 }

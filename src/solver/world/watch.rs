@@ -204,11 +204,11 @@ impl World {
             let work = self.work.on_itself(index) + body.booked_work() + given.by_others + given.by_hand;
             let balance = energies.total() - body.contact_with_others() - work;
             watched.account.look(Sight { time, balance, handled, sizes });
-            if watched.account.is_unbalanced() && !watched.is_told {
+            if watched.account.is_unbalanced(0.0) && !watched.is_told {
                 watched.is_told = true;
                 self.watch.found.push(Unbalanced::of_body(body, time, &watched.account));
             }
-            if watched.account.is_beyond() {
+            if watched.account.is_beyond(0.0) {
                 let (cause, remedy) = Unbalanced::of_body(body, time, &watched.account).as_stop();
                 self.bodies[index].stop(time, cause, remedy);
             }
@@ -222,11 +222,13 @@ impl World {
     fn look_at_all(&mut self, now: Sight) {
         self.watch.whole.look(now);
         let Some(body) = self.bodies.first() else { return };
-        if self.watch.whole.is_unbalanced() && !self.watch.is_told_of_whole {
+        // What bodies gain by themselves is said of them.
+        let own: f64 = self.watch.bodies.iter().map(|watched| watched.account.excess()[0]).sum();
+        if self.watch.whole.is_unbalanced(own) && !self.watch.is_told_of_whole {
             self.watch.is_told_of_whole = true;
             self.watch.found.push(Unbalanced::of_contact(body, now.time, &self.watch.whole));
         }
-        if self.watch.whole.is_beyond() {
+        if self.watch.whole.is_beyond(own) {
             let (cause, remedy) = Unbalanced::of_contact(body, now.time, &self.watch.whole).as_stop();
             for body in &mut self.bodies {
                 body.stop(now.time, cause.clone(), remedy.clone());

@@ -2,14 +2,16 @@
 
 pub(super) mod checkpoint;
 mod colliders;
+mod divergence;
 mod given;
+mod giving;
 mod grabs;
 mod guard;
 mod parts;
 mod rest;
 mod touching;
 
-pub use guard::Divergence;
+pub use divergence::Divergence;
 pub use parts::{BodyParts, FibreLine, RestScale};
 
 use given::Given;

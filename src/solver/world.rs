@@ -15,21 +15,21 @@ mod probe;
 mod starts;
 mod totals;
 mod watch;
+mod watched;
 mod work;
 
 pub use checkpoint::Checkpoint;
 pub use probe::Probe;
-pub use watch::{Accuracy, MOST_GAINED};
+pub use watched::{Accuracy, MOST_GAINED};
 
 use eased::Eased;
 use grips::Grips;
-use watch::Watch;
+use watched::Watch;
 use work::OutsideWork;
 
 use super::body::{Body, Divergence};
 use super::body_contact::{Allowance, add_body_contact};
 use super::collider::Collider;
-use super::energy::Energies;
 use super::forces::Gravity;
 use super::measure::MeasureValue;
 use super::overlap::Overlap;

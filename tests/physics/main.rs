@@ -4,6 +4,7 @@
 
 mod asleep;
 mod balance;
+mod balance_sweep;
 mod behaviours;
 mod breaking;
 mod checkpoints;

@@ -1,23 +1,9 @@
 //! What stops a body before numbers that mean nothing spread.
 
+use super::divergence::Divergence;
 use super::{Body, BodyParts};
 use crate::solver::state::ParticleState;
 use glam::DVec3;
-use thiserror::Error;
-
-/// A body that was stopped because its motion could no longer be computed.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[error("body \"{body}\" diverged at {time:.6} s ({cause}) and was stopped in its last good state; {remedy}")]
-pub struct Divergence {
-    /// Name of the body.
-    pub body: String,
-    /// When [s].
-    pub time: f64,
-    /// What was seen.
-    pub cause: String,
-    /// Which parameter to change.
-    pub remedy: String,
-}
 
 impl Body {
     /// Stops the body before numbers that are no longer meaningful spread.

@@ -2,7 +2,7 @@
 
 use super::eased::Eased;
 use super::grips::Grips;
-use super::watch::Watch;
+use super::watched::Watch;
 use super::work::DoneWork;
 use crate::solver::body::checkpoint::BodyCheckpoint;
 use crate::solver::measure::MeasureValue;

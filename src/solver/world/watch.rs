@@ -6,9 +6,11 @@
 //! gained beyond all measure is stopped.
 
 use super::World;
-use crate::solver::account::{Account, HARD_BOUND, Sight};
+use super::watched::{Accuracy, Watch, Watched};
+use crate::solver::account::Sight;
 use crate::solver::body::Body;
-use crate::solver::momentum::{Drift, Momenta, momenta};
+use crate::solver::energy::Energies;
+use crate::solver::momentum::{Momenta, momenta};
 use crate::solver::unbalanced::Unbalanced;
 use glam::DVec3;
 
@@ -30,64 +32,6 @@ const WEIGHT: f64 = 0.01;
 
 /// Share of the energy of a body that counts as at rest under which it is rounding.
 const NOTHING: f64 = 1e-12;
-
-/// What is watched.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Watch {
-    bodies: Vec<Watched>,
-    whole: Account,
-    drift: Drift,
-    /// Evaluations of the forces, times particles, at the last look.
-    looked_at: f64,
-    /// What was found, in the order of time.
-    pub(super) found: Vec<Unbalanced>,
-    is_told_of_whole: bool,
-}
-
-/// One body of it.
-#[derive(Clone, Copy, Debug, Default)]
-struct Watched {
-    account: Account,
-    drift: Drift,
-    /// What others had given it at the beginning of the frame.
-    given: Momenta,
-    /// Energy of gravity and of the gas at the first look [J].
-    from: [f64; 2],
-    /// Energy below which nothing is looked for [J].
-    least: f64,
-    is_told: bool,
-}
-
-impl Watch {
-    /// Memory that it takes beside itself [bytes].
-    pub(super) fn bytes(&self) -> usize {
-        size_of_val(&*self.bodies) + size_of_val(&*self.found)
-    }
-}
-
-/// How accurate a run of a body, or of a world, has been so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Accuracy {
-    /// Change of the energy less the work from outside since the start [J]: what was dissipated, and what was gained.
-    pub change: f64,
-    /// The most that this has risen over a time, beyond what an integrator that keeps energy may show [J].
-    pub gained: f64,
-    /// The greatest energy handled, by which the gain is judged [J].
-    pub handled: f64,
-    /// Linear momentum [kg m/s] and angular momentum [kg m²/s] that came from nowhere, while nothing but steady gravity, other
-    /// bodies and panels acted; none where that never was.
-    pub drift: Option<[f64; 2]>,
-    /// For how long that was followed [s].
-    pub followed: f64,
-}
-
-impl Accuracy {
-    fn of(account: &Account, drift: &Drift) -> Self {
-        let (drifted, followed) = drift.size().unzip();
-        let followed = followed.unwrap_or_default();
-        Self { change: account.change(), gained: account.gained, handled: account.handled, drift: drifted, followed }
-    }
-}
 
 impl World {
     /// Takes note of where a frame begins.
@@ -195,7 +139,7 @@ impl World {
             let energies = body.energies(time);
             let given = body.given();
             let [gravity, pressure] = [energies.gravity - watched.from[0], energies.pressure - watched.from[1]];
-            let own = super::Energies { gravity, pressure, activation: 0.0, ..energies };
+            let own = Energies { gravity, pressure, activation: 0.0, ..energies };
             let handled = watched.least + own.values().iter().map(|energy| energy.abs()).sum::<f64>();
             let sizes = energies.values().iter().map(|energy| energy.abs()).sum();
             of_all.balance += energies.total() - given.by_hand;
@@ -255,6 +199,3 @@ impl World {
         (meets && is_watched).then(|| Accuracy::of(&self.watch.whole, &self.watch.drift))
     }
 }
-
-/// A body that has gained this many times the energy that it ever handled is stopped.
-pub const MOST_GAINED: f64 = HARD_BOUND;

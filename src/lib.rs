@@ -134,6 +134,7 @@
 //! | what the window writes beside itself | `ui::transfer`; from the recording: `sim::taken` |
 //! | which integrator is which scheme | [`scene::IntegratorKind`] |
 //! | the work that is done from outside | `solver::outside_body`, booked as a world goes by `solver::world::work` |
+//! | the balance of energy and work, and what is said where it is not kept | `solver::world::watch`, `solver::account`, [`solver::Unbalanced`] |
 //! | what a series has in its columns | `sim::columns` |
 //! | values that no solid has | `bake::regime` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
@@ -209,6 +210,7 @@
 //!   the last frames, many more of them.
 //! - *taken motion*: a scene as it was put together and the frames that are kept of it, shared with who writes them to files.
 //! - *work*: what pins that move, driven panels and wind have done on bodies ([`solver::World::work`]).
+//! - *balance*: energy less work from outside; dissipation lowers it. *Handled*: the energy that was there at the most.
 //! - *journal*: what was asked of a motion from its start on, frame by frame, and what every frame came to.
 //! - *checkpoint*: all that a world goes on from, bit for bit.
 //! - *ghost*: the scene without its fibres, or before the last edit, run in step beside it.

@@ -31,6 +31,15 @@ pub mod io {
     pub use crate::io::atomic::write_atomically;
     pub use crate::io::recovery::{Origin, RecoveryFile, recoverable_documents};
     pub use crate::io::scene::MAX_SCENE_BYTES;
+
+    /// Points [m] of all lines in a file, one after the other, or what is said of it.
+    ///
+    /// # Errors
+    /// What is wrong with the file, as people read it.
+    pub fn points_of_lines(path: &std::path::Path) -> Result<Vec<glam::DVec3>, String> {
+        let lines = crate::io::read_lines(path, |name| name == "bar").map_err(|error| error.to_string())?;
+        Ok(lines.into_iter().flat_map(|line| line.points).collect())
+    }
 }
 
 /// Lines that help while a stroke is drawn, and the limits of a lift.

@@ -371,3 +371,20 @@ fn a_journal_makes_a_motion_again_bit_for_bit() {
     struck.expect("a strike").what = Asked::Strike { body: 0, impulse: [0.0, 2e-3, 0.0] };
     assert_eq!(rerun(other), 2);
 }
+
+#[test]
+fn a_motion_that_gains_energy_says_so_until_it_is_reset() {
+    let mut gaining = (*scene(r#""time": {"step": {"manual": {"dt": 2e-5, "substeps_per_frame": 20}}},"#)).clone();
+    gaining.bodies[0].integrator = sinew::scene::IntegratorKind::ExplicitEuler.into();
+    gaining.bodies[0].material.damping.pair = 0.0;
+    gaining.bodies[0].initial.deformation = [[1.1, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let worker = Worker::start(Arc::new(gaining), Arc::default(), true, || {});
+    let said = until(&worker, |p| p.status.unbalanced.is_some());
+    let text = said.status.unbalanced.as_deref().expect("words");
+    assert!(text.contains("\"cube\"") && text.contains("explicit_euler"), "{text}");
+    let stopped = until(&worker, |p| p.status.divergence.is_some());
+    assert!(stopped.status.divergence.as_deref().is_some_and(|text| text.contains("that nothing gave")));
+    assert!(worker.send(SimCommand::Pause));
+    assert!(worker.send(SimCommand::Reset));
+    until(&worker, |p| p.status.time == 0.0 && p.status.unbalanced.is_none() && p.status.divergence.is_none());
+}

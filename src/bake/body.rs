@@ -142,6 +142,7 @@ pub(super) fn draft(
     let constraints = supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?;
     let parts = BodyParts {
         id: body.id.clone(),
+        pointer: path.to_owned(),
         name: name.to_owned(),
         kind: match body.kind {
             BodyKind::FibreSolid => "fibre_solid",

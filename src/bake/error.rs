@@ -200,7 +200,7 @@ pub enum BakeError {
     /// More steps to a frame than anybody can wait for.
     #[error(
         "{path}: a frame of {frame_seconds:.3e} s would take {steps:.2e} steps of at most {stable_dt:.2e} s for \"{body}\"; \
-         raise the frame rate, or {}", softer(.limited_by.as_deref())
+         raise the frame rate, {}", softer(.limited_by.as_deref(), .integrator.as_deref())
     )]
     TooManySteps {
         /// Pointer to the frame rate.
@@ -215,6 +215,8 @@ pub enum BakeError {
         stable_dt: f64,
         /// Pointer to the parameter that sets it.
         limited_by: Option<String>,
+        /// Pointer to the integrator, where leap-frog could take far longer steps.
+        integrator: Option<String>,
     },
     /// A reaction asked of a region that nothing holds.
     #[error("{path}: nothing holds region \"{region}\", so it has no reaction; add a pin on it")]
@@ -226,8 +228,12 @@ pub enum BakeError {
     },
 }
 
-fn softer(limited_by: Option<&str>) -> String {
-    limited_by.map_or("soften its material or fibres".to_owned(), |pointer| format!("lower {pointer}"))
+fn softer(limited_by: Option<&str>, integrator: Option<&str>) -> String {
+    let lower = limited_by.map_or("soften its material or fibres".to_owned(), |pointer| format!("lower {pointer}"));
+    match integrator {
+        Some(pointer) => format!("{lower}, or choose another {pointer}, under which what nothing damps does not grow"),
+        None => format!("or {lower}"),
+    }
 }
 
 /// Where a reference fails: the identifiers that exist, for the message.

@@ -12,6 +12,9 @@ use crate::solver::world::StepPlan;
 /// More steps than this to one frame are refused: nothing would be seen to happen.
 const MOST_STEPS: f64 = 1e6;
 
+/// Leap-frog's step over an integrator's from which on leap-frog could take far longer ones.
+const FAR_LONGER: f64 = 10.0;
+
 /// Divides a frame so that no body steps beyond its share of the stable step. Bodies that share a panel step together;
 /// bodies that may meet share outer steps short enough for the contact between them.
 pub(super) fn step_plan(scene: &Scene, drafts: &[Draft], colliders: &[Collider]) -> Result<StepPlan, BakeError> {
@@ -30,6 +33,8 @@ pub(super) fn step_plan(scene: &Scene, drafts: &[Draft], colliders: &[Collider])
                         steps,
                         stable_dt,
                         limited_by: draft.parts.limited_by.clone(),
+                        integrator: (draft.parts.explicit_dt > FAR_LONGER * stable_dt)
+                            .then(|| format!("{}/integrator", draft.parts.pointer)),
                     });
                 }
             }

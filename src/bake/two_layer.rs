@@ -98,6 +98,7 @@ pub(super) fn draft(
     constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
     let parts = BodyParts {
         id: body.id.clone(),
+        pointer: path.to_owned(),
         name: name.to_owned(),
         kind: "two_layer",
         model: model.points.as_slice().into(),

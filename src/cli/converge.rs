@@ -1,6 +1,6 @@
 //! `sinew converge`: a body of fixed size, filled more and more finely, and what its measures come to.
 
-use super::drive::{RunEnd, drive};
+use super::drive::{RunEnd, drive, warn_unbalanced};
 use super::error::printable;
 use super::interruption::Interruption;
 use super::output;
@@ -119,6 +119,7 @@ fn converge(args: &Converge, interruption: &Interruption, console: &mut Console)
             (study.complete, interrupted) = (false, Some(signal));
             break;
         }
+        warn_unbalanced(runner.world(), &mut 0, console);
         if let Some(divergence) = runner.world().divergence() {
             console.error(&format!("{layers} layers: {divergence}"));
             diverged = true;

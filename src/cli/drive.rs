@@ -1,8 +1,9 @@
 //! Running a [`Runner`] to the end that was asked for, against the clock.
 
-use super::CliError;
 use super::interruption::{Interruption, Signal};
+use super::{CliError, Console};
 use crate::sim::Runner;
+use crate::solver::world::World;
 use std::time::{Duration, Instant};
 
 /// Why a run ended.
@@ -30,6 +31,14 @@ pub(super) struct Drive {
 /// A frame after one that took longer is ended in the midst by an interruption; what would have to be kept for that at every
 /// frame is not worth it for shorter ones.
 const LONG: Duration = Duration::from_millis(200);
+
+/// Says what has gained energy that nothing gave it and was not `told` of before.
+pub(super) fn warn_unbalanced(world: &World, told: &mut usize, console: &mut Console) {
+    for unbalanced in world.unbalanced().iter().skip(*told) {
+        console.warn(unbalanced);
+    }
+    *told = world.unbalanced().len();
+}
 
 /// Advances `runner` by at most `frames` frames; `each` sees it before the first and after every frame. An interruption ends it
 /// with the frame before, or with the one at hand where they are short.
@@ -74,5 +83,6 @@ pub(super) fn drive(
             break;
         }
     }
+    runner.look();
     Ok(Drive { wall_seconds: stepping.as_secs_f64(), end })
 }

@@ -1,6 +1,6 @@
 //! `sinew render`: a picture of a scene at some time.
 
-use super::drive::{RunEnd, drive};
+use super::drive::{RunEnd, drive, warn_unbalanced};
 use super::interruption::Interruption;
 use super::output;
 use super::picture::Look;
@@ -61,6 +61,7 @@ fn render(args: &Render, interruption: &Interruption, console: &mut Console) -> 
         console.say("interrupted", &format!("by {signal} at {done} s of {all} s; no picture is written"));
         return Ok(Outcome::Interrupted(signal));
     }
+    warn_unbalanced(runner.world(), &mut 0, console);
     let divergence = runner.world().divergence();
     if let Some(divergence) = divergence {
         console.error(divergence);

@@ -1,6 +1,6 @@
 //! `sinew simulate`: one run of a scene, and what it shows.
 
-use super::drive::{Drive, RunEnd, drive};
+use super::drive::{Drive, RunEnd, drive, warn_unbalanced};
 use super::finite::NotFinite;
 use super::interruption::Interruption;
 use super::motion::{MotionOptions, told};
@@ -12,6 +12,7 @@ use super::summary::summary;
 use super::{CliError, Console, Outcome};
 use crate::scene::{Assets, Scene};
 use crate::sim::{Report, Runner, TimeSeries};
+use crate::solver::world::World;
 use crate::text::number::four_figures;
 use crate::transfer::{Inputs, Order, RunFiles};
 use clap::Args;
@@ -137,18 +138,24 @@ fn watch(
     let frames = frames_to(limit, runner, console).min(last);
     let pieces = if args.span.until_rest { "frames at most" } else { "frames" };
     let mut stopped = vec![false; runner.world().bodies().len()];
-    console.begin();
-    let ran = drive(runner, frames, args.span.until_rest, interruption, &mut |runner| {
-        for (body, stopped) in runner.world().bodies().iter().zip(&mut stopped) {
+    let mut told = 0;
+    let mut tell = |world: &World, console: &mut Console| {
+        warn_unbalanced(world, &mut told, console);
+        for (body, stopped) in world.bodies().iter().zip(&mut stopped) {
             if let (Some(divergence), false) = (body.divergence(), *stopped) {
                 console.error(divergence);
                 *stopped = true;
             }
         }
+    };
+    console.begin();
+    let ran = drive(runner, frames, args.span.until_rest, interruption, &mut |runner| {
+        tell(runner.world(), console);
         console.progress(runner.world().frame(), frames, pieces);
         outputs.push(scene, runner)
     });
     console.end();
+    tell(runner.world(), console);
     let ran = ran?;
     if args.span.until_rest && ran.end == RunEnd::Time {
         let limit = four_figures(limit);

@@ -24,7 +24,7 @@ pub use convergence::{Convergence, convergence_order};
 pub use journal::{Asked, Journal, JournalEntry};
 #[cfg(feature = "gui")]
 pub(crate) use recording::DEFAULT_MEMORY;
-pub use report::{BodyReport, MeasureReport, Report};
+pub use report::{AccuracyReport, BodyReport, MeasureReport, Report};
 pub use runner::Runner;
 pub use series::TimeSeries;
 pub use status::{ComparedRun, ComparedSample, PinnedPoint, Published, RecordingStatus, Status, Stepping};

@@ -6,7 +6,7 @@ use crate::solver::body::Body;
 use crate::solver::collider::Collider;
 use crate::solver::energy::Energies;
 use crate::solver::measure::MeasureValue;
-use crate::solver::world::World;
+use crate::solver::world::{Accuracy, World};
 use serde::Serialize;
 use std::hash::{DefaultHasher, Hasher};
 
@@ -34,8 +34,45 @@ pub struct Report {
     pub colliders: Vec<ColliderReport>,
     /// One entry a measure.
     pub measures: Vec<MeasureReport>,
+    /// How accurate all of it was together, contact between bodies and with panels included; null where there is but one body
+    /// and no panel, and where a body is not watched.
+    pub accuracy: Option<AccuracyReport>,
+    /// What gained energy that nothing gave it, as it was said, in the order of time.
+    pub unbalanced: Vec<String>,
     /// What was noticed while the scene was put together.
     pub notes: Vec<String>,
+}
+
+/// What a run cost in accuracy.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct AccuracyReport {
+    /// Energy less the work from outside, since the start [J]: below zero what was dissipated, above it what was gained.
+    pub energy_change: f64,
+    /// The most by which that has risen over a time, beyond a hundredth a second of the energy handled [J]: an error of the
+    /// integration.
+    pub energy_gained: f64,
+    /// The greatest energy handled, by which the gain is judged [J]: of motion and all potentials.
+    pub energy_handled: f64,
+    /// Linear momentum that came from nowhere while nothing but steady gravity, other bodies and panels acted [kg m/s]; null
+    /// where something else always did.
+    pub linear_momentum_drift: Option<f64>,
+    /// The same of angular momentum, of a body about its centre of mass [kg m²/s].
+    pub angular_momentum_drift: Option<f64>,
+    /// For how long momenta were followed so [s].
+    pub followed_seconds: f64,
+}
+
+impl AccuracyReport {
+    fn new(of: Accuracy) -> Self {
+        Self {
+            energy_change: of.change,
+            energy_gained: of.gained,
+            energy_handled: of.handled,
+            linear_momentum_drift: of.drift.map(|drift| drift[0]),
+            angular_momentum_drift: of.drift.map(|drift| drift[1]),
+            followed_seconds: of.followed,
+        }
+    }
 }
 
 /// One body.
@@ -82,6 +119,8 @@ pub struct BodyReport {
     pub diverged: Option<String>,
     /// Energies [J].
     pub energy: Energies,
+    /// What its motion cost in accuracy; null of one that was stopped or is not watched.
+    pub accuracy: Option<AccuracyReport>,
     /// Linear momentum [kg m/s].
     pub linear_momentum: [f64; 3],
     /// Angular momentum about the world's origin [kg m²/s].
@@ -132,7 +171,7 @@ impl Report {
             at_rest: runner.at_rest() && world.divergence().is_none(),
             wall_seconds,
             real_time_factor: if wall_seconds > 0.0 { seconds / wall_seconds } else { 0.0 },
-            bodies: world.bodies().iter().map(|body| BodyReport::new(body, seconds)).collect(),
+            bodies: (0..world.bodies().len()).map(|index| BodyReport::new(world, index)).collect(),
             colliders: world
                 .colliders()
                 .iter()
@@ -153,6 +192,8 @@ impl Report {
                     unit: probe.quantity.unit(),
                 })
                 .collect(),
+            accuracy: world.accuracy().map(AccuracyReport::new),
+            unbalanced: world.unbalanced().iter().map(ToString::to_string).collect(),
             notes,
         }
     }
@@ -191,7 +232,8 @@ impl ColliderReport {
 }
 
 impl BodyReport {
-    fn new(body: &Body, time: f64) -> Self {
+    fn new(world: &World, index: usize) -> Self {
+        let (body, time) = (&world.bodies()[index], world.time());
         let parts = body.parts();
         let state = body.state();
         Self {
@@ -215,6 +257,7 @@ impl BodyReport {
             handed_over_steps: body.fallbacks().handed_over,
             diverged: body.divergence().map(ToString::to_string),
             energy: body.energies(time),
+            accuracy: world.accuracy_of(index).map(AccuracyReport::new),
             linear_momentum: state.linear_momentum().to_array(),
             angular_momentum: state.angular_momentum().to_array(),
             state_hash: state_hash([body]),

@@ -121,6 +121,11 @@ impl Runner {
         Snapshot::of_particles(&self.world)
     }
 
+    /// Looks at the balance of energy and work once more: for the end of a run, see [`World::look`].
+    pub fn look(&mut self) {
+        self.world.look();
+    }
+
     /// Whether everything has come to rest and stayed so.
     pub fn at_rest(&self) -> bool {
         self.restful_frames >= REST_FRAMES

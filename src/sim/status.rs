@@ -25,6 +25,8 @@ pub struct Status {
     pub particles: usize,
     /// Why a body was stopped.
     pub divergence: Option<String>,
+    /// What gained energy that nothing gave it, the last of it.
+    pub unbalanced: Option<String>,
     /// Why there is no world: the scene cannot be put together, or the solver failed.
     pub failure: Option<String>,
     /// What was noticed while the scene was put together; what should be acted on comes last.
@@ -61,6 +63,7 @@ impl Status {
         self.bodies = world.bodies().iter().zip(&plan.substeps).map(stepping).collect();
         self.particles = world.bodies().iter().map(|body| body.state().len()).sum();
         self.divergence = world.divergence().map(ToString::to_string);
+        self.unbalanced = world.unbalanced().last().map(ToString::to_string);
         self.measures = world.measures();
     }
 }

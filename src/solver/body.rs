@@ -2,12 +2,19 @@
 
 pub(super) mod checkpoint;
 mod colliders;
+mod divergence;
+mod given;
+mod giving;
 mod grabs;
+mod guard;
 mod parts;
 mod rest;
 mod touching;
 
+pub use divergence::Divergence;
 pub use parts::{BodyParts, FibreLine, RestScale};
+
+use given::Given;
 
 use super::dynamics::{Dynamics, Fallbacks, energies};
 use super::easing::Easing;
@@ -17,21 +24,6 @@ use super::forces::{Contact, Force, Grab, Inelastic, Plane};
 use super::integrators::Integrator;
 use super::state::ParticleState;
 use glam::DVec3;
-use thiserror::Error;
-
-/// A body that was stopped because its motion could no longer be computed.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[error("body \"{body}\" diverged at {time:.6} s ({cause}) and was stopped in its last good state; {remedy}")]
-pub struct Divergence {
-    /// Name of the body.
-    pub body: String,
-    /// When [s].
-    pub time: f64,
-    /// What was seen.
-    pub cause: String,
-    /// Which parameter to change.
-    pub remedy: String,
-}
 
 /// The contact with the room among some forces.
 fn room_contact(forces: &[Box<dyn Force>]) -> Option<&Contact> {
@@ -52,6 +44,9 @@ pub struct Body {
     net: Vec<DVec3>,
     current: bool,
     guarded: bool,
+    /// Whether a program has added a force of its own.
+    has_own_forces: bool,
+    given: Given,
     steps: u64,
     evaluations: u64,
     fallbacks: Fallbacks,
@@ -71,6 +66,8 @@ impl Body {
             net: Vec::new(),
             current: false,
             guarded: true,
+            has_own_forces: false,
+            given: Given::default(),
             steps: 0,
             evaluations: 0,
             fallbacks: Fallbacks::default(),
@@ -103,9 +100,11 @@ impl Body {
         (self.parts.dt, self.parts.stable_dt, self.parts.limited_by) = (dt, stable_dt, None);
     }
 
-    /// Adds a force. What it asks of the time step is not looked at: the step was chosen when the scene was baked.
+    /// Adds a force. What it asks of the time step is not looked at: the step was chosen when the scene was baked. The balance
+    /// of energy and work is no longer watched, as nothing is known of what the force gives.
     pub fn add_force(&mut self, force: Box<dyn Force>) {
         self.parts.forces.push(force);
+        self.has_own_forces = true;
         self.current = false;
     }
 
@@ -120,7 +119,7 @@ impl Body {
         if self.divergence.is_some() {
             return;
         }
-        self.change_velocities(vec![impulse / self.parts.state.mass(); self.parts.state.len()]);
+        self.given.by_hand += self.change_velocities(vec![impulse / self.parts.state.mass(); self.parts.state.len()]);
         self.current = false;
     }
 
@@ -133,6 +132,7 @@ impl Body {
         self.parts.state.positions.clone_from(&other.parts.state.positions);
         self.parts.state.velocities.clone_from(&other.parts.state.velocities);
         self.grabs.clone_from(&other.grabs);
+        self.given = other.given;
         for force in &mut self.parts.forces {
             force.adopt(&other.parts.forces);
         }
@@ -222,6 +222,11 @@ impl Body {
         self.net[i] + self.external_forces[i]
     }
 
+    /// Force of other bodies and panels on a particle [N].
+    pub(super) fn external_force(&self, i: usize) -> DVec3 {
+        self.external_forces[i]
+    }
+
     /// Forgets what other bodies and panels do to it, before that is found anew.
     pub(super) fn clear_external_forces(&mut self) {
         self.external_forces.fill(DVec3::ZERO);
@@ -251,17 +256,7 @@ impl Body {
         }
         let masses = &self.parts.state.masses;
         let change = self.external_forces.iter().zip(masses).map(|(&force, &mass)| force * (dt / mass)).collect();
-        self.change_velocities(change);
-    }
-
-    /// Adds to the velocities [m/s] what the constraints leave of a change.
-    fn change_velocities(&mut self, mut change: Vec<DVec3>) {
-        for constraint in &self.parts.constraints {
-            constraint.mask(&mut change);
-        }
-        for (v, change) in self.parts.state.velocities.iter_mut().zip(change) {
-            *v += change;
-        }
+        self.given.by_others += self.change_velocities(change);
     }
 
     /// Remembers the present state as good.
@@ -338,36 +333,6 @@ impl Body {
         }
         let (mut dynamics, state, _) = self.dynamics();
         dynamics.evaluate_end(time, state);
-    }
-
-    /// Stops the body before numbers that are no longer meaningful spread.
-    fn guard(&mut self, time: f64) {
-        let ParticleState { velocities, .. } = &self.parts.state;
-        let mean = velocities.iter().sum::<DVec3>() / velocities.len() as f64;
-        let fastest = velocities.iter().map(|v| (*v - mean).length_squared()).fold(0.0, f64::max).sqrt();
-        let finite = mean.is_finite() && fastest.is_finite();
-        let fault = self.parts.forces.iter().find_map(|force| force.fault(&self.parts.state));
-        let cause = match fault {
-            _ if !finite => "a velocity is no longer a number".to_owned(),
-            Some(fault) => fault.to_owned(),
-            None if self.guarded && fastest * self.parts.resolved_dt() > self.parts.reach => {
-                format!("a particle reached {fastest:.3e} m/s")
-            }
-            None => return,
-        };
-        let BodyParts { dt, stable_dt, step_parameter, limited_by, .. } = &self.parts;
-        let or = limited_by.as_ref().map_or(String::new(), |parameter| format!(", or {parameter}, which sets it"));
-        let remedy = if dt > stable_dt {
-            format!("its time step {dt:.3e} s is beyond the stable {stable_dt:.3e} s: lower {step_parameter}{or}")
-        } else if limited_by.is_some() {
-            format!(
-                "its stable step was {stable_dt:.3e} s at rest: lower {step_parameter}{or}, or soften what drives the body"
-            )
-        } else {
-            format!("lower {step_parameter}, raise the damping, or soften what drives it")
-        };
-        self.parts.state.clone_from(&self.last_good);
-        self.divergence = Some(Divergence { body: self.parts.name.clone(), time, cause, remedy });
     }
 
     /// Energies of the present state.

@@ -5,6 +5,7 @@
 //! it. Positions are world coordinates in metres; rest data are in the body's model frame, and rotations carry one into
 //! the other. State and forces are f64.
 
+mod account;
 pub(crate) mod body;
 pub(crate) mod body_contact;
 pub(crate) mod collider;
@@ -22,6 +23,7 @@ pub(crate) mod layers;
 pub(crate) mod linear_algebra;
 pub(crate) mod measure;
 pub(crate) mod modes;
+mod momentum;
 pub(crate) mod neighbourhood;
 pub(crate) mod outside;
 mod outside_body;
@@ -36,6 +38,7 @@ pub(crate) mod snapshot;
 pub(crate) mod stable_step;
 pub(crate) mod state;
 pub(crate) mod swing;
+mod unbalanced;
 pub(crate) mod volume_fraction;
 mod way_out;
 mod wide;
@@ -60,4 +63,5 @@ pub use snapshot::{
 };
 pub use state::ParticleState;
 pub use swing::Swing;
-pub use world::{Checkpoint, Probe, World};
+pub use unbalanced::Unbalanced;
+pub use world::{Accuracy, Checkpoint, MOST_GAINED, Probe, World};

@@ -1,7 +1,6 @@
 //! The work that is done on a world from outside over one outer step: by prescribed motions, and by forces such as wind.
 
 use super::body::Body;
-use super::forces::ColliderContact;
 use super::outside_body::OutsideBody;
 use super::world::World;
 
@@ -11,8 +10,8 @@ pub(crate) struct Outside {
     bodies: Vec<OutsideBody>,
     /// Height of every panel [m], and the force on it from below [N].
     panels: Vec<[f64; 2]>,
-    /// Work that colliders have done so far [J].
-    by_colliders: f64,
+    /// Work that colliders and forces that book it themselves have done so far [J].
+    booked: f64,
 }
 
 impl Outside {
@@ -20,17 +19,18 @@ impl Outside {
     pub(crate) fn of(world: &World) -> Self {
         let panels = world.panels().iter().enumerate().map(|(index, panel)| [panel.height, world.panel_force(index)]);
         let bodies = world.bodies().iter().map(|body| OutsideBody::of(body, world.time()));
-        let by_colliders = world.bodies().iter().filter_map(Body::collider_contact).map(ColliderContact::work).sum();
-        Self { bodies: bodies.collect(), panels: panels.collect(), by_colliders }
+        let booked = world.bodies().iter().map(Body::booked_work).sum();
+        Self { bodies: bodies.collect(), panels: panels.collect(), booked }
     }
 
     /// The work done [J] from then until `now`, by the mean of the forces at both ends: that on the bodies, and what driven
     /// panels and colliders did.
     pub(crate) fn work_until(&self, now: &Self, world: &World) -> f64 {
-        let of_bodies: f64 = self.bodies.iter().zip(&now.bodies).map(|(before, now)| before.work_until(now)).sum();
+        let bodies = self.bodies.iter().zip(&now.bodies);
+        let of_bodies: f64 = bodies.map(|(before, now)| before.work_until(now).work).sum();
         let panels = world.panels().iter().zip(self.panels.iter().zip(&now.panels));
         let driven = panels.filter(|(panel, _)| panel.driven.is_some());
-        let of_colliders = now.by_colliders - self.by_colliders;
-        of_bodies + of_colliders - driven.map(|(_, (a, b))| 0.5 * (a[1] + b[1]) * (b[0] - a[0])).sum::<f64>()
+        of_bodies + (now.booked - self.booked)
+            - driven.map(|(_, (a, b))| 0.5 * (a[1] + b[1]) * (b[0] - a[0])).sum::<f64>()
     }
 }

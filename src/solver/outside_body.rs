@@ -2,12 +2,15 @@
 
 use super::body::Body;
 use super::constraint::{PrescribedMotion, held};
+use super::forces::Force;
 use glam::DVec3;
 
 /// A body as far as it is held or pushed from outside, at one time.
 #[derive(Clone, Debug, Default)]
 pub(super) struct OutsideBody {
     held: Vec<HeldParticle>,
+    /// Whether the forces on what is held are of this very state, not of one on the way to it.
+    is_current: bool,
     /// Where forces from outside push on it: places [m], and those forces [N].
     pushed: Vec<[DVec3; 2]>,
 }
@@ -19,33 +22,58 @@ struct HeldParticle {
     position: DVec3,
     velocity: DVec3,
     force: DVec3,
+    /// What of the force is of other bodies and panels [N].
+    of_others: DVec3,
+}
+
+/// Work [J] that was done on a body from outside.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct WorkOnBody {
+    /// All of it.
+    pub(super) work: f64,
+    /// What of that pins have passed on to other bodies and panels.
+    pub(super) passed_on: f64,
+}
+
+impl WorkOnBody {
+    /// Adds what was done on.
+    pub(super) fn add(&mut self, more: Self) {
+        self.work += more.work;
+        self.passed_on += more.passed_on;
+    }
 }
 
 impl OutsideBody {
     /// All of it at `time` [s].
     pub(super) fn of(body: &Body, time: f64) -> Self {
-        Self { held: held_particles(body), pushed: pushed(body, time) }
+        Self { pushed: pushed(body, time), ..Self::held_of(body) }
     }
 
     /// What its pins hold.
     pub(super) fn held_of(body: &Body) -> Self {
-        Self { held: held_particles(body), pushed: Vec::new() }
+        Self { held: held_particles(body), is_current: body.is_current(), pushed: Vec::new() }
     }
 
     /// What forces from outside push on at `time` [s].
     pub(super) fn pushed_of(body: &Body, time: f64) -> Self {
-        Self { held: Vec::new(), pushed: pushed(body, time) }
+        Self { pushed: pushed(body, time), ..Self::default() }
     }
 
-    /// Work [J] from then until `now` by the mean of the forces at both ends: all that a held particle gained in motion and
-    /// gave to what it is tied to, and what forces from outside pushed.
-    pub(super) fn work_until(&self, now: &Self) -> f64 {
-        let of_pins = self.held.iter().zip(&now.held).map(|(a, b)| {
+    /// Work [J] from then until `now`: all that a held particle gained in motion and gave to what it is tied to, and what
+    /// forces from outside pushed. By the mean of the forces at both ends, or by those on the way where an integrator leaves
+    /// these.
+    pub(super) fn work_until(&self, now: &Self) -> WorkOnBody {
+        let mut done = WorkOnBody::default();
+        for (a, b) in self.held.iter().zip(&now.held) {
             let gained = 0.5 * a.mass * (b.velocity.length_squared() - a.velocity.length_squared());
-            gained - 0.5 * (a.force + b.force).dot(b.position - a.position)
-        });
-        let of_forces = self.pushed.iter().zip(&now.pushed).map(|([x, f], [y, g])| 0.5 * (*f + *g).dot(*y - *x));
-        of_pins.sum::<f64>() + of_forces.sum::<f64>()
+            let between = |a: DVec3, b: DVec3| if now.is_current { 0.5 * (a + b) } else { b };
+            let moved = b.position - a.position;
+            done.work += gained - between(a.force, b.force).dot(moved);
+            done.passed_on -= between(a.of_others, b.of_others).dot(moved);
+        }
+        done.work +=
+            self.pushed.iter().zip(&now.pushed).map(|([x, f], [y, g])| 0.5 * (*f + *g).dot(*y - *x)).sum::<f64>();
+        done
     }
 }
 
@@ -65,13 +93,16 @@ fn held_particles(body: &Body) -> Vec<HeldParticle> {
             position: part(state.positions[i]),
             velocity: part(state.velocities[i]),
             force: part(body.net_force(i)),
+            of_others: part(body.external_force(i)),
         }
     };
     held.map(particle).collect()
 }
 
 fn pushed(body: &Body, time: f64) -> Vec<[DVec3; 2]> {
-    let mut working = body.parts().forces.iter().filter(|force| force.does_work()).peekable();
+    let books_itself = |force: &dyn Force| force.outside_work().is_some();
+    let forces = body.parts().forces.iter();
+    let mut working = forces.filter(|force| force.does_work() && !books_itself(&***force)).peekable();
     if working.peek().is_none() {
         return Vec::new();
     }

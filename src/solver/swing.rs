@@ -55,6 +55,7 @@ fn oscillator(integrator: Box<dyn Integrator>, omega: f64, dt: f64) -> Body {
     let explicit_dt = 2.0 / omega;
     let mut body = Body::new(BodyParts {
         id: String::new(),
+        pointer: String::new(),
         name: String::new(),
         kind: "oscillator",
         state,

@@ -14,13 +14,17 @@ mod measured;
 mod probe;
 mod starts;
 mod totals;
+mod watch;
+mod watched;
 mod work;
 
 pub use checkpoint::Checkpoint;
 pub use probe::Probe;
+pub use watched::{Accuracy, MOST_GAINED};
 
 use eased::Eased;
 use grips::Grips;
+use watched::Watch;
 use work::OutsideWork;
 
 use super::body::{Body, Divergence};
@@ -67,6 +71,7 @@ pub struct World {
     /// Force on every panel from below [N].
     lifts: Vec<f64>,
     work: OutsideWork,
+    watch: Watch,
     /// Time at which frame 0 began [s]; not zero after an edit.
     since: f64,
     frame: u64,
@@ -95,6 +100,7 @@ impl World {
             grips: Grips::default(),
             contact_current: false,
             work: OutsideWork::default(),
+            watch: Watch::default(),
             since: 0.0,
             frame: 0,
         };
@@ -207,6 +213,7 @@ impl World {
             }
         }
         self.work = before.work.taken_on(&goes_on);
+        self.watch = Watch::default();
         for panel in &mut self.panels {
             if let Some(old) = before.panels.iter().find(|old| old.id == panel.id) {
                 panel.height = old.height;
@@ -282,16 +289,17 @@ impl World {
             self.frame += 1;
             return true;
         }
+        if !self.contact_current {
+            self.evaluate_contact(self.time(), 0.0);
+        }
         self.work.begin(&self.bodies, (&self.panels, &self.lifts), self.time());
+        self.begin_watch();
         for body in &mut self.bodies {
             body.save_last_good();
         }
         let outer_dt = self.plan.frame_seconds / f64::from(self.plan.outer_steps);
         for outer in 0..self.plan.outer_steps {
             let time = self.time_at(outer);
-            if !self.contact_current {
-                self.evaluate_contact(time, 0.0);
-            }
             // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the contact
             // takes no energy.
             self.half_kick(time, outer_dt, &asleep);
@@ -307,9 +315,7 @@ impl World {
                 let _body = whole.then(|| tracing::info_span!("body", name = body.parts().name).entered());
                 let (probes, peaks, work) = (&self.probes, &mut self.peaks, &mut self.work);
                 let is_whole = body.advance(time, count, stop, &mut |body, time| {
-                    if body.is_current() {
-                        work.add_held(index, body);
-                    }
+                    work.add_held(index, body);
                     for (probe, peak) in probes.iter().zip(peaks.iter_mut()) {
                         if probe.peak && probe.body == index && (body.is_current() || !probe.quantity.needs_forces()) {
                             probe.raise(peak, body, time);
@@ -331,6 +337,7 @@ impl World {
             body.update_net_forces(time);
         }
         self.work.end(&self.bodies, time);
+        self.end_watch();
         for (probe, peak) in self.probes.iter().zip(&mut self.peaks) {
             if probe.peak {
                 probe.raise(peak, &self.bodies[probe.body], time);
@@ -353,6 +360,7 @@ impl World {
             contact_current: self.contact_current,
             lifts: self.lifts.clone(),
             work: self.work.done(),
+            watch: self.watch.clone(),
             eased: self.eased.clone(),
             grips: self.grips.clone(),
             since: self.since,
@@ -372,23 +380,10 @@ impl World {
         self.contact_current = to.contact_current;
         self.lifts.clone_from(&to.lifts);
         self.work = OutsideWork::from_here_on(to.work.clone());
+        self.watch.clone_from(&to.watch);
         self.eased.clone_from(&to.eased);
         self.grips.clone_from(&to.grips);
         self.since = to.since;
         self.frame = to.frame;
-    }
-
-    /// Memory that the world takes [bytes], about.
-    pub fn bytes(&self) -> usize {
-        self.bodies.iter().map(Body::bytes).sum()
-    }
-
-    /// Whether every body is at rest, every prescribed motion has ended and no panel moves.
-    pub fn at_rest(&self) -> bool {
-        let time = self.time();
-        if self.eased.end() > time {
-            return false;
-        }
-        self.bodies.iter().all(|body| body.at_rest(time)) && self.panels.iter().all(|panel| panel.is_still(time))
     }
 }

@@ -122,6 +122,19 @@ fn survive(path: &Path) {
 
 #[test]
 fn a_thousand_damaged_files_do_no_harm() {
+    damaged_files_do_no_harm(1000, &TestRng::deterministic_rng(RngAlgorithm::default()));
+}
+
+#[test]
+#[ignore = "hours: cargo test --release --test models -- --ignored a_million_damaged"]
+fn a_million_damaged_files_do_no_harm() {
+    for part in 0..1000_u64 {
+        let seed: Vec<u8> = part.to_le_bytes().iter().copied().cycle().take(32).collect();
+        damaged_files_do_no_harm(1000, &TestRng::from_seed(RngAlgorithm::ChaCha, &seed));
+    }
+}
+
+fn damaged_files_do_no_harm(cases: u32, random: &TestRng) {
     let folder = tempfile::tempdir().expect("a folder");
     let ball = {
         let mut ball = sphere(4, 0.05);
@@ -143,10 +156,10 @@ fn a_thousand_damaged_files_do_no_harm() {
         ("f.gltf", gltf(&glb)),
         ("g.glb", glb),
     ];
-    let cases = (0..files.len(), vec(damage(), 1..4));
-    let config = Config { cases: 1000, failure_persistence: None, ..Config::default() };
-    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::default()))
-        .run(&cases, |(file, damages)| {
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    let strategy = (0..files.len(), vec(damage(), 1..4));
+    TestRunner::new_with_rng(config, random.clone())
+        .run(&strategy, |(file, damages)| {
             let (name, sound) = &files[file];
             let mut bytes = sound.clone();
             for damage in &damages {

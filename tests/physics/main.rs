@@ -3,6 +3,8 @@
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
 
 mod asleep;
+mod balance;
+mod balance_sweep;
 mod behaviours;
 mod breaking;
 mod checkpoints;

@@ -87,8 +87,8 @@ fn damaged_value(random: &mut Random, valid: &Value, places: &[String]) -> Vec<u
     value.to_string().into_bytes()
 }
 
-fn damaged_text(random: &mut Random) -> Vec<u8> {
-    let mut bytes = EVERY_FIELD.as_bytes().to_vec();
+fn damaged_text(random: &mut Random, sound: &str) -> Vec<u8> {
+    let mut bytes = sound.as_bytes().to_vec();
     let at = random.below(bytes.len());
     match random.below(6) {
         0 => {
@@ -99,12 +99,12 @@ fn damaged_text(random: &mut Random) -> Vec<u8> {
         }
         1 => bytes.truncate(at),
         2 => {
-            bytes.drain(at..(at + 1 + random.below(40)).min(EVERY_FIELD.len()));
+            bytes.drain(at..(at + 1 + random.below(40)).min(sound.len()));
         }
         3 => {
             // A line or two once more: members that are there twice, items that are one too many.
-            let line = EVERY_FIELD.lines().nth(random.below(EVERY_FIELD.lines().count())).unwrap_or_default();
-            let start = EVERY_FIELD.find(line).unwrap_or_default();
+            let line = sound.lines().nth(random.below(sound.lines().count())).unwrap_or_default();
+            let start = sound.find(line).unwrap_or_default();
             bytes.splice(start..start, line.bytes());
         }
         4 => {
@@ -137,19 +137,104 @@ fn check(path: &Path, bytes: &[u8], what: u64) -> bool {
     }
 }
 
-#[test]
-fn damaged_files_are_refused_in_one_line_or_are_valid() {
+/// How many of the damaged scenes of these seeds are valid; the others are refused in one line.
+fn valid_among(seeds: std::ops::Range<u64>) -> u64 {
     let valid: Value = serde_json::from_str(EVERY_FIELD).expect("JSON");
     let mut all = Vec::new();
     places(&valid, "", &mut all);
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("damaged.json");
-    let mut accepted = 0;
-    for seed in 0..FILES {
+    let damaged = |seed: u64| {
         let mut random = Random(seed);
-        let bytes = if seed % 2 == 0 { damaged_value(&mut random, &valid, &all) } else { damaged_text(&mut random) };
-        accepted += u64::from(check(&path, &bytes, seed));
-    }
+        if seed.is_multiple_of(2) {
+            damaged_value(&mut random, &valid, &all)
+        } else {
+            damaged_text(&mut random, EVERY_FIELD)
+        }
+    };
+    seeds.map(|seed| u64::from(check(&path, &damaged(seed), seed))).sum()
+}
+
+#[test]
+fn damaged_files_are_refused_in_one_line_or_are_valid() {
+    let accepted = valid_among(0..FILES);
     // Damage that is never refused, or always, would test nothing.
     assert!((FILES / 50..FILES * 9 / 10).contains(&accepted), "{accepted} of {FILES} are valid");
+}
+
+#[test]
+#[ignore = "hours: cargo test --release --test scene_files -- --ignored a_million"]
+fn a_million_damaged_scenes_are_refused_in_one_line_or_are_valid() {
+    println!("{} of a million are valid", valid_among(0..1_000_000));
+}
+
+const CSV: &str = "body,fibre,x,y,z\nbar,a,0,0.1,2e-3\nbar,a,0,0.2,2e-3\nbar,b,1,0,0\nbar,b,1,1,0\n";
+const JSON: &str = r#"{"fibres": [{"body": "bar", "name": "a", "vertices": [[0, 0, 0], [0, 0.1, 0.5], [1e-3, 2, -1]]},
+    {"vertices": [[0, 1, 0], [0, 2, 0]]}]}"#;
+const OBJ: &str = "o bar.a\nv 0 0 0\nv 0 1 0\nv 0 2 0.5\nl 1 2 3\no b\nv 1 0 0\nv 1 1 0\nl -2 -1\n";
+
+/// A journal of everything that can be asked of a motion.
+fn journal() -> String {
+    let scene = json!({"version": 1, "bodies": [{"id": "cube", "shape": {"box": {"size": [0.03, 0.03, 0.03]}}}]});
+    let scene: sinew::scene::Scene = scene_from_json(&scene.to_string()).expect("a scene");
+    let asked = [
+        json!("play"),
+        json!({"speed": 0.5}),
+        json!({"grab": {"body": 0, "vertex": 3, "target": [0, 1, 0]}}),
+        json!({"move_grab": [0, 1.5, 0]}),
+        json!("release"),
+        json!({"strike": {"body": 0, "impulse": [0, 0.1, 0]}}),
+        json!({"edit": scene}),
+    ];
+    let asked: Vec<Value> =
+        asked.iter().enumerate().map(|(frame, what)| json!({"frame": frame, "what": what})).collect();
+    json!({"program": "1.0.0", "scene": scene, "asked": asked, "hashes": ["0", "1", "2"]}).to_string()
+}
+
+/// Damaged lines and journals of these seeds give what is sound, or are refused in one line.
+fn lines_and_journals(seeds: std::ops::Range<u64>) -> [u64; 2] {
+    let folder = tempfile::tempdir().expect("a folder");
+    let journal = journal();
+    let (mut read, mut refused) = (0, 0);
+    for seed in seeds {
+        let mut random = Random(seed);
+        let (name, sound) =
+            [("a.csv", CSV), ("a.json", JSON), ("a.obj", OBJ), ("journal", &journal)][(seed % 4) as usize];
+        let bytes = damaged_text(&mut random, sound);
+        if name == "journal" {
+            match serde_json::from_slice::<sinew::sim::Journal>(&bytes) {
+                Ok(journal) => {
+                    read += 1;
+                    journal.scenes().for_each(|scene| drop(scene.validate()));
+                }
+                Err(_) => refused += 1,
+            }
+            continue;
+        }
+        let path = folder.path().join(name);
+        fs::write(&path, bytes).expect("written");
+        match sinew::test_support::io::points_of_lines(&path) {
+            Ok(points) => {
+                read += 1;
+                assert!(points.iter().all(|point| point.is_finite()), "{name} of seed {seed}");
+            }
+            Err(said) => {
+                refused += 1;
+                assert!(is_one_line(&said) && said.len() < 2000, "{name} of seed {seed}: {said:?}");
+            }
+        }
+    }
+    [read, refused]
+}
+
+#[test]
+fn damaged_lines_and_journals_are_refused_in_one_line_or_are_sound() {
+    let [read, refused] = lines_and_journals(0..4000);
+    assert!(read > 200 && refused > 1000, "{read} read, {refused} refused");
+}
+
+#[test]
+#[ignore = "an hour: cargo test --release --test scene_files -- --ignored a_million"]
+fn a_million_damaged_lines_and_journals_are_refused_in_one_line_or_are_sound() {
+    println!("{:?} read and refused", lines_and_journals(0..1_000_000));
 }

@@ -137,6 +137,9 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     let rows: Vec<Row> = results.rows().cloned().collect();
     let interrupted = interruption.signal().filter(|_| rows.len() < product.rows());
     for row in &rows {
+        for message in &row.unbalanced {
+            console.warn(&format!("{}: {message}", product.line(row.index)));
+        }
         if let Some(message) = &row.diverged {
             console.error(&format!("{}: {message}", product.line(row.index)));
         }
@@ -263,6 +266,7 @@ impl Plan<'_> {
             seconds: report.seconds,
             at_rest: report.at_rest,
             diverged: runner.world().divergence().map(ToString::to_string),
+            unbalanced: report.unbalanced,
             measures,
             bodies: json!(report.bodies),
             wall_seconds: report.wall_seconds,

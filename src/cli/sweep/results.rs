@@ -21,6 +21,9 @@ pub(super) struct Row {
     pub(super) at_rest: bool,
     /// Why the first body that was stopped was stopped.
     pub(super) diverged: Option<String>,
+    /// What gained energy that nothing gave it.
+    #[serde(default)]
+    pub(super) unbalanced: Vec<String>,
     pub(super) measures: Map<String, Value>,
     pub(super) bodies: Value,
     pub(super) wall_seconds: f64,

@@ -254,6 +254,7 @@ impl Motion {
         self.outlet.with_series(|series| *series = RecordedSeries::default());
         self.runs = Runs::default();
         self.status.divergence = None;
+        self.status.unbalanced = None;
         self.status.bodies.clear();
         self.status.measures.clear();
     }

@@ -1,5 +1,6 @@
 //! What the motion of one body goes on from.
 
+use super::given::Given;
 use super::{Body, Divergence};
 use crate::solver::dynamics::Fallbacks;
 use crate::solver::forces::{Force, Grab, MatrixForce};
@@ -34,6 +35,7 @@ pub(in crate::solver) struct BodyCheckpoint {
     steps: u64,
     evaluations: u64,
     fallbacks: Fallbacks,
+    given: Given,
     divergence: Option<Divergence>,
 }
 
@@ -71,6 +73,7 @@ impl Body {
             steps: self.steps,
             evaluations: self.evaluations,
             fallbacks: self.fallbacks,
+            given: self.given,
             divergence: self.divergence.clone(),
         }
     }
@@ -98,6 +101,7 @@ impl Body {
         self.steps = kept.steps;
         self.evaluations = kept.evaluations;
         self.fallbacks = kept.fallbacks;
+        self.given = kept.given;
         self.divergence.clone_from(&kept.divergence);
         // A stopped body stands in its last good state; another takes its own at the start of the next frame.
         self.last_good.clone_from(&self.parts.state);

@@ -21,6 +21,7 @@ impl Body {
 
     /// Grabs of the body, to be added, moved and taken away.
     pub(crate) fn grabs_mut(&mut self) -> &mut Vec<Grab> {
+        self.note_grabs();
         self.current = false;
         &mut self.grabs
     }

@@ -15,6 +15,8 @@ use std::sync::Arc;
 pub struct BodyParts {
     /// Stable identifier of the scene.
     pub id: String,
+    /// JSON pointer of the scene's body.
+    pub pointer: String,
     /// Name a person reads.
     pub name: String,
     /// Kind, as in reports.

@@ -22,6 +22,11 @@ pub(crate) struct Flow {
     /// `rho C` [kg/m³].
     density: f64,
     surface: Arc<FlowSurface>,
+    /// Power at the last evaluation [W].
+    power: f64,
+    /// Work done up to a time [s] that is not known before the first evaluation [J].
+    work: f64,
+    booked: Option<f64>,
 }
 
 /// The surface that a flow pushes on.
@@ -36,7 +41,7 @@ pub(crate) struct FlowSurface {
 impl Flow {
     /// A flow of this velocity [m/s], times a drive if there is one, of density times drag coefficient `density` [kg/m³].
     pub(crate) fn new(velocity: DVec3, drive: Option<Drive>, density: f64, surface: FlowSurface) -> Self {
-        Self { velocity, drive, density, surface: Arc::new(surface) }
+        Self { velocity, drive, density, surface: Arc::new(surface), power: 0.0, work: 0.0, booked: None }
     }
 
     fn at(&self, time: f64) -> DVec3 {
@@ -52,6 +57,7 @@ impl Flow {
 
 impl Force for Flow {
     fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
+        self.booked.get_or_insert(time);
         let flow = self.at(time);
         let vertices = self.vertices(state);
         let mut pushes = vec![DVec3::ZERO; vertices.len()];
@@ -65,6 +71,7 @@ impl Force for Flow {
                 pushes[*vertex as usize] += push;
             }
         }
+        self.power = pushes.iter().zip(&vertices).map(|(push, vertex)| push.dot(vertex[1])).sum();
         for (vertex, push) in self.surface.vertices.iter().zip(pushes) {
             vertex.scatter(push, forces);
         }
@@ -94,6 +101,21 @@ impl Force for Flow {
         }
         let rate = rates.iter().zip(&state.masses).map(|(rate, mass)| rate / mass).fold(0.0, f64::max);
         StepLimit { damping_rate: rate, ..StepLimit::default() }
+    }
+
+    fn end_step(&mut self, time: f64, _state: &ParticleState) -> bool {
+        self.work += self.power * (time - self.booked.replace(time).unwrap_or(time));
+        false
+    }
+
+    fn adopt(&mut self, before: &[Box<dyn Force>]) {
+        self.booked = None;
+        let before = before.iter().find_map(|force| force.downcast_ref::<Self>());
+        self.work = before.map_or(0.0, |before| before.work);
+    }
+
+    fn outside_work(&self) -> Option<f64> {
+        Some(self.work)
     }
 
     fn changes_until(&self) -> f64 {

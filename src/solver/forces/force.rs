@@ -54,6 +54,12 @@ pub trait Force: Any + Send + Sync {
         false
     }
 
+    /// The work that it has done on the body from outside so far [J], where it books that step by step; work of one that
+    /// [`Self::does_work`] and does not is told from where the body is at the ends of frames.
+    fn outside_work(&self) -> Option<f64> {
+        None
+    }
+
     /// The work that its drive has done so far [J], as it is taken from the energy `activation`.
     fn drive_work(&self) -> f64 {
         0.0

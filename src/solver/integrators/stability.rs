@@ -1,8 +1,14 @@
 //! The greatest step at which an integrator keeps one oscillation `x'' = -w² x - c x'` from growing.
 
-/// Growth a step that passes for none: an undamped oscillation grows under explicit Euler, midpoint and Verlet's
-/// damped kin at any step, and one this slow is not seen within thousands of steps.
-const GROWTH: f64 = 2e-4;
+/// Growth a step that passes for none.
+const GROWTH_A_STEP: f64 = 2e-4;
+
+/// Growth of the amplitude that passes for none in a second [1/s]: the energy of an undamped oscillation grows under explicit
+/// Euler and midpoint at any step, and by a hundredth in a second at this one.
+const GROWTH_A_SECOND: f64 = 5e-3;
+
+/// Share of a step over the fastest rate below which none is looked for.
+const SHORTEST: f64 = 1e-11;
 
 /// Greatest step [s] up to which the spectral radius `radius_at(step)` does not exceed one, for an oscillation of
 /// angular frequency `omega` [rad/s] with damping rate `damping` [1/s]; infinite where there is none.
@@ -12,8 +18,11 @@ pub(super) fn greatest_step(omega: f64, damping: f64, radius_at: impl Fn(f64) ->
     if fastest <= 0.0 {
         return f64::INFINITY;
     }
-    let grows = |step: f64| radius_at(step) > 1.0 + GROWTH;
+    let grows = |step: f64| radius_at(step) > 1.0 + GROWTH_A_STEP.min(GROWTH_A_SECOND * step);
     let mut stable = 1e-3 / fastest;
+    while grows(stable) && stable * fastest > SHORTEST {
+        stable *= 0.5;
+    }
     while !grows(stable * RATIO) {
         stable *= RATIO;
         if stable * fastest > 1e6 {
@@ -77,6 +86,13 @@ mod tests {
         assert!((greatest_step_of(&rk4, 1e-6, 1.0) - 2.785).abs() < 2e-3);
         assert!((greatest_step_of(&rk4, 1.0, 0.0) - 8.0_f64.sqrt()).abs() < 2e-3);
         assert_eq!(greatest_step_of(&rk4, 0.0, 0.0), f64::INFINITY);
+        // Undamped, explicit Euler grows by `w² dt / 2` in a second, midpoint by `w⁴ dt³ / 8`.
+        for omega in [30.0, 1e3, 3e4_f64] {
+            let euler = 2.0 * GROWTH_A_SECOND / (omega * omega);
+            assert!((greatest_step_of(&[1.0], omega, 0.0) / euler - 1.0).abs() < 0.01, "{omega}");
+            let midpoint = (8.0 * GROWTH_A_SECOND / omega.powi(4)).cbrt();
+            assert!((greatest_step_of(&[1.0, 0.5], omega, 0.0) / midpoint - 1.0).abs() < 0.01, "{omega}");
+        }
         assert!((spectral_radius([[0.0, 2.0], [-2.0, 0.0]]) - 2.0).abs() < 1e-15);
     }
 }

@@ -34,6 +34,15 @@ impl Reach {
 }
 
 impl World {
+    /// Whether every body is at rest, every prescribed motion has ended and no panel moves.
+    pub fn at_rest(&self) -> bool {
+        let time = self.time();
+        if self.eased.end() > time {
+            return false;
+        }
+        self.bodies.iter().all(|body| body.at_rest(time)) && self.panels.iter().all(|panel| panel.is_still(time))
+    }
+
     /// Which bodies sleep through the frame that begins now.
     pub(super) fn asleep(&self) -> Vec<bool> {
         let time = self.time();

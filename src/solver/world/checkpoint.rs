@@ -2,6 +2,7 @@
 
 use super::eased::Eased;
 use super::grips::Grips;
+use super::watched::Watch;
 use super::work::DoneWork;
 use crate::solver::body::checkpoint::BodyCheckpoint;
 use crate::solver::measure::MeasureValue;
@@ -17,6 +18,7 @@ pub struct Checkpoint {
     pub(super) contact_current: bool,
     pub(super) lifts: Vec<f64>,
     pub(super) work: DoneWork,
+    pub(super) watch: Watch,
     pub(super) eased: Eased,
     pub(super) grips: Grips,
     pub(super) since: f64,
@@ -30,7 +32,8 @@ impl Checkpoint {
         let rest = size_of_val(&*self.panels)
             + size_of_val(&*self.peaks)
             + size_of_val(&*self.lifts)
-            + size_of_val(&*self.work.on_bodies);
+            + size_of_val(&*self.work.on_bodies)
+            + self.watch.bytes();
         size_of_val(self) + bodies + rest + self.eased.bytes() + self.grips.bytes()
     }
 }

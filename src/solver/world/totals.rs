@@ -2,7 +2,6 @@
 
 use super::World;
 use crate::solver::body::Body;
-use crate::solver::forces::ColliderContact;
 
 impl World {
     /// Energy of all bodies, and of panels that fall [J].
@@ -19,21 +18,23 @@ impl World {
     }
 
     /// Work [J] that pins that move, driven panels, colliders and wind have done on the bodies so far; what is pulled by hand is not
-    /// counted. It is that of the mean of the forces at both ends: of every step for pins under integrators that leave the
-    /// forces there (leap-frog and its kin), of every outer step for panels, and of every frame for all else.
+    /// counted. It is that of the mean of the forces at both ends: of every step for pins and colliders, of every outer step for
+    /// panels. Integrators that leave no forces at the end of a step have their last ones counted for pins, as the power of wind
+    /// is.
     pub fn work(&self) -> f64 {
         let done = self.work.done();
-        done.on_bodies.iter().sum::<f64>() + done.by_panels + self.bodies.iter().map(by_colliders).sum::<f64>()
+        let on_bodies = done.on_bodies.iter().map(|done| done.work).sum::<f64>();
+        on_bodies + done.by_panels + self.bodies.iter().map(Body::booked_work).sum::<f64>()
     }
 
     /// The part of [`Self::work`] that was done on a body, by its index: all but that of panels.
     pub fn work_on(&self, body: usize) -> f64 {
-        let by_colliders = self.bodies.get(body).map_or(0.0, by_colliders);
-        self.work.done().on_bodies.get(body).copied().unwrap_or_default() + by_colliders
+        let booked = self.bodies.get(body).map_or(0.0, Body::booked_work);
+        self.work.done().on_bodies.get(body).map_or(0.0, |done| done.work) + booked
     }
-}
 
-/// Work that colliders have done on a body [J], of every step.
-fn by_colliders(body: &Body) -> f64 {
-    body.collider_contact().map_or(0.0, ColliderContact::work)
+    /// Memory that the world takes [bytes], about.
+    pub fn bytes(&self) -> usize {
+        self.bodies.iter().map(Body::bytes).sum()
+    }
 }

@@ -1,14 +1,14 @@
 //! The work done on a world from outside since it began, as it goes.
 
 use crate::solver::body::Body;
-use crate::solver::outside_body::{OutsideBody, is_moved};
+use crate::solver::outside_body::{OutsideBody, WorkOnBody, is_moved};
 use crate::solver::panel::Panel;
 
 /// The work that moved pins, driven panels and forces from outside have done.
 #[derive(Clone, Debug, Default)]
 pub(super) struct DoneWork {
     /// On each body [J].
-    pub(super) on_bodies: Vec<f64>,
+    pub(super) on_bodies: Vec<WorkOnBody>,
     /// By driven panels [J].
     pub(super) by_panels: f64,
 }
@@ -28,7 +28,7 @@ pub(super) struct OutsideWork {
 impl OutsideWork {
     /// Makes ready for a frame that begins at `time` [s], where nothing is known of the one before.
     pub(super) fn begin(&mut self, bodies: &[Body], (panels, lifts): (&[Panel], &[f64]), time: f64) {
-        self.done.on_bodies.resize(bodies.len(), 0.0);
+        self.done.on_bodies.resize(bodies.len(), WorkOnBody::default());
         if self.held.len() != bodies.len() {
             self.held = bodies.iter().map(|body| is_moved(body).then(|| OutsideBody::held_of(body))).collect();
             self.pushed = bodies.iter().map(|body| OutsideBody::pushed_of(body, time)).collect();
@@ -36,14 +36,14 @@ impl OutsideWork {
         }
     }
 
-    /// Adds what was done on a body up to a state of which its net forces are.
+    /// Adds what was done on a body up to its present state.
     pub(super) fn add_held(&mut self, index: usize, body: &Body) {
         // One that diverged was put back to where it was good, by nobody.
         if let Some(before) = &mut self.held[index]
             && body.divergence().is_none()
         {
             let now = OutsideBody::held_of(body);
-            self.done.on_bodies[index] += before.work_until(&now);
+            self.done.on_bodies[index].add(before.work_until(&now));
             *before = now;
         }
     }
@@ -64,7 +64,7 @@ impl OutsideWork {
         for (index, body) in bodies.iter().enumerate().filter(|(_, body)| body.divergence().is_none()) {
             self.add_held(index, body);
             let now = OutsideBody::pushed_of(body, time);
-            self.done.on_bodies[index] += self.pushed[index].work_until(&now);
+            self.done.on_bodies[index].add(self.pushed[index].work_until(&now));
             self.pushed[index] = now;
         }
     }
@@ -72,6 +72,11 @@ impl OutsideWork {
     /// What was done so far.
     pub(super) fn done(&self) -> DoneWork {
         self.done.clone()
+    }
+
+    /// What was done on a body by its index [J], what it passed on to others left out.
+    pub(super) fn on_itself(&self, body: usize) -> f64 {
+        self.done.on_bodies.get(body).map_or(0.0, |done| done.work - done.passed_on)
     }
 
     /// As much done, and nothing known of the last frame.

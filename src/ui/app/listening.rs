@@ -80,6 +80,12 @@ impl App {
             let said = self.cx.scene().with_names(text) + &more;
             self.cx.say_of_scene(if now.status.warns { Severity::Warning } else { Severity::Note }, said);
         }
+        if let Some(unbalanced) =
+            now.status.unbalanced.as_ref().filter(|_| now.status.unbalanced != before.status.unbalanced)
+        {
+            let said = self.cx.scene().with_names(unbalanced);
+            self.cx.say_of_scene(Severity::Warning, said);
+        }
         self.breaks.watch(before, &mut self.cx);
         self.remedy.watch(&mut self.cx);
         if now.compared.len() != before.compared.len() {

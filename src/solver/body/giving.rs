@@ -3,7 +3,8 @@
 use super::given::Given;
 use super::{Body, room_contact};
 use crate::solver::forces::{
-    ColliderContact, Contact, FibreForce, Force, Gravity, Inelastic, MatrixForce, PairDamping, Plane, Pressure, Springs,
+    ColliderContact, Contact, FibreForce, Force, Gravity, Inelastic, MatrixForce, PairDamping, Plane, Pressure,
+    SelfContact, Springs,
 };
 use glam::DVec3;
 
@@ -80,6 +81,7 @@ impl Body {
                 || force.downcast_ref::<Springs>().is_some()
                 || force.downcast_ref::<Pressure>().is_some()
                 || force.downcast_ref::<Gravity>().is_some_and(|gravity| gravity.changes_until() <= time)
+                || force.downcast_ref::<SelfContact>().is_some()
                 || force.downcast_ref::<Contact>().is_some()
         };
         self.parts.constraints.is_empty()

@@ -7,7 +7,7 @@ mod parts;
 mod rest;
 mod touching;
 
-pub use parts::{BodyParts, FibreLine, RestScale};
+pub use parts::{BodyParts, FibreLine, RestScale, SheetSurface, SurfacePoint};
 
 use super::dynamics::{Dynamics, Fallbacks, energies};
 use super::easing::Easing;

@@ -13,6 +13,7 @@ mod grip;
 pub(crate) mod matrix;
 mod pair_damping;
 pub(crate) mod pressure;
+pub(crate) mod sheet;
 pub(crate) mod springs;
 
 pub(crate) use air_drag::AirDrag;
@@ -29,4 +30,5 @@ pub use matrix::{Elasticity, EvaluationKind, MatrixForce};
 pub(crate) use matrix::{Inelastic, InelasticLaw, Plasticity, Viscosity};
 pub(crate) use pair_damping::PairDamping;
 pub(crate) use pressure::Pressure;
+pub(crate) use sheet::SheetForce;
 pub(crate) use springs::Springs;

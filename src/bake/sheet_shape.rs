@@ -59,14 +59,23 @@ impl SheetShape {
         })
     }
 
-    /// Whether a vertex of a grid lies between others of its row, or of its column, that are all `there`.
-    pub(super) fn is_between(&self, vertex: usize, there: &[bool]) -> bool {
-        let Some(&place) = self.places.get(vertex) else { return false };
-        let on = |same: usize, way: usize, after: bool| {
-            let mut others = self.places.iter().zip(there).filter(|(other, _)| other[same] == place[same]);
-            others.any(|(other, &there)| there && other[way] != place[way] && (other[way] > place[way]) == after)
+    /// Which vertices of a grid lie between others of their row, or of their column, that are `there`; none of others.
+    pub(super) fn between(&self, there: &[bool]) -> Vec<bool> {
+        // First and last of what is there, by the number of the column and of the row.
+        let mut spans: [BTreeMap<u32, [u32; 2]>; 2] = Default::default();
+        for (place, _) in self.places.iter().zip(there).filter(|(_, there)| **there) {
+            for way in [0, 1] {
+                let [first, last] = spans[way].entry(place[way]).or_insert([place[1 - way]; 2]);
+                (*first, *last) = ((*first).min(place[1 - way]), (*last).max(place[1 - way]));
+            }
+        }
+        let within = |place: &[u32; 2], way: usize| {
+            let span = spans[way].get(&place[way]);
+            span.is_some_and(|[first, last]| *first < place[1 - way] && place[1 - way] < *last)
         };
-        [(0, 1), (1, 0)].into_iter().any(|(same, way)| on(same, way, false) && on(same, way, true))
+        let mut between = vec![false; self.points.len()];
+        between.iter_mut().zip(&self.places).for_each(|(is, place)| *is = within(place, 0) || within(place, 1));
+        between
     }
 
     /// The same with these triangles only, in this order, and the vertices that they need.
@@ -85,13 +94,21 @@ impl SheetShape {
         Self { points, triangles, places }
     }
 
-    /// The shortest edge [m] of the first triangles.
-    pub(super) fn shortest_edge(&self, count: usize) -> f64 {
-        let edges = self.triangles[..count].iter().flat_map(|&of| {
+    fn edges(&self, count: usize) -> impl Iterator<Item = f64> + '_ {
+        self.triangles[..count].iter().flat_map(|&of| {
             let [a, b, c] = self.corners(of);
             [a.distance(b), b.distance(c), c.distance(a)]
-        });
-        edges.fold(f64::INFINITY, f64::min)
+        })
+    }
+
+    /// The shortest edge [m] of the first triangles.
+    pub(super) fn shortest_edge(&self, count: usize) -> f64 {
+        self.edges(count).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The longest one [m].
+    pub(super) fn longest_edge(&self, count: usize) -> f64 {
+        self.edges(count).fold(0.0, f64::max)
     }
 
     /// Whether the edge between two vertices is the diagonal of a cell of a grid.

@@ -33,6 +33,9 @@ const LEAST_AREA: f64 = 0.1;
 /// Vertices nearer to each other than this share of the spacing D are warned of.
 const CROWDED: f64 = 0.75;
 
+/// Turn [degrees] from vertex to vertex from which on a curl has another meaning.
+const MOST_CURLED: f64 = 90.0;
+
 /// Points at which the share of a sheet is summed over the distance from it.
 const SUMMED: u32 = 64;
 
@@ -125,6 +128,15 @@ impl Placing<'_> {
             );
             self.note(path, true, text);
         }
+        if let Some(of) = &sheet.activation {
+            let fastest = of.curl_degrees_per_metre.into_iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
+            let most = fastest * drive(&of.drive, &self.body.drives).largest() * shape.longest_edge(count);
+            if most >= MOST_CURLED {
+                let why =
+                    format!("it is to curl by {most:.0} degrees from vertex to vertex; keep that below {MOST_CURLED}");
+                return self.leave_out(path, &why);
+            }
+        }
         let embedding = shape.points.iter().map(|&at| self.weights(at).unwrap_or_default()).collect();
         Some(PlacedSheet { sheet: index, shape, embedding, active: count })
     }
@@ -135,10 +147,8 @@ impl Placing<'_> {
         let holds: Vec<bool> = shape.points.iter().map(|&at| self.holds(at)).collect();
         let none = !holds.contains(&true);
         let mut slid = 0;
-        for k in 0..shape.points.len() {
-            if holds[k] || !(none || shape.is_between(k, &holds)) {
-                continue;
-            }
+        let between = shape.between(&holds);
+        for k in (0..holds.len()).filter(|&k| !holds[k] && (none || between[k])) {
             if let Some(inside) = self.slide_in(shape.points[k]) {
                 shape.points[k] = inside;
                 slid += 1;
@@ -224,12 +234,11 @@ impl PlacedSheet {
         let diagonal = |a: u32, b: u32| self.shape.is_diagonal(a, b);
         let rest = SheetRest::new(self.embedding.clone(), &self.shape.points, &triangles, law, diagonal);
         let rest = if sheet.rest_shape == SheetRestShape::Flat { rest.flattened() } else { rest };
-        rest.acting(
-            sheet.activation.as_ref().map(|of| SheetDrive {
-                drive: drive(&of.drive, &body.drives),
-                contract: DVec2::from_array(of.contract),
-            }),
-        )
+        rest.acting(sheet.activation.as_ref().map(|of| SheetDrive {
+            drive: drive(&of.drive, &body.drives),
+            contract: DVec2::from_array(of.contract),
+            curl: DVec2::from_array(of.curl_degrees_per_metre.map(f64::to_radians)),
+        }))
     }
 }
 

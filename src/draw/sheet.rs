@@ -74,3 +74,54 @@ fn faces(sheet: &SheetSnapshot, list: &DrawList) -> Faces {
     let vertices = positions.into_iter().zip(normals).map(vertex).collect();
     Faces::Free(vertices, sheet.triangles.iter().flatten().copied().collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::list::Ground;
+    use crate::draw::{Display, Theme};
+    use crate::solver::snapshot::SurfacePoint;
+    use glam::DVec3;
+
+    fn drawn(display: &Display, around: [bool; 2]) -> DrawList {
+        let edge = |ends: [u32; 2]| SurfacePoint { ends, share: 0.5 };
+        let sheet = SheetSnapshot {
+            id: "s".to_owned(),
+            vertices: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::X + DVec3::Y],
+            triangles: [[0, 1, 2], [1, 3, 2]].into(),
+            threads: [vec![edge([0, 2]), edge([1, 2]), edge([1, 3])]].into(),
+            rim: [vec![0, 1, 3, 2, 0]].into(),
+        };
+        let theme = Theme::light();
+        let ground = Ground { height: 0.0, solid: true, grid: true, axes: true };
+        let mut list = DrawList::new(DVec3::ZERO, ground, theme);
+        let drawer = BodyDrawer { index: 2, spacing: 0.1, display, theme: &theme };
+        drawer.sheet(1, &sheet, Colour::hex(0x80_a0c0), around, &mut list);
+        list
+    }
+
+    #[test]
+    fn a_sheet_is_a_film_with_threads_and_a_rim_that_can_be_picked() {
+        let list = drawn(&Display::default(), [true, true]);
+        let [film] = list.meshes.as_slice() else { panic!("{:?}", list.meshes) };
+        assert_eq!((film.surface, film.casts_shadow), (SurfaceStyle::Film, false));
+        let picked = PickId { body: 2, kind: PickKind::Sheet, index: 1 };
+        assert_eq!(list.picks.find(film.pick), Some(picked));
+        let Faces::Free(vertices, indices) = &film.faces else { panic!("no skin") };
+        assert_eq!((vertices.len(), indices.len()), (4, 6));
+        assert!(vertices.iter().all(|vertex| vertex.normal.distance(Vec3::Z) < 1e-6));
+        let [thread, rim] = list.lines.as_slice() else { panic!("{:?}", list.lines) };
+        assert_eq!(thread.points, [Vec3::new(0.0, 0.5, 0.0), Vec3::new(0.5, 0.5, 0.0), Vec3::new(1.0, 0.5, 0.0)]);
+        assert_eq!((rim.points.len(), rim.pick), (5, film.pick));
+    }
+
+    #[test]
+    fn an_opaque_skin_hides_it_and_a_chosen_one_stands_out() {
+        assert!(drawn(&Display::default(), [true, false]).meshes.is_empty());
+        assert_eq!(drawn(&Display::default(), [false, false]).meshes.len(), 1);
+        let chosen = Display { selected_sheets: vec![[2, 1]], ..Display::default() };
+        let (plain, chosen) = (drawn(&Display::default(), [true, true]), drawn(&chosen, [true, true]));
+        assert!(chosen.meshes[0].colour.alpha > plain.meshes[0].colour.alpha);
+        assert_eq!(chosen.lines[1].colour, Theme::light().accent);
+    }
+}

@@ -119,6 +119,9 @@ pub(in crate::edit) fn scaled(sheet: &Sheet, factor: f64) -> Result<Sheet, Fibre
     if let Some(grain) = grain {
         grain.et *= factor;
     }
+    if let Some(of) = &mut sheet.activation {
+        of.curl_degrees_per_metre = of.curl_degrees_per_metre.map(|rate| rate / factor);
+    }
     Ok(sheet)
 }
 

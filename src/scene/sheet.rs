@@ -251,7 +251,12 @@ pub struct SheetActivation {
     pub drive: Drive,
     /// Shares by which the sheet wants to be shorter than it was drawn: along the first stroke, the rows of a grid or the grain
     /// of triangles, and across that; with the drive from -0.5 to 0.8.
+    #[serde(default, skip_serializing_if = "are_zero")]
     pub contract: [f64; 2],
+    /// Curvatures that the sheet wants to have beside those of its rest shape, along and across [degrees/m]; above zero it curls to
+    /// the side to which its first direction turned into its second one looks, right-handed. It takes a `bending` stiffness.
+    #[serde(default, skip_serializing_if = "are_zero")]
+    pub curl_degrees_per_metre: [f64; 2],
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
@@ -260,8 +265,17 @@ pub struct SheetActivation {
 impl SheetActivation {
     /// Shorter along and across by shares, times a drive.
     pub fn contracting(contract: [f64; 2], drive: impl Into<Drive>) -> Self {
-        Self { drive: drive.into(), contract, extra: Extra::new() }
+        Self { drive: drive.into(), contract, curl_degrees_per_metre: [0.0; 2], extra: Extra::new() }
     }
+
+    /// Curling along and across by so many degrees a metre, times a drive.
+    pub fn curling(degrees_per_metre: [f64; 2], drive: impl Into<Drive>) -> Self {
+        Self { curl_degrees_per_metre: degrees_per_metre, ..Self::contracting([0.0; 2], drive) }
+    }
+}
+
+fn are_zero(values: &[f64; 2]) -> bool {
+    *values == [0.0; 2]
 }
 
 fn default_volume_fraction() -> f64 {

@@ -1,6 +1,7 @@
 //! What the solver shows of itself: plain positions at one time.
 
-use super::body::{Body, SheetSurface, SurfacePoint};
+pub(crate) use super::body::SurfacePoint;
+use super::body::{Body, SheetSurface};
 use super::collider::{Collider, Pose};
 pub(crate) use super::field::FieldKind;
 pub use super::forces::fibre::breaking::{BreakPlace, FibreBreak};

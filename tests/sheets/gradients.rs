@@ -142,8 +142,9 @@ fn stiff() -> SheetStiffness {
 
 #[test]
 fn active_sheets_in_a_solid_are_gradients() {
-    let acting = |contract: [f64; 2]| SheetActivation::contracting(contract, 1.0);
-    let bar = bar(|sheet| sheet.with_stiffness(stiff()).with_activation(acting([0.3, -0.2])));
+    let acting =
+        SheetActivation { curl_degrees_per_metre: [3000.0, -1000.0], ..SheetActivation::contracting([0.3, -0.2], 1.0) };
+    let bar = bar(|sheet| sheet.with_stiffness(stiff()).with_activation(acting.clone()));
     let baked = baked(&in_space(bar));
     let body = &baked.world.bodies()[0];
     let force = body.parts().forces.iter().find_map(|force| force.downcast_ref::<SheetForce>());

@@ -127,6 +127,13 @@ fn what_cannot_be_is_refused_with_its_place() {
             }),
             "/bodies/0/sheets/0/activation/drive",
         ),
+        (
+            sheet(&|of| {
+                of.stiffness.bending = 0.0;
+                of.activation = Some(SheetActivation::curling([100.0, 0.0], 1.0));
+            }),
+            "/bodies/0/sheets/0/activation/curl_degrees_per_metre",
+        ),
         (sheet(&|of| of.source = Sheet::grid("g", vec![vec![[0.0; 3]; 2]]).source), "/bodies/0/sheets/0/source/grid"),
         (
             sheet(&|of| of.source = Sheet::grid("g", vec![vec![[0.0; 3]; 2], vec![[0.0; 3]; 3]]).source),

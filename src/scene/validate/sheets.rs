@@ -118,6 +118,11 @@ fn activation(at: &At<'_>, of: &SheetActivation, sheet: &Sheet, shared: &[Shared
     let has_ways = !matches!(sheet.source, SheetSource::Triangles(_)) || sheet.stiffness.grain.is_some();
     let problem = "is of triangles without a grain, along which they could become shorter";
     require(at, of, has_ways, problem, || "give the sheet's stiffness a grain with a direction")?;
+    let curl = at.field("curl_degrees_per_metre");
+    of.curl_degrees_per_metre.iter().enumerate().try_for_each(|(k, &rate)| finite(&curl.item(k), rate, "degrees/m"))?;
+    let bends = sheet.stiffness.bending > 0.0 || of.curl_degrees_per_metre == [0.0; 2];
+    let problem = "is of a sheet that does not resist bending";
+    require(&curl, &of.curl_degrees_per_metre, bends, problem, || "give the sheet's stiffness a `bending` above 0")?;
     let [least, greatest] = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
     let [low, high] = CONTRACTION;
     for (axis, &contract) in of.contract.iter().enumerate() {

@@ -36,13 +36,13 @@ impl Force for SheetForce {
     fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
         let positions = &state.positions;
         if self.is_driven() {
-            self.activity.begin(&self.sheets, time, positions);
+            self.activity.begin(&self.sheets, &self.angles, time, positions);
         }
         let mut angles = self.angles.iter_mut();
         for sheet in self.sheets.iter() {
             let x = sheet.places(positions);
             let mut slopes = vec![DVec3::ZERO; x.len()];
-            let metric = sheet.metric(time);
+            let (metric, curvature) = (sheet.metric(time), sheet.curvature(time));
             for of in &sheet.triangles {
                 let [a, b, c] = of.vertices.map(|k| k as usize);
                 let [second, third] = of.slopes(&sheet.membrane, [x[a], x[b], x[c]], metric);
@@ -53,7 +53,7 @@ impl Force for SheetForce {
             for (of, last) in sheet.hinges.iter().zip(angles.by_ref()) {
                 let corners = of.vertices.map(|k| x[k as usize]);
                 *last = unwound(hinge_angle(corners), *last);
-                let moment = of.stiffness * (*last - of.angle);
+                let moment = of.stiffness * (*last - of.angle - of.curl.dot(curvature));
                 let Some(by) = hinge_slopes(corners).filter(|_| moment != 0.0) else { continue };
                 for (k, slope) in of.vertices.into_iter().zip(by) {
                     slopes[k as usize] += moment * slope;
@@ -71,9 +71,10 @@ impl Force for SheetForce {
         for sheet in self.sheets.iter() {
             let x = sheet.places(&state.positions);
             energies.membrane += sheet.membrane_energy(&x, sheet.metric(time));
+            let curvature = sheet.curvature(time);
             for (of, &last) in sheet.hinges.iter().zip(angles.by_ref()) {
-                let away = unwound(hinge_angle(of.vertices.map(|k| x[k as usize])), last) - of.angle;
-                energies.hinges += 0.5 * of.stiffness * away * away;
+                let angle = unwound(hinge_angle(of.vertices.map(|k| x[k as usize])), last);
+                energies.hinges += of.energy(angle, curvature);
             }
         }
     }
@@ -96,7 +97,7 @@ impl Force for SheetForce {
 
     fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
         if self.is_driven() {
-            self.activity.book(&self.sheets, time, &state.positions);
+            self.activity.book(&self.sheets, &self.angles, time, &state.positions);
         }
         false
     }

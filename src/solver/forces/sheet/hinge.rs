@@ -6,7 +6,7 @@
 //! are no grid, is right for equilateral ones and up to 1.5 times too stiff in some directions of a grid. Poisson's coupling is
 //! left out.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// A hinge at rest.
@@ -18,6 +18,31 @@ pub struct HingeRest {
     pub stiffness: f64,
     /// theta0 [rad].
     pub angle: f64,
+    /// What a curvature along and across the sheet [rad/m] adds to it [m].
+    pub curl: DVec2,
+}
+
+impl HingeRest {
+    /// Energy [J] at an angle [rad] where curvatures [rad/m] are wanted beside those at rest.
+    pub(super) fn energy(&self, angle: f64, curvature: DVec2) -> f64 {
+        0.5 * self.stiffness * (angle - self.angle - self.curl.dot(curvature)).powi(2)
+    }
+}
+
+/// Angles that curvatures of 1 rad/m along two directions of space make of a hinge at rest, towards the side that its normals look
+/// to: to first order, as of a surface `z = s² / 2` over what is flat.
+pub(super) fn hinge_curls(x: [DVec3; 4], along: DVec3) -> DVec2 {
+    let [x0, x1, x2, x3] = x;
+    let edge = x1 - x0;
+    let up = (edge.cross(x2 - x0) + (x3 - x0).cross(edge)).normalize_or_zero();
+    let first = (along - up * up.dot(along)).normalize_or_zero();
+    let second = up.cross(first);
+    let Some(slopes) = hinge_slopes(x) else { return DVec2::ZERO };
+    let of = |way: DVec3| -> f64 {
+        let height = |at: DVec3| 0.5 * (at - x0).dot(way).powi(2);
+        slopes.iter().zip(x).map(|(slope, at)| slope.dot(up) * height(at)).sum()
+    };
+    DVec2::new(of(first), of(second))
 }
 
 /// k over `l_s Db` of an edge of this length [m] between areas [m²].

@@ -7,7 +7,8 @@
 //! `k/2 (theta - theta0)²` (Grinspun et al. 2003, *Discrete shells*), with weights under which a flat grid bends alike in all
 //! directions ([`hinge`]). The gradients are exact, so that momentum and angular momentum stay.
 //!
-//! A drive makes a sheet want to be shorter: it changes the metric at rest, `Dm -> diag(1 - c_u, 1 - c_v) Dm`, and A with it.
+//! A drive makes a sheet want to be shorter: it changes the metric at rest, `Dm -> diag(1 - c_u, 1 - c_v) Dm`, and A with it. Or it
+//! makes it want to curl: theta0 of every hinge is then that of a surface with these curvatures beside the one at rest.
 
 mod activity;
 mod force;

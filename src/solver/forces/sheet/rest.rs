@@ -1,6 +1,6 @@
 //! A sheet at rest.
 
-use super::hinge::{HingeRest, hinge_angle, hinge_weight};
+use super::hinge::{HingeRest, hinge_angle, hinge_curls, hinge_weight};
 use super::membrane::{MembraneLaw, TriangleRest};
 use crate::solver::drive::Drive;
 use crate::solver::embedding::EmbeddingWeights;
@@ -29,12 +29,19 @@ pub(crate) struct SheetDrive {
     pub(crate) drive: Drive,
     /// Shares by which it wants to be shorter along its two directions.
     pub(crate) contract: DVec2,
+    /// Curvatures that it wants to have along them [rad/m].
+    pub(crate) curl: DVec2,
 }
 
 impl SheetDrive {
     /// Its size along both directions over the drawn one at a time [s].
     pub(super) fn metric(&self, time: f64) -> DVec2 {
         DVec2::ONE - self.contract * self.drive.at(time).0
+    }
+
+    /// Curvatures along both directions [rad/m] that it wants at a time [s].
+    fn curvature(&self, time: f64) -> DVec2 {
+        self.curl * self.drive.at(time).0
     }
 }
 
@@ -70,10 +77,13 @@ impl SheetRest {
             grain: share * grain,
         };
         let at = |k: u32| x[k as usize];
-        let triangles: Vec<TriangleRest> =
-            triangles.iter().filter_map(|&(corners, ways)| TriangleRest::new(corners, corners.map(at), ways)).collect();
+        let made: Vec<(TriangleRest, DVec3)> = triangles
+            .iter()
+            .filter_map(|&(corners, ways)| Some((TriangleRest::new(corners, corners.map(at), ways)?, ways[0])))
+            .collect();
         let stiffness = share * bending;
-        let hinges = if stiffness > 0.0 { hinges(&triangles, stiffness, at, is_diagonal) } else { Vec::new() };
+        let hinges = if stiffness > 0.0 { hinges(&made, stiffness, at, is_diagonal) } else { Vec::new() };
+        let triangles = made.into_iter().map(|(of, _)| of).collect();
         Self { vertices, triangles, membrane, hinges, drive: None }
     }
 
@@ -93,7 +103,7 @@ impl SheetRest {
     pub(super) fn at_extreme(&self, greatest: bool) -> Self {
         let still = |of: &SheetDrive| SheetDrive {
             drive: Drive::Constant(if greatest { of.drive.greatest() } else { of.drive.least() }),
-            contract: of.contract,
+            ..of.clone()
         };
         Self { drive: self.drive.as_ref().map(still), ..self.clone() }
     }
@@ -101,6 +111,11 @@ impl SheetRest {
     /// Its size along both directions over the drawn one at a time [s].
     pub(super) fn metric(&self, time: f64) -> DVec2 {
         self.drive.as_ref().map_or(DVec2::ONE, |drive| drive.metric(time))
+    }
+
+    /// Curvatures along both directions [rad/m] that it wants beside those at rest, at a time [s].
+    pub(super) fn curvature(&self, time: f64) -> DVec2 {
+        self.drive.as_ref().map_or(DVec2::ZERO, |drive| drive.curvature(time))
     }
 
     /// Until when [s] it changes by itself.
@@ -132,24 +147,41 @@ impl SheetRest {
 
 /// A hinge at every edge that two triangles share.
 fn hinges(
-    triangles: &[TriangleRest],
+    triangles: &[(TriangleRest, DVec3)],
     stiffness: f64,
     at: impl Fn(u32) -> DVec3,
     is_diagonal: impl Fn(u32, u32) -> bool,
 ) -> Vec<HingeRest> {
     // In the order of the vertices' numbers: sums over hinges must not depend on that of a hash.
-    let mut edges: BTreeMap<[u32; 2], Vec<(f64, [u32; 3])>> = BTreeMap::new();
-    for of in triangles {
+    let mut edges: BTreeMap<[u32; 2], Vec<Side>> = BTreeMap::new();
+    for (of, along) in triangles {
         let [a, b, c] = of.vertices;
         for (from, to, opposite) in [(a, b, c), (b, c, a), (c, a, b)] {
-            edges.entry([from.min(to), from.max(to)]).or_default().push((of.area, [from, to, opposite]));
+            edges.entry([from.min(to), from.max(to)]).or_default().push(Side {
+                area: of.area,
+                corners: [from, to, opposite],
+                along: *along,
+            });
         }
     }
-    let hinge = |(area, [from, to, opposite]): (f64, [u32; 3]), (other, [.., beyond]): (f64, [u32; 3])| {
+    let hinge = |one: &Side, other: &Side| {
+        let ([from, to, opposite], [.., beyond]) = (one.corners, other.corners);
         let vertices = [from, to, opposite, beyond];
-        let length = at(from).distance(at(to));
-        let weight = hinge_weight(length, [area, other], is_diagonal(from, to));
-        HingeRest { vertices, stiffness: stiffness * weight, angle: hinge_angle(vertices.map(&at)) }
+        let x = vertices.map(&at);
+        let weight = hinge_weight(at(from).distance(at(to)), [one.area, other.area], is_diagonal(from, to));
+        // Directions say nothing of which way along them.
+        let along = if one.along.dot(other.along) < 0.0 { one.along - other.along } else { one.along + other.along };
+        HingeRest { vertices, stiffness: stiffness * weight, angle: hinge_angle(x), curl: hinge_curls(x, along) }
     };
-    edges.into_values().filter_map(|sides| Some(hinge(*sides.first()?, *sides.get(1)?))).collect()
+    edges.into_values().filter_map(|sides| Some(hinge(sides.first()?, sides.get(1)?))).collect()
+}
+
+/// A triangle as seen from one of its edges.
+struct Side {
+    /// [m²]
+    area: f64,
+    /// Ends of the edge, and the vertex opposite.
+    corners: [u32; 3],
+    /// The sheet's first direction.
+    along: DVec3,
 }

@@ -24,7 +24,7 @@ impl Scene {
         if self.name.is_empty() { UNTITLED } else { &self.name }
     }
 
-    /// `text` with names for the pointers that lead to bodies and fibres: "stiffness of Helix 4" for
+    /// `text` with names for the pointers that lead to bodies and what is in them: "stiffness of Helix 4" for
     /// `/bodies/0/fibres/3/stiffness`. Pointers to anything else stay.
     pub fn with_names(&self, text: &str) -> String {
         let mut named = String::with_capacity(text.len());
@@ -80,12 +80,14 @@ mod tests {
         let text = format!(
             r#"{{"version": 1, "bodies": [{{"id": "bar", "name": "Long bar", "shape": {{"box": {{"size": [1, 1, 1]}}}},
             "material": {{"young_modulus": 1, "mass": {{"density": 1}}, "support_radius": 1}},
-            "fibres": [{fibre}}}, {fibre}, "name": "Helix 4"}}]}}]}}"#
+            "fibres": [{fibre}}}, {fibre}, "name": "Helix 4"}}],
+            "sheets": [{{"id": "fin", "source": {{"grid": []}}, "stiffness": {{"et": 1}}}}]}}]}}"#
         );
         let scene: Scene = serde_json::from_str(&text).expect("a scene");
         let cases = [
             ("/bodies/0/fibres/1: 2 of 24 points lie outside", "Helix 4: 2 of 24 points lie outside"),
             ("0.1 s, set by /bodies/0/fibres/0/stiffness, is less", "0.1 s, set by stiffness of f, is less"),
+            ("set by /bodies/0/sheets/0/stiffness", "set by stiffness of fin"),
             ("lower /bodies/0/material/young_modulus", "lower young modulus of Long bar"),
             ("/bodies/0", "Long bar"),
             // What has no name stays as it is.

@@ -33,7 +33,7 @@
 //!
 //! | to | see |
 //! | --- | --- |
-//! | build a scene | [`scene::Scene`], [`scene::Body`], [`scene::Material`], [`scene::Fibre`], [`scene::TwoLayer`] |
+//! | build a scene | [`scene::Scene`], [`scene::Body`], [`scene::Material`], [`scene::Fibre`], [`scene::Sheet`], [`scene::TwoLayer`] |
 //! | read one from a file, write one | [`io::load_scene`], [`io::save_scene`], [`io::load_assets`]; scenes that ship lie in `scenes` |
 //! | fill a mesh, from a file or from memory | [`scene::Body::from_mesh`], [`scene::Assets::insert_mesh`] |
 //! | put a scene together | [`bake::bake`] |
@@ -64,7 +64,7 @@
 //! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, colliders, time, measures; data, constructors and
 //!   validation.
 //! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
-//!   fibre, as pure functions: [`edit::fibre_ops`]; to a whole body: [`edit::body_ops`].
+//!   fibre, as pure functions: [`edit::fibre_ops`]; to a sheet: [`edit::sheet_ops`]; to a whole body: [`edit::body_ops`].
 //! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of `solver::forces` and of
 //!   constraints, and any of the `solver::integrators` steps any body; what bodies and panels do to each other is the
 //!   world's (`solver::body_contact`, `solver::panel`). Knows no file, clock, thread start or window.
@@ -110,6 +110,7 @@
 //! | the matrix's force | `solver::forces::matrix`: the formulae at its head, a plain evaluation and a fast one |
 //! | what changes in time, and what it does to fibres | `solver::drive`, `solver::forces::fibre::activation`; from the scene: `bake::drives` |
 //! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
+//! | sheets: the force; where strokes sweep one; how one lies in the matrix | `solver::forces::sheet`; [`sketch::sweep()`]; `bake::sheets` |
 //! | fibres far stiffer than their matrix | `solver::integrators::fibres_implicit`; chosen in `bake::integrator` |
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
 //! | what is taken out of a body | `bake::voids`; `geometry::hollows`, what they leave: `geometry::carve`, the skin: `geometry::clip` |
@@ -156,6 +157,8 @@
 //! - *matrix*: the homogeneous, isotropic material of a fibre solid, without its fibres.
 //! - *material particle*: one of the points of mass that carry the matrix, on a cubic lattice at rest.
 //! - *structure particle*: a vertex of a fibre. It has no mass and no state of its own: material particles carry it.
+//! - *sheet*: a surface in a fibre solid that resists stretch, shear and bending, carried as fibres are. *Membrane*: its stretch and
+//!   shear. *Hinge*: its bending at an edge between two triangles. *Grain*: the direction of its threads. *Rim*: where it ends.
 //! - *embedding weights*: by how much each of the material particles around a point carries it (eq. 17, corrected).
 //! - *spacing* D: distance of neighbours in the lattice [m]. *Support radius* h: reach of the smoothing kernel [m]; the
 //!   particles within it are a particle's *neighbours*. D / h is the spacing ratio.
@@ -176,7 +179,7 @@
 //! - *scene*: the document. *Assets*: the solids that its meshes stand for. *Solid*: a mesh with an inside.
 //! - *room*: the floor, walls and ceiling. *Panel*: a rigid horizontal plate that falls or is driven.
 //! - *collider*: a rigid thing, still or moved, that bodies touch and that nothing pushes away; *obstacle*: what it is, about its
-//!   own origin. *Sheet*: an obstacle of no thickness, touched from both sides.
+//!   own origin. *Shell*: an obstacle of no thickness, touched from both sides.
 //! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved. One that is new to a motion
 //!   takes hold of the region where it finds it. *Pinned point*: what a drag has left where it pulls.
 //! - *measure*: a quantity read off a body, such as the twist of one region against another. *Probe*: a measure in a world.
@@ -184,6 +187,7 @@
 //!   colours and parts; motions are written on it. *Part*: a run of its faces of one name and material.
 //! - *model frame*: the frame in which a body is described. *Placement*: where it stands in the world.
 //! - *view*: front, side or top. *Stroke*: what was drawn in one. *Lift*: to make a curve of two strokes.
+//!   *Sweep*: to make a surface of them, the first carried along the second.
 //! - *drive*: a number that changes in time. *Activation*: what a drive does to a fibre, which *acts* then. *Wind*: air or
 //!   water that moves as one.
 //! - *pattern*: a layout of fibres to start from. *Dab*: one touch of the brush that paints the volume fraction.

@@ -14,6 +14,7 @@ pub mod geometry {
 pub mod solver {
     pub use crate::solver::forces::fibre::breaking::BreakLimits;
     pub use crate::solver::forces::fibre::{FibreForce, FibreRest};
+    pub use crate::solver::forces::sheet::{SheetForce, SheetLaw, SheetRest};
     pub use crate::solver::forces::springs::{SpringGroup, Springs};
     pub use crate::solver::forces::{Elasticity, EvaluationKind, MatrixForce};
     pub use crate::solver::layers::Layers;

@@ -3,14 +3,14 @@
 use super::draft::Draft;
 use super::error::BakeError;
 use super::integrator::{integrator, stable_steps, step_parameter, stepping};
-use super::limits::{Resistance, SolidParameter};
+use super::limits::{Resistance, Softer, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
 use super::pins::{Following, note_pins};
 use super::region_materials::varied;
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{drives, fibres, regime, room, self_contact, supports};
+use super::{drives, fibres, fractions, regime, room, self_contact, sheets, supports};
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
@@ -18,7 +18,7 @@ use crate::solver::collider::Collider;
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
     AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, InelasticLaw, MatrixForce, PairDamping,
-    Plasticity, StepLimit, Viscosity,
+    Plasticity, SheetForce, StepLimit, Viscosity,
 };
 use crate::solver::integrators::LeapFrog;
 use crate::solver::neighbourhood::Neighbourhood;
@@ -75,6 +75,7 @@ pub(super) fn draft(
     let (neighbourhood, embedder) = surroundings(body, sampling, kernel, path, progress)?;
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
+    let surfaces = sheets::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);
 
     let mass = match material.mass {
@@ -90,22 +91,27 @@ pub(super) fn draft(
     let masses = varied.masses.unwrap_or_else(|| vec![mass; sample.points.len()]);
     let state = initial_state(body, &sample.points, &regions, masses, path)?;
 
-    let fractions = fibres::fractions(body, &sample.points, kernel, &placed);
+    let fractions = fractions::fractions(body, &sample.points, kernel, (&placed, &surfaces));
     let matrix = MatrixForce::stiffened(
         Arc::clone(&neighbourhood),
         sample.points.as_slice().into(),
         Elasticity::new(material.young_modulus, material.poisson_ratio, spacing),
         volume,
-        (fibres::matrix_fractions(&fractions), varied.stiffening),
+        (fractions::matrix_fractions(&fractions), varied.stiffening),
         orientation,
     );
     let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)));
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(in_precision(matrix, material.precision))];
     let rods = fibres::rods(body, &embedder, volume, &placed, path)?;
     let strongest = fibres::strongest(body, &placed, &rods);
-    let mut matrix_alone = None;
+    let mut softer = Softer::default();
+    let rests = sheets::rests(body, &surfaces);
+    if !rests.is_empty() {
+        softer.without_sheets = Some(forces.clone());
+        forces.push(Box::new(SheetForce::new(rests.into())));
+    }
     if !rods.is_empty() {
-        matrix_alone = Some(forces.clone());
+        softer.without_fibres = Some(forces.clone());
         forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
     }
     forces.extend(inelastic.map(|inelastic| inelastic as Box<dyn Force>));
@@ -120,7 +126,7 @@ pub(super) fn draft(
     let contact_limit =
         itself.as_ref().map_or(contact_limit, |of| self_contact::either(contact_limit, of.step_limit(&state)));
     let resistance = unless_stopped(progress, (name, BakeStage::StableStep), |stop| {
-        Resistance::measured(&forces, matrix_alone, &state, spacing, contact_limit, material.damping.air, stop)
+        Resistance::measured(&forces, softer, &state, spacing, contact_limit, material.damping.air, stop)
     })?;
     let stable_steps = stable_steps(|integrator| resistance.stable_step(integrator));
     let stepping = stepping(scene, body, &stable_steps, &forces, &state);
@@ -130,6 +136,10 @@ pub(super) fn draft(
     let explicit_dt = resistance.stable_step(&LeapFrog::default());
     let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| match (parameter, strongest) {
         (SolidParameter::Fibres, Some(fibre)) => format!("{path}/fibres/{fibre}/stiffness"),
+        (SolidParameter::Sheets, _) => {
+            let sheet = sheets::strongest(body, &surfaces).unwrap_or_default();
+            format!("{path}/sheets/{sheet}/stiffness")
+        }
         (parameter, _) => parameter.pointer(path),
     });
     let law = contact.law;
@@ -157,6 +167,7 @@ pub(super) fn draft(
         constraints,
         contact: law,
         fibres: placed.iter().map(fibres::PlacedFibre::line).collect(),
+        sheets: surfaces.iter().map(|of| of.surface(body)).collect(),
         layers: None,
         skin,
         reach: material.support_radius,

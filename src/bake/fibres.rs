@@ -3,19 +3,16 @@
 use super::drives::drive;
 use super::error::BakeError;
 use super::note::Note;
-use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, Falloff, Fibre, FibreSource, RestShape, painted};
+use crate::scene::{Body, Fibre, FibreSource, RestShape};
 use crate::sketch::{Placed, SketchError, SketchNote, structure_particles, trim};
 use crate::solver::body::FibreLine;
 use crate::solver::embedding::{Embedder, EmbeddingWeights};
 use crate::solver::forces::fibre::breaking::BreakLimits;
 use crate::solver::forces::fibre::{FibreActivation, FibreRest, FibreTwist, Muscle, YieldLimits};
-use crate::solver::volume_fraction::volume_fractions;
 use crate::text::number::four_figures;
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::ops::Range;
-use std::sync::Arc;
 
 /// One run of a fibre inside the material.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +32,11 @@ pub struct PlacedFibre {
 }
 
 impl PlacedFibre {
+    /// Volume fraction at its centre line, and its structure particles that carry force.
+    pub(super) fn share(&self, body: &Body) -> (f64, &[DVec3]) {
+        (body.fibres[self.fibre].volume_fraction, &self.vertices[self.active.clone()])
+    }
+
     pub(super) fn line(&self) -> FibreLine {
         FibreLine { id: self.id.clone(), vertices: self.embedding.clone() }
     }
@@ -215,26 +217,6 @@ impl Placing<'_> {
             self.note(&format!("{path}/stiffness"), true, text);
         }
     }
-}
-
-/// Volume fraction `l_i` of fibre at every particle: that of the fibres by distance, and what is painted over it.
-pub(super) fn fractions(body: &Body, particles: &[DVec3], kernel: Kernel, placed: &[PlacedFibre]) -> Vec<f64> {
-    let h = kernel.support_radius;
-    let falloff = body.material.volume_fraction_falloff;
-    let curve = move |distance: f64| match falloff {
-        Falloff::Kernel => kernel.relative(distance),
-        Falloff::Linear => (1.0 - distance / h).max(0.0),
-        Falloff::Constant => f64::from(u8::from(distance < h)),
-    };
-    let runs: Vec<(f64, &[DVec3])> =
-        placed.iter().map(|run| (body.fibres[run.fibre].volume_fraction, &run.vertices[run.active.clone()])).collect();
-    let smoothed = volume_fractions(particles, &runs, &curve);
-    smoothed.into_iter().zip(particles).map(|(fraction, &at)| painted(fraction, at, &body.paint)).collect()
-}
-
-/// Share of matrix, `1 - l_i`.
-pub(super) fn matrix_fractions(fractions: &[f64]) -> Arc<[f64]> {
-    fractions.iter().map(|fraction| 1.0 - fraction).collect()
 }
 
 /// Rods of the placed fibres that carry anything.

@@ -79,7 +79,9 @@ fn moves_gently(scene: &Scene, body: &Body) -> bool {
     let may_tear = body.fibres.iter().any(|fibre| fibre.break_past.is_some() || fibre.yields.is_some())
         || body.material.plasticity.is_some();
     let is_moved = body.pins.iter().any(|pin| matches!(pin.motion, Motion::Driven(_)));
-    let is_driven = scene.gravity_drive.is_some() || body.fibres.iter().any(|fibre| fibre.activation.is_some());
+    let is_driven = scene.gravity_drive.is_some()
+        || body.fibres.iter().any(|fibre| fibre.activation.is_some())
+        || body.sheets.iter().any(|sheet| sheet.activation.is_some());
     is_held && is_alone && !is_struck && !may_tear && !is_moved && !is_driven && !drives::blows(scene)
 }
 

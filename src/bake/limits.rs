@@ -6,7 +6,7 @@
 //! fibres.
 
 use crate::scene::TwoLayer;
-use crate::solver::forces::{FibreForce, Flow, Force, Inelastic, StepLimit};
+use crate::solver::forces::{FibreForce, Flow, Force, Inelastic, SheetForce, StepLimit};
 use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
 use crate::solver::stable_step::highest_frequency_squared;
@@ -97,6 +97,11 @@ fn greatest<T>(present: f64, raised: impl Iterator<Item = (T, f64)>) -> Option<T
     noticeable.reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(name, _)| name)
 }
 
+/// Whether a drive changes how stiff a force is.
+fn is_driven(force: &Box<dyn Force>) -> bool {
+    force.downcast_ref().is_some_and(FibreForce::is_driven) || force.downcast_ref().is_some_and(SheetForce::is_driven)
+}
+
 /// Share of the bound of a damping rate that the stiffest mode is sure to see.
 const ASSURED: f64 = 0.25;
 
@@ -105,6 +110,7 @@ const ASSURED: f64 = 0.25;
 pub(super) enum SolidParameter {
     YoungModulus,
     Fibres,
+    Sheets,
     PairDamping,
     Viscosity,
     AirDrag,
@@ -112,14 +118,15 @@ pub(super) enum SolidParameter {
 }
 
 impl SolidParameter {
-    const ALL: [Self; 6] =
-        [Self::YoungModulus, Self::Fibres, Self::PairDamping, Self::Viscosity, Self::AirDrag, Self::Wind];
+    const ALL: [Self; 7] =
+        [Self::YoungModulus, Self::Fibres, Self::Sheets, Self::PairDamping, Self::Viscosity, Self::AirDrag, Self::Wind];
 
     /// Its pointer, of a body by the pointer to that.
     pub(super) fn pointer(self, body: &str) -> String {
         match self {
             Self::YoungModulus => format!("{body}/material/young_modulus"),
             Self::Fibres => format!("{body}/fibres"),
+            Self::Sheets => format!("{body}/sheets"),
             Self::PairDamping => format!("{body}/material/damping/pair"),
             Self::Viscosity => format!("{body}/material/viscosity"),
             Self::AirDrag => format!("{body}/material/damping/air"),
@@ -128,12 +135,23 @@ impl SolidParameter {
     }
 }
 
+/// Forces of a fibre solid without some that stiffen it.
+#[derive(Default)]
+pub(super) struct Softer {
+    /// Matrix and sheets, where there are fibres.
+    pub(super) without_fibres: Option<Vec<Box<dyn Force>>>,
+    /// The matrix alone, where there are sheets.
+    pub(super) without_sheets: Option<Vec<Box<dyn Force>>>,
+}
+
 /// What resists the stiffest motion of a fibre solid: squares of angular frequencies [1/s²] and rates of damping [1/s], by
 /// what they come from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Resistance {
-    /// Matrix and fibres.
+    /// Matrix, sheets and fibres.
     all: f64,
+    /// Matrix and sheets.
+    unthreaded: f64,
     /// The matrix alone.
     matrix: f64,
     contact: StepLimit,
@@ -148,11 +166,11 @@ pub(super) struct Resistance {
 }
 
 impl Resistance {
-    /// Of a body under `forces`, those of the `matrix` alone where it has fibres, and a contact that may come; `air` is the
+    /// Of a body under `forces`, the `softer` ones that are left without fibres and sheets, and a contact that may come; `air` is the
     /// rate of air drag among the forces. None where `stop`, asked again and again, says that it is no longer wanted.
     pub(super) fn measured(
         forces: &[Box<dyn Force>],
-        matrix: Option<Vec<Box<dyn Force>>>,
+        softer: Softer,
         state: &ParticleState,
         spacing: f64,
         contact: StepLimit,
@@ -160,18 +178,23 @@ impl Resistance {
         stop: &mut dyn FnMut() -> bool,
     ) -> Option<Self> {
         // On copies: the forces' warm starts must be those of the start when the run begins.
-        let mut at_extreme = |greatest: bool| {
-            let mut copies: Vec<_> = forces.iter().map(|force| force.clone_at_extreme(greatest)).collect();
-            highest_frequency_squared(&mut copies, state, spacing, stop)
+        let mut highest = |forces: &[Box<dyn Force>]| {
+            let mut at_extreme = |greatest: bool| {
+                let mut copies: Vec<_> = forces.iter().map(|force| force.clone_at_extreme(greatest)).collect();
+                highest_frequency_squared(&mut copies, state, spacing, stop)
+            };
+            let greatest = at_extreme(true)?;
+            Some(if forces.iter().any(is_driven) { greatest.max(at_extreme(false)?) } else { greatest })
         };
         let fibres = forces.iter().find_map(|force| force.downcast_ref::<FibreForce>());
-        let mut all = at_extreme(true)?;
-        if fibres.is_some_and(FibreForce::is_driven) {
-            all = all.max(at_extreme(false)?);
-        }
-        let matrix = match matrix {
-            Some(mut matrix) => highest_frequency_squared(&mut matrix, state, spacing, stop)?.min(all),
+        let all = highest(forces)?;
+        let unthreaded = match softer.without_fibres {
+            Some(forces) => highest(&forces)?.min(all),
             None => all,
+        };
+        let matrix = match softer.without_sheets {
+            Some(forces) => highest(&forces)?.min(unthreaded),
+            None => unthreaded,
         };
         let wind = wind_rate(forces, state);
         let viscous: f64 = forces
@@ -184,12 +207,12 @@ impl Resistance {
             .filter(|force| force.downcast_ref::<Flow>().is_none() && force.downcast_ref::<Inelastic>().is_none());
         let damping: f64 = of_the_body.map(|force| force.step_limit(state).damping_rate).sum();
         let implicit = fibres.is_none_or(FibreForce::takes_implicit_steps);
-        Some(Self { all, matrix, contact, pair: damping - air, viscous, air, wind, implicit })
+        Some(Self { all, unthreaded, matrix, contact, pair: damping - air, viscous, air, wind, implicit })
     }
 
     /// Greatest stable step [s].
     pub(super) fn stable_step(&self, integrator: &dyn Integrator) -> f64 {
-        let own = if integrator.takes_fibres() && self.implicit { self.matrix } else { self.all };
+        let own = if integrator.takes_fibres() && self.implicit { self.unthreaded } else { self.all };
         let frequency = (self.contact.frequency_squared + own).sqrt();
         let assured = self.pair + self.viscous + self.air;
         // Damping shortens the step of some integrators and is all that holds others: explicit Euler may count only on
@@ -208,12 +231,18 @@ impl Resistance {
         match parameter {
             SolidParameter::YoungModulus => {
                 self.all -= 0.5 * self.matrix;
+                self.unthreaded -= 0.5 * self.matrix;
                 self.matrix *= 0.5;
                 // Contact is as stiff as the material, and damped in proportion to the root of that.
                 self.contact.frequency_squared *= 0.5;
                 self.contact.damping_rate *= 0.5_f64.sqrt();
             }
-            SolidParameter::Fibres => self.all -= 0.5 * (self.all - self.matrix),
+            SolidParameter::Fibres => self.all -= 0.5 * (self.all - self.unthreaded),
+            SolidParameter::Sheets => {
+                let by = 0.5 * (self.unthreaded - self.matrix);
+                self.all -= by;
+                self.unthreaded -= by;
+            }
             SolidParameter::PairDamping => self.pair *= 0.5,
             SolidParameter::Viscosity => self.viscous *= 0.5,
             SolidParameter::AirDrag => self.air *= 0.5,

@@ -110,6 +110,7 @@ pub(super) fn draft(
         constraints,
         contact: law,
         fibres: Vec::new(),
+        sheets: Vec::new(),
         skin: model.skin,
         reach: model.radius,
         rest_scale: RestScale {

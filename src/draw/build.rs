@@ -7,7 +7,7 @@ use super::list::{DrawList, Faces, Mesh, PickKind, SkinnedFaces, SurfaceStyle};
 use super::options::{Display, SkinStyle};
 use super::surroundings;
 use super::{Bounds, Colour, Theme, colour_map};
-use crate::scene::{AnyBody, Fibre, Scene};
+use crate::scene::{AnyBody, Fibre, Scene, Sheet};
 use crate::solver::snapshot::{BodySnapshot, Snapshot};
 use glam::{DVec3, Vec3};
 use std::sync::Arc;
@@ -38,7 +38,7 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
         let drawer = BodyDrawer { index: index as u32, spacing: spacing(scene, number, body), display, theme };
         let looks = Looks::of(scene, number);
         if looks.hidden {
-            hue += body.fibres.len();
+            hue += body.fibres.len() + body.sheets.len();
             continue;
         }
         let values = snapshot.field.as_ref().and_then(|field| Some((field.range, field.bodies.get(index)?.as_slice())));
@@ -91,12 +91,18 @@ struct Looks<'a> {
     hidden: bool,
     color: Option<[u8; 3]>,
     fibres: &'a [Fibre],
+    sheets: &'a [Sheet],
 }
 
 impl<'a> Looks<'a> {
     /// Looks of the body with this number in the snapshot: solids first, then two-layer bodies.
     fn of(scene: &'a Scene, index: usize) -> Self {
-        let looks = |body: AnyBody<'a>| Self { hidden: body.hidden(), color: body.color(), fibres: body.fibres() };
+        let looks = |body: AnyBody<'a>| Self {
+            hidden: body.hidden(),
+            color: body.color(),
+            fibres: body.fibres(),
+            sheets: body.sheets(),
+        };
         scene.any_body(index).map_or_else(Self::default, looks)
     }
 
@@ -146,6 +152,14 @@ impl BodyDrawer<'_> {
                 let breaks = body.breaks.iter().filter(|at| at.fibre as usize == index).map(|at| at.place).collect();
                 let shape = FibreShape { vertices: &fibre.vertices, breaks, tensions, colour };
                 self.fibre(index as u32, &shape, [has_skin, clear], list);
+            }
+        }
+        for (index, sheet) in body.sheets.iter().enumerate() {
+            let own = looks.sheets.iter().find(|own| own.id == sheet.id);
+            let colour = own.and_then(|own| own.color).map_or_else(|| self.theme.fibre(*hue), Colour::from_rgb);
+            *hue += 1;
+            if !own.is_some_and(|own| own.hidden) {
+                self.sheet(index as u32, sheet, colour, [has_skin, clear], list);
             }
         }
         self.particles(body, has_skin, field, list);

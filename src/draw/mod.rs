@@ -14,6 +14,7 @@ mod fibre;
 mod list;
 mod options;
 mod particles;
+mod sheet;
 mod slice;
 mod surroundings;
 mod theme;

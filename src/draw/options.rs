@@ -10,7 +10,7 @@ pub struct Display {
     pub skin: SkinStyle,
     /// Material particles as cool balls, as in figure 3 of the fibre paper.
     pub particles: bool,
-    /// Fibres as round tubes.
+    /// Fibres as round tubes, sheets as films.
     pub fibres: bool,
     /// Structure particles as warm balls.
     pub structure: bool,
@@ -30,6 +30,8 @@ pub struct Display {
     pub tints: Vec<Colour>,
     /// Fibres that are selected: (body, fibre), in the order of the snapshot.
     pub selected: Vec<[u32; 2]>,
+    /// Sheets that are selected, likewise.
+    pub selected_sheets: Vec<[u32; 2]>,
     /// Which of the scene's bodies is the snapshot's first: another than 0 where one body is shown alone.
     pub first_body: usize,
 }
@@ -61,6 +63,7 @@ impl Default for Display {
             slice: None,
             tints: Vec::new(),
             selected: Vec::new(),
+            selected_sheets: Vec::new(),
             first_body: 0,
         }
     }

@@ -1,7 +1,7 @@
 //! What each command does to a scene.
 
 use super::{Command, Item};
-use crate::scene::{AnyBodyMut, Body, Fibre, MeasureKind, OwnedBody, Scene, TwoLayer};
+use crate::scene::{AnyBodyMut, Body, Fibre, MeasureKind, OwnedBody, Scene, Sheet, TwoLayer};
 
 impl Command {
     /// Changes `scene`. What is missing is said; the scene may be changed in part then and is not to be used.
@@ -45,6 +45,18 @@ impl Command {
                     MeasureKind::FibreTension(of) => measure.body != *body || of.fibre != *fibre,
                     _ => true,
                 });
+            }
+            Self::AddSheet { body, sheet } => {
+                let sheets = &mut body_of(scene, body)?.sheets;
+                if sheets.iter().any(|old| old.id == sheet.id) {
+                    return Err(format!("there is a sheet \"{}\" already", sheet.id));
+                }
+                sheets.push(sheet.clone());
+            }
+            Self::SetSheet { body, sheet, .. } => *sheet_of(scene, body, &sheet.id)? = sheet.clone(),
+            Self::RemoveSheet { body, sheet } => {
+                sheet_of(scene, body, sheet)?;
+                body_of(scene, body)?.sheets.retain(|old| old.id != *sheet);
             }
             Self::SetName { item, name } => item_fields(scene, item)?.name.clone_from(name),
             Self::SetHidden { items, hidden } => {
@@ -94,7 +106,7 @@ impl Command {
     }
 }
 
-/// What bodies of either kind and fibres have in common.
+/// What bodies of either kind, fibres and sheets have in common.
 struct ItemFields<'a> {
     name: &'a mut String,
     hidden: &'a mut bool,
@@ -105,6 +117,10 @@ fn item_fields<'a>(scene: &'a mut Scene, item: &Item) -> Result<ItemFields<'a>, 
     match item {
         Item::Fibre { body, fibre } => {
             let Fibre { name, hidden, color, .. } = fibre_of(scene, body, fibre)?;
+            Ok(ItemFields { name, hidden, color })
+        }
+        Item::Sheet { body, sheet } => {
+            let Sheet { name, hidden, color, .. } = sheet_of(scene, body, sheet)?;
             Ok(ItemFields { name, hidden, color })
         }
         Item::Body(id) => match any_body_of(scene, id)? {
@@ -125,6 +141,11 @@ fn body_of<'a>(scene: &'a mut Scene, id: &str) -> Result<&'a mut Body, String> {
 fn two_layer_of<'a>(scene: &'a mut Scene, id: &str) -> Result<&'a mut TwoLayer, String> {
     let body = scene.two_layer.iter_mut().find(|body| body.id == id);
     body.ok_or_else(|| format!("there is no two-layer body \"{id}\""))
+}
+
+fn sheet_of<'a>(scene: &'a mut Scene, body: &str, id: &str) -> Result<&'a mut Sheet, String> {
+    let sheets = &mut body_of(scene, body)?.sheets;
+    sheets.iter_mut().find(|sheet| sheet.id == id).ok_or_else(|| format!("there is no sheet \"{id}\""))
 }
 
 fn fibre_of<'a>(scene: &'a mut Scene, body: &str, id: &str) -> Result<&'a mut Fibre, String> {

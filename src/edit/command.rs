@@ -2,7 +2,7 @@
 
 use crate::scene::{
     Collider, Dab, Fibre, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement, Region, RegionMaterial, Room,
-    Time, TwoLayer, Void,
+    Sheet, Time, TwoLayer, Void,
 };
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
@@ -58,21 +58,44 @@ pub enum Command {
         /// Identifier of the fibre.
         fibre: String,
     },
-    /// Gives a body or a fibre another name.
+    /// Adds a sheet to a body.
+    AddSheet {
+        /// Identifier of the body.
+        body: String,
+        /// The sheet; its identifier must be new.
+        sheet: Sheet,
+    },
+    /// Puts a sheet in the place of the one with the same identifier, called by what was done, such as "Move".
+    SetSheet {
+        /// What undo and redo call it, before the sheet's name.
+        verb: String,
+        /// Identifier of the body.
+        body: String,
+        /// The sheet as it is to be.
+        sheet: Sheet,
+    },
+    /// Takes a sheet away.
+    RemoveSheet {
+        /// Identifier of the body.
+        body: String,
+        /// Identifier of the sheet.
+        sheet: String,
+    },
+    /// Gives a body, a fibre or a sheet another name.
     SetName {
         /// What is renamed.
         item: Item,
         /// The name.
         name: String,
     },
-    /// Hides bodies and fibres from view or shows them again. They move all the same.
+    /// Hides bodies, fibres and sheets from view or shows them again. They move all the same.
     SetHidden {
         /// What is hidden or shown.
         items: Vec<Item>,
         /// Whether it is hidden.
         hidden: bool,
     },
-    /// Draws bodies and fibres in a colour, red, green and blue, or in that of the theme again.
+    /// Draws bodies, fibres and sheets in a colour, red, green and blue, or in that of the theme again.
     SetColor {
         /// What is coloured.
         items: Vec<Item>,
@@ -149,6 +172,13 @@ pub enum Item {
         /// Its own.
         fibre: String,
     },
+    /// A sheet.
+    Sheet {
+        /// Identifier of its body.
+        body: String,
+        /// Its own.
+        sheet: String,
+    },
 }
 
 impl Command {
@@ -185,6 +215,9 @@ impl Command {
             Self::AddFibre { fibre, .. } => format!("Add {}", fibre.title()),
             Self::SetFibre { fibre, .. } => format!("Change {}", fibre.title()),
             Self::RemoveFibre { .. } => "Delete fibre".to_owned(),
+            Self::AddSheet { sheet, .. } => format!("Add {}", sheet.title()),
+            Self::SetSheet { verb, sheet, .. } => format!("{verb} {}", sheet.title()),
+            Self::RemoveSheet { .. } => "Delete sheet".to_owned(),
             Self::SetName { item, .. } => format!("Rename {}", several(std::slice::from_ref(item))),
             Self::SetHidden { items, hidden: true } => format!("Hide {}", several(items)),
             Self::SetHidden { items, hidden: false } => format!("Show {}", several(items)),
@@ -214,12 +247,15 @@ fn name_of(verb: &str, fibres: &[Fibre]) -> String {
 }
 
 fn several(items: &[Item]) -> String {
-    let fibres = items.iter().filter(|item| matches!(item, Item::Fibre { .. })).count();
-    match (fibres, items.len() - fibres) {
-        (fibres, 0) => counted(fibres, "fibre", "fibres"),
-        (0, bodies) => counted(bodies, "body", "bodies"),
-        (fibres, bodies) => format!("{} and {}", counted(bodies, "body", "bodies"), counted(fibres, "fibre", "fibres")),
-    }
+    let count = |is: fn(&Item) -> bool| items.iter().filter(|item| is(item)).count();
+    let kinds = [
+        (count(|item| matches!(item, Item::Body(_))), "body", "bodies"),
+        (count(|item| matches!(item, Item::Fibre { .. })), "fibre", "fibres"),
+        (count(|item| matches!(item, Item::Sheet { .. })), "sheet", "sheets"),
+    ];
+    let said: Vec<String> =
+        kinds.into_iter().filter(|kind| kind.0 > 0).map(|(count, one, many)| counted(count, one, many)).collect();
+    said.join(" and ")
 }
 
 fn counted(count: usize, one: &str, many: &str) -> String {

@@ -20,6 +20,8 @@ pub(crate) struct BodySize {
     pub(crate) is_of_file: bool,
     /// Fibres.
     pub(crate) fibres: usize,
+    /// Sheets.
+    pub(crate) sheets: usize,
     /// Springs.
     pub(crate) springs: usize,
     /// Particles.
@@ -42,6 +44,7 @@ pub(crate) fn sizes(scene: &Scene, assets: &Assets, world: &World) -> Vec<BodySi
             faces,
             is_of_file: file.is_some(),
             fibres: parts.fibres.len(),
+            sheets: parts.sheets.len(),
             springs: parts.layers.as_ref().map_or(0, |layers| layers.springs.ends().len()),
             particles: body.state().len(),
         }

@@ -43,6 +43,7 @@ pub(crate) mod section;
 pub(crate) mod sheets;
 pub(crate) mod solid;
 pub(crate) mod subdivide;
+pub(crate) mod surface_grid;
 pub(crate) mod thickness;
 pub(crate) mod thinness;
 pub(crate) mod two_layers;

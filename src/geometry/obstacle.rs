@@ -60,8 +60,8 @@ impl Obstacle {
         }
     }
 
-    /// Whether it is a thin sheet that is touched from both sides.
-    pub(crate) fn is_sheet(&self) -> bool {
+    /// Whether it is a thin shell that is touched from both sides.
+    pub(crate) fn is_shell(&self) -> bool {
         matches!(self, Self::Mesh(mesh) if !mesh.is_solid())
     }
 
@@ -204,16 +204,16 @@ mod tests {
     }
 
     #[test]
-    fn a_sheet_has_two_sides_and_is_met_from_both() {
-        let sheet = mesh(vec![DVec3::ZERO, DVec3::Z, DVec3::X], vec![[0, 1, 2]]);
-        assert!(sheet.is_sheet());
+    fn a_shell_has_two_sides_and_is_met_from_both() {
+        let shell = mesh(vec![DVec3::ZERO, DVec3::Z, DVec3::X], vec![[0, 1, 2]]);
+        assert!(shell.is_shell());
         for side in [1.0, -1.0] {
             let above = DVec3::new(0.2, 0.1 * side, 0.3);
-            let foot = sheet.foot(above, 1.0, 1.0).expect("near");
+            let foot = shell.foot(above, 1.0, 1.0).expect("near");
             assert!((foot.gap - 0.1).abs() < 1e-12 && foot.normal == side * DVec3::Y);
-            let entry = sheet.entry(above, above.with_y(-3.0 * side)).expect("a way through");
+            let entry = shell.entry(above, above.with_y(-3.0 * side)).expect("a way through");
             assert!((entry.share - 0.1 / 3.1).abs() < 1e-9 && entry.normal == side * DVec3::Y);
         }
-        assert_eq!(sheet.entry(DVec3::new(0.9, 1.0, 0.9), DVec3::new(0.9, -1.0, 0.9)), None);
+        assert_eq!(shell.entry(DVec3::new(0.9, 1.0, 0.9), DVec3::new(0.9, -1.0, 0.9)), None);
     }
 }

@@ -14,7 +14,7 @@ use glam::DVec3;
 pub(crate) struct Foot {
     /// Distance of the point [m], negative inside.
     pub gap: f64,
-    /// Unit vector out of the obstacle, or to the point's side of a sheet.
+    /// Unit vector out of the obstacle, or to the point's side of a shell.
     pub normal: DVec3,
 }
 
@@ -41,7 +41,7 @@ pub(crate) struct ObstacleMesh {
 const SLACK: f64 = 1e-9;
 
 impl ObstacleMesh {
-    /// The surface of a model, upright and in metres: what a closed one encloses is solid, any other is a sheet.
+    /// The surface of a model, upright and in metres: what a closed one encloses is solid, any other is a shell.
     ///
     /// # Errors
     /// [`Refusal::NoFaces`] for a model without a face that has an area.
@@ -71,7 +71,7 @@ impl ObstacleMesh {
         Self { points, faces, bvh, turns }
     }
 
-    /// The same surface as a sheet that is touched from both sides.
+    /// The same surface as a shell that is touched from both sides.
     pub(crate) fn hollow(&self) -> Self {
         Self { turns: None, ..self.clone() }
     }
@@ -103,7 +103,7 @@ impl ObstacleMesh {
     /// Where it is nearest to a point that is not further than `reach` [m] away.
     pub(crate) fn foot(&self, x: DVec3, reach: f64) -> Option<Foot> {
         let (face, at, squared) = self.nearest(x, reach * reach)?;
-        let sheet_side = |n: DVec3| if n.dot(x - at) < 0.0 { -n } else { n };
+        let shell_side = |n: DVec3| if n.dot(x - at) < 0.0 { -n } else { n };
         let inside = self.turns.as_ref().is_some_and(|turns| turns.at(x) > 0.5);
         let distance = squared.sqrt();
         let sign = if inside { -1.0 } else { 1.0 };
@@ -112,7 +112,7 @@ impl ObstacleMesh {
             (x - at) * (sign / distance)
         } else {
             let out = area_vector(&self.points, self.faces[face as usize]).normalize_or(DVec3::Y);
-            if self.is_solid() { out } else { sheet_side(out) }
+            if self.is_solid() { out } else { shell_side(out) }
         };
         Some(Foot { gap: sign * distance, normal })
     }
@@ -150,7 +150,7 @@ impl ObstacleMesh {
         best
     }
 
-    /// Where the way between two points first goes into it, or through a sheet.
+    /// Where the way between two points first goes into it, or through a shell.
     pub(crate) fn entry(&self, from: DVec3, to: DVec3) -> Option<Entry> {
         let way = to - from;
         let (low, high) = (from.min(to), from.max(to));

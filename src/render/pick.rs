@@ -120,6 +120,9 @@ impl Renderer {
         draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, picked(SurfaceStyle::XRay));
         draw_meshes(&mut pass, &self.pipelines.pick_inside, content, inside(SurfaceStyle::XRay));
         draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, picked(SurfaceStyle::Faint));
+        for side in [&self.pipelines.pick_mesh, &self.pipelines.pick_inside] {
+            draw_meshes(&mut pass, side, content, picked(SurfaceStyle::Film));
+        }
         pass.set_viewport(0.0, 0.0, side, side, 0.5, 1.0);
         draw_meshes(&mut pass, &self.pipelines.pick_mesh, content, |mesh| mesh.surface == SurfaceStyle::Solid);
         draw_meshes(&mut pass, &self.pipelines.pick_inside, content, inside(SurfaceStyle::Solid));

@@ -49,6 +49,7 @@ impl Renderer {
         draw_meshes(&mut pass, &pipelines.inside, content, |mesh| mesh.cut && mesh.surface == SurfaceStyle::Solid);
         instances(&mut pass, &pipelines.points, &content.points);
         meshes(&mut pass, &pipelines.x_ray_back, content, SurfaceStyle::XRay);
+        meshes(&mut pass, &pipelines.film, content, SurfaceStyle::Film);
         meshes(&mut pass, &pipelines.x_ray_front, content, SurfaceStyle::XRay);
         meshes(&mut pass, &pipelines.faint, content, SurfaceStyle::Faint);
         if frame.ground_in_front() {

@@ -47,6 +47,7 @@ pub(super) struct Pipelines {
     pub(super) inside: wgpu::RenderPipeline,
     pub(super) x_ray_back: wgpu::RenderPipeline,
     pub(super) x_ray_front: wgpu::RenderPipeline,
+    pub(super) film: wgpu::RenderPipeline,
     pub(super) faint: wgpu::RenderPipeline,
     pub(super) points: wgpu::RenderPipeline,
     pub(super) points_through: wgpu::RenderPipeline,
@@ -164,6 +165,7 @@ impl Pipelines {
                 VertexInput::Mesh,
                 RenderState { cull: Some(Face::Back), ..CLEAR },
             ),
+            film: picture.build(&mesh, ["vs_mesh", "fs_film"], VertexInput::Mesh, CLEAR),
             faint: picture.build(&mesh, ["vs_mesh", "fs_faint"], VertexInput::Mesh, CLEAR),
             points: picture.build(
                 &point,

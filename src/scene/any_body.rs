@@ -5,7 +5,7 @@
 
 use super::{
     Body, ColliderMesh, ColliderShape, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region,
-    Scene, Shape, SharedDrive, TwoLayer, TwoLayerShape, VoidMesh, VoidShape,
+    Scene, Shape, SharedDrive, Sheet, TwoLayer, TwoLayerShape, VoidMesh, VoidShape,
 };
 
 /// A body of either kind.
@@ -134,6 +134,11 @@ impl<'a> AnyBody<'a> {
     /// Embedded fibres; a two-layer body has none.
     pub fn fibres(self) -> &'a [Fibre] {
         self.solid().map_or(&[], |body| &body.fibres)
+    }
+
+    /// Embedded sheets; a two-layer body has none.
+    pub fn sheets(self) -> &'a [Sheet] {
+        self.solid().map_or(&[], |body| &body.sheets)
     }
 
     /// The model that its shape names, if it does.

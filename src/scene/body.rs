@@ -3,7 +3,7 @@
 use super::extra::is_false;
 use super::{
     BoxShape, Dab, Extra, Fibre, Impulse, Initial, IntegratorChoice, Material, MeshShape, Pin, Placement, Region,
-    RegionMaterial, Shape, SharedDrive, Void, add_dab,
+    RegionMaterial, Shape, SharedDrive, Sheet, Void, add_dab,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -50,6 +50,9 @@ pub struct Body {
     /// Embedded fibres.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fibres: Vec<Fibre>,
+    /// Embedded sheets.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sheets: Vec<Sheet>,
     /// Volume fraction of fibre painted by hand over what the fibres give, one dab after the other.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub paint: Vec<Dab>,
@@ -88,6 +91,7 @@ impl Body {
             impulses: Vec::new(),
             drives: Vec::new(),
             fibres: Vec::new(),
+            sheets: Vec::new(),
             paint: Vec::new(),
             voids: Vec::new(),
             regions: Vec::new(),
@@ -125,6 +129,13 @@ impl Body {
     #[must_use]
     pub fn with_fibre(mut self, fibre: Fibre) -> Self {
         self.fibres.push(fibre);
+        self
+    }
+
+    /// With one sheet more.
+    #[must_use]
+    pub fn with_sheet(mut self, sheet: Sheet) -> Self {
+        self.sheets.push(sheet);
         self
     }
 

@@ -163,7 +163,7 @@ pub struct ColliderCapsule {
     pub extra: Extra,
 }
 
-/// A mesh from an OBJ, STL, PLY, glTF or GLB file. What it encloses is solid; a mesh with holes is a thin sheet that is
+/// A mesh from an OBJ, STL, PLY, glTF or GLB file. What it encloses is solid; a mesh with holes is a thin shell that is
 /// touched from both sides.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ColliderMesh {
@@ -175,7 +175,7 @@ pub struct ColliderMesh {
     /// Axis of the file that points up; it becomes Y.
     #[serde(default = "y_up")]
     pub up: Axis,
-    /// Whether it is a thin sheet though it is closed: bodies may be in it, and do not leave it.
+    /// Whether it is a thin shell though it is closed: bodies may be in it, and do not leave it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub hollow: bool,
     /// Unknown fields, kept.

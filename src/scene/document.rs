@@ -188,6 +188,9 @@ impl Scene {
         for fibre in scene.bodies.iter_mut().flat_map(|body| &mut body.fibres) {
             (fibre.hidden, fibre.color) = (false, None);
         }
+        for sheet in scene.bodies.iter_mut().flat_map(|body| &mut body.sheets) {
+            (sheet.hidden, sheet.color) = (false, None);
+        }
         scene
     }
 }

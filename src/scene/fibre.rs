@@ -221,7 +221,7 @@ impl ViewStroke {
         Self { view, points: points.into_iter().map(Into::into).collect(), extra: Extra::new() }
     }
 
-    fn stroke(&self) -> Stroke {
+    pub(super) fn stroke(&self) -> Stroke {
         Stroke { view: self.view, points: self.points.iter().copied().map(DVec2::from_array).collect() }
     }
 }

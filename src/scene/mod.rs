@@ -31,6 +31,7 @@ mod region_material;
 mod room;
 mod round_shape;
 mod shape;
+mod sheet;
 mod start;
 mod time;
 mod two_layer;
@@ -70,6 +71,10 @@ pub use region_material::RegionMaterial;
 pub use room::{Room, Sticking};
 pub use round_shape::{BallShape, CapsuleShape, CylinderShape, TorusShape};
 pub use shape::{BoxShape, MeshShape, Placement, Rotation, Shape};
+pub use sheet::{
+    Grain, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, Sheet, SheetActivation, SheetRestShape, SheetSource,
+    SheetStiffness, SheetTriangles, SweptStrokes,
+};
 pub use start::{Impulse, Initial};
 pub use time::{Automatic, Manual, Time, TimeStep};
 pub use two_layer::{ContactKind, Drag, PressureIn, RegionMass, TwoLayer, TwoLayerContact};

@@ -1,6 +1,6 @@
 //! What things are called where a person reads of them.
 
-use super::{AnyBody, Body, Collider, Fibre, Panel, Scene, TwoLayer, Void};
+use super::{AnyBody, Body, Collider, Fibre, Panel, Scene, Sheet, TwoLayer, Void};
 
 macro_rules! titles {
     ($($thing:ty)*) => {
@@ -13,7 +13,7 @@ macro_rules! titles {
     };
 }
 
-titles! { Body Collider Fibre Panel TwoLayer Void }
+titles! { Body Collider Fibre Panel Sheet TwoLayer Void }
 
 /// What a scene without a name is called.
 pub(crate) const UNTITLED: &str = "Untitled";
@@ -24,7 +24,7 @@ impl Scene {
         if self.name.is_empty() { UNTITLED } else { &self.name }
     }
 
-    /// `text` with names for the pointers that lead to bodies and fibres: "stiffness of Helix 4" for
+    /// `text` with names for the pointers that lead to bodies and what is in them: "stiffness of Helix 4" for
     /// `/bodies/0/fibres/3/stiffness`. Pointers to anything else stay.
     pub fn with_names(&self, text: &str) -> String {
         let mut named = String::with_capacity(text.len());
@@ -54,6 +54,10 @@ impl Scene {
         {
             name = body.fibres.get(segments.next()?.parse::<usize>().ok()?)?.title();
         } else if let AnyBody::Solid(body) = body
+            && segments.next_if_eq(&"sheets").is_some()
+        {
+            name = body.sheets.get(segments.next()?.parse::<usize>().ok()?)?.title();
+        } else if let AnyBody::Solid(body) = body
             && segments.next_if_eq(&"voids").is_some()
         {
             name = body.voids.get(segments.next()?.parse::<usize>().ok()?)?.title();
@@ -76,12 +80,14 @@ mod tests {
         let text = format!(
             r#"{{"version": 1, "bodies": [{{"id": "bar", "name": "Long bar", "shape": {{"box": {{"size": [1, 1, 1]}}}},
             "material": {{"young_modulus": 1, "mass": {{"density": 1}}, "support_radius": 1}},
-            "fibres": [{fibre}}}, {fibre}, "name": "Helix 4"}}]}}]}}"#
+            "fibres": [{fibre}}}, {fibre}, "name": "Helix 4"}}],
+            "sheets": [{{"id": "fin", "source": {{"grid": []}}, "stiffness": {{"et": 1}}}}]}}]}}"#
         );
         let scene: Scene = serde_json::from_str(&text).expect("a scene");
         let cases = [
             ("/bodies/0/fibres/1: 2 of 24 points lie outside", "Helix 4: 2 of 24 points lie outside"),
             ("0.1 s, set by /bodies/0/fibres/0/stiffness, is less", "0.1 s, set by stiffness of f, is less"),
+            ("set by /bodies/0/sheets/0/stiffness", "set by stiffness of fin"),
             ("lower /bodies/0/material/young_modulus", "lower young modulus of Long bar"),
             ("/bodies/0", "Long bar"),
             // What has no name stays as it is.

@@ -88,6 +88,16 @@ pub enum SketchError {
         /// Index of the shared axis.
         axis: usize,
     },
+    /// Strokes that are to sweep a surface run side by side.
+    #[error(
+        "The strokes run side by side: what the first sweeps along the second has {} of the area that they could. Draw \
+         the second one across the first",
+        percent(*share)
+    )]
+    SideBySide {
+        /// Area over the product of both lengths.
+        share: f64,
+    },
     /// The spacing of structure particles is not a positive length [m].
     #[error("Structure particles cannot be {0} m apart. Give a positive spacing")]
     Spacing(f64),

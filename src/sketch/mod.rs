@@ -9,7 +9,8 @@
 //!
 //! The steps: [`guides()`] after the first stroke, [`follow()`] while the second is drawn, [`lift()`] for the pair,
 //! [`structure_particles`] to sample the curve, [`trim()`] to keep what lies in the solid. All of them are pure. Beside
-//! strokes there are [`pattern`]s to start from.
+//! strokes there are [`pattern`]s to start from. A pair can also be taken another way: [`sweep()`] carries the first along
+//! the second, which gives a surface.
 
 mod clean;
 mod correspond;
@@ -21,6 +22,7 @@ mod message;
 pub mod pattern;
 mod range;
 mod stroke;
+mod sweep;
 mod trim;
 mod view;
 
@@ -32,5 +34,6 @@ pub(crate) use guides::{Guides, guides};
 pub use lift::{LiftOptions, Lifted, lift};
 pub use message::{SketchError, SketchNote, Which};
 pub use stroke::Stroke;
+pub use sweep::{Sweep, sweep};
 pub use trim::{Placed, Trimmed, trim};
 pub use view::View;

@@ -12,7 +12,7 @@ mod rest;
 mod touching;
 
 pub use divergence::Divergence;
-pub use parts::{BodyParts, FibreLine, RestScale};
+pub use parts::{BodyParts, FibreLine, RestScale, SheetSurface, SurfacePoint};
 
 use given::Given;
 

@@ -2,10 +2,7 @@
 
 use super::constraint::{Constraint, held};
 use super::energy::Energies;
-use super::forces::{
-    AirDrag, ColliderContact, Contact, FibreForce, Force, Grab, Gravity, Inelastic, MatrixForce, PairDamping, Pressure,
-    SelfContact, Springs,
-};
+use super::forces::{AirDrag, ColliderContact, Contact, FibreForce, Force, Grab, Gravity, MatrixForce};
 use super::linear_algebra::vectors::axpy;
 use super::state::ParticleState;
 use glam::{BVec3, DMat3, DVec3};
@@ -213,13 +210,7 @@ impl Dynamics<'_> {
                 || force
                     .downcast_ref::<ColliderContact>()
                     .is_some_and(|of| of.touching(time, &state.positions).is_empty())
-                || force.downcast_ref::<SelfContact>().is_some()
-                || force.downcast_ref::<MatrixForce>().is_some()
-                || force.downcast_ref::<FibreForce>().is_some()
-                || force.downcast_ref::<Inelastic>().is_some()
-                || force.downcast_ref::<PairDamping>().is_some()
-                || force.downcast_ref::<Springs>().is_some()
-                || force.downcast_ref::<Pressure>().is_some()
+                || force.is_internal()
                 || force.downcast_ref::<Gravity>().is_some()
                 || force.downcast_ref::<AirDrag>().is_some()
         };

@@ -44,7 +44,7 @@ mod way_out;
 mod wide;
 pub(crate) mod world;
 
-pub use body::{Body, BodyParts, Divergence, FibreLine, RestScale};
+pub use body::{Body, BodyParts, Divergence, FibreLine, RestScale, SheetSurface, SurfacePoint};
 pub use collider::{Collider, Pose};
 pub use dynamics::{Dynamics, Fallbacks};
 pub use easing::Easing;

@@ -158,7 +158,7 @@ pub(super) fn with_collider(index: usize, body: &Body, number: usize, gravity: D
     let (collider, law) = (&contact.colliders()[number], contact.law(number));
     let pose = collider.pose(time);
     let [min, max] = collider.bounds(&pose, law.radius);
-    // What is kept off a sheet is eased off it; a body that lies across one is not torn out to either side.
+    // What is kept off a shell is eased off it; a body that lies across one is not torn out to either side.
     let slack = touching_depth(body) + law.radius - body.parts().contact.radius;
     let (mut way, mut depth, mut energy, mut inside, mut sum) = (DVec3::ZERO, 0.0, 0.0, 0, DVec3::ZERO);
     for &x in &body.state().positions {

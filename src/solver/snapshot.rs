@@ -1,6 +1,7 @@
 //! What the solver shows of itself: plain positions at one time.
 
-use super::body::Body;
+pub(crate) use super::body::SurfacePoint;
+use super::body::{Body, SheetSurface};
 use super::collider::{Collider, Pose};
 pub(crate) use super::field::FieldKind;
 pub use super::forces::fibre::breaking::{BreakPlace, FibreBreak};
@@ -113,7 +114,9 @@ pub struct BodySnapshot {
     pub particles: Vec<DVec3>,
     /// Structure particles of each fibre [m].
     pub fibres: Vec<FibreSnapshot>,
-    /// Where those are broken: indices into `fibres` and their vertices.
+    /// Sheets.
+    pub sheets: Vec<SheetSnapshot>,
+    /// Where fibres are broken: indices into `fibres` and their vertices.
     pub breaks: Vec<FibreBreak>,
     /// Vertices of the skin [m]; empty where only the particles were taken, see [`BodySnapshot::surface`].
     pub skin: Vec<DVec3>,
@@ -171,7 +174,8 @@ impl BodySnapshot {
     pub fn moved(&self, by: DVec3) -> Self {
         let mut moved = self.clone();
         let fibres = moved.fibres.iter_mut().flat_map(|fibre| &mut fibre.vertices);
-        for point in moved.particles.iter_mut().chain(&mut moved.skin).chain(fibres) {
+        let sheets = moved.sheets.iter_mut().flat_map(|sheet| &mut sheet.vertices);
+        for point in moved.particles.iter_mut().chain(&mut moved.skin).chain(fibres).chain(sheets) {
             *point += by;
         }
         moved
@@ -215,13 +219,48 @@ pub struct FibreSnapshot {
     pub vertices: Vec<DVec3>,
 }
 
+/// A sheet at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SheetSnapshot {
+    /// Identifier of the scene's sheet.
+    pub id: String,
+    /// Vertices [m].
+    pub vertices: Vec<DVec3>,
+    /// Three vertices a triangle.
+    pub triangles: Arc<[[u32; 3]]>,
+    /// Lines along its grain; none where it has none.
+    pub threads: Arc<[Vec<SurfacePoint>]>,
+    /// Lines of vertices where it ends.
+    pub rim: Arc<[Vec<u32>]>,
+}
+
+impl SheetSnapshot {
+    fn of(sheet: &SheetSurface, positions: &[DVec3]) -> Self {
+        Self {
+            id: sheet.id.clone(),
+            vertices: sheet.vertices.iter().map(|vertex| vertex.gather(positions)).collect(),
+            triangles: Arc::clone(&sheet.triangles),
+            threads: Arc::clone(&sheet.threads),
+            rim: Arc::clone(&sheet.rim),
+        }
+    }
+
+    /// A point on an edge [m].
+    pub(crate) fn point(&self, of: SurfacePoint) -> DVec3 {
+        let [from, to] = of.ends.map(|k| self.vertices[k as usize]);
+        from.lerp(to, of.share)
+    }
+}
+
 impl Snapshot {
     /// Name of the first body of which some point is no finite number; none where all can be drawn and written.
     pub fn not_finite(&self) -> Option<&str> {
         let is_whole = |body: &BodySnapshot| {
             let fibres = body.fibres.iter().flat_map(|fibre| &fibre.vertices);
             let normals = body.normals.iter().all(|normal| normal.is_finite());
-            normals && body.particles.iter().chain(&body.skin).chain(fibres).all(|point| point.is_finite())
+            let sheets = body.sheets.iter().flat_map(|sheet| &sheet.vertices);
+            let points = body.particles.iter().chain(&body.skin).chain(fibres).chain(sheets);
+            normals && points.into_iter().all(|point| point.is_finite())
         };
         self.bodies.iter().find(|body| !is_whole(body)).map(|body| body.name.as_str())
     }
@@ -262,6 +301,7 @@ impl Snapshot {
                             vertices: fibre.vertices.iter().map(|vertex| vertex.gather(positions)).collect(),
                         })
                         .collect(),
+                    sheets: parts.sheets.iter().map(|sheet| SheetSnapshot::of(sheet, positions)).collect(),
                     breaks: body.breaks().copied().collect(),
                     normals: moved.map_or_else(Vec::new, |skin| skin.normals(&vertices)),
                     skin: vertices,

@@ -83,11 +83,11 @@ actions! {
     Quit in File [ctrl(Key::Q)] "Quit": "Closes the window";
     Undo in Edit [ctrl(Key::Z)] "Undo": "Takes the last change of the scene back";
     Redo in Edit [ctrl_shift(Key::Z), ctrl(Key::Y)] "Redo": "Makes the change that was taken back again";
-    Delete in Edit [plain(Key::Delete), plain(Key::X)] "Delete": "Deletes the selected fibres, vertices, pin or body";
-    Duplicate in Edit [shift(Key::D)] "Duplicate": "Copies the selected fibres or body and moves the copy with the pointer";
-    Cut in Edit [ctrl(Key::X)] "Cut": "Puts the selected fibres or body on the clipboard and takes them away";
-    Copy in Edit [ctrl(Key::C)] "Copy": "Puts the selected fibres or body on the clipboard, for this scene or another one";
-    Paste in Edit [ctrl(Key::V)] "Paste": "Puts the fibres or the pattern of the clipboard into the body, or its body into the scene";
+    Delete in Edit [plain(Key::Delete), plain(Key::X)] "Delete": "Deletes the selected fibres, vertices, sheet, pin or body";
+    Duplicate in Edit [shift(Key::D)] "Duplicate": "Copies the selected fibres or body and moves the copy with the pointer; of a sheet, beside it";
+    Cut in Edit [ctrl(Key::X)] "Cut": "Puts the selected fibres, sheet or body on the clipboard and takes them away";
+    Copy in Edit [ctrl(Key::C)] "Copy": "Puts the selected fibres, sheet or body on the clipboard, for this scene or another one";
+    Paste in Edit [ctrl(Key::V)] "Paste": "Puts fibres, a sheet or a pattern of the clipboard into the body, or its body into the scene";
     SelectAll in Edit [plain(Key::A), ctrl(Key::A)] "Select all": "Selects every fibre of the body, or every vertex of the fibre";
     BoxSelect in Edit [plain(Key::B)] "Select by a box": "Selects what a box is dragged around; Shift adds";
     AddBox in Body [] "Add a box": "Adds a soft box where there is room";
@@ -101,6 +101,8 @@ actions! {
     AddBalloon in Body [] "Add a two-layer ball": "Adds a ball with gas in it where there is room";
     AddLayered in Body [] "Add a two-layer model…": "Adds the surface of a closed model with gas in it to the scene";
     DrawTool in Fibre [plain(Key::E)] "Draw tool": "A drag in a drawing view draws a stroke, wherever it begins";
+    SheetTool in Fibre [shift(Key::E)] "Sheet tool":
+        "A drag in a drawing view draws a stroke of a sheet: the first is swept along the second";
     SelectTool in Fibre [plain(Key::W)] "Select tool":
         "A drag in a drawing view moves the selection by its handles, or elsewhere selects by a box";
     Vertices in Fibre [plain(Key::Tab)] "Edit vertices":
@@ -111,9 +113,9 @@ actions! {
         "Turns the selection about its middle; X, Y and Z choose an axis, numbers are taken in degrees";
     Scale in Fibre [plain(Key::S)] "Scale":
         "Scales the selection with the pointer; a number is taken as a factor. A body keeps its material";
-    MirrorX in Fibre [] "Mirror along X": "Mirrors the selected fibres left to right in the middle of the body";
-    MirrorY in Fibre [] "Mirror along Y": "Mirrors the selected fibres top to bottom in the middle of the body";
-    MirrorZ in Fibre [] "Mirror along Z": "Mirrors the selected fibres front to back in the middle of the body";
+    MirrorX in Fibre [] "Mirror along X": "Mirrors the selected fibres or sheet left to right in the middle of the body";
+    MirrorY in Fibre [] "Mirror along Y": "Mirrors the selected fibres or sheet top to bottom in the middle of the body";
+    MirrorZ in Fibre [] "Mirror along Z": "Mirrors the selected fibres or sheet front to back in the middle of the body";
     Reverse in Fibre [] "Reverse": "Runs the selected fibres from their other end";
     Smooth in Fibre [] "Smooth": "Smooths the selected fibres; their ends stay";
     Resample in Fibre [] "Resample": "Spaces the vertices of the selected fibres evenly, as far apart as the particles";
@@ -134,8 +136,8 @@ actions! {
     ImportFibres in Fibre [] "Import fibres…": "Takes lines of a file (OBJ, CSV, JSON) as fibres of the body";
     ExportFibres in Fibre [] "Export fibres…":
         "Writes the selected fibres, or all of the body, as lines to a file (OBJ, CSV, JSON)";
-    Hide in Edit [plain(Key::H)] "Hide": "Hides the selected fibres or body; they act all the same";
-    ShowAll in Edit [alt(Key::H)] "Show all": "Shows every hidden body, and fibre of the body";
+    Hide in Edit [plain(Key::H)] "Hide": "Hides the selected fibres, sheet or body; they act all the same";
+    ShowAll in Edit [alt(Key::H)] "Show all": "Shows every hidden body, and fibre and sheet of the body";
     PlayPause in Simulation [plain(Key::Space)] "Play or pause": "Runs or holds the simulation";
     Step in Simulation [plain(Key::Period), plain(Key::ArrowRight)] "Advance one frame":
         "Shows the next frame and holds the simulation; at the end of what is kept it is computed";
@@ -168,7 +170,7 @@ actions! {
     Slice in View [alt(Key::X)] "Next cut":
         "Cuts the solid open across X, Y or Z in the result view, or not at all";
     Ghost in View [alt(Key::O)] "Next ghost":
-        "Runs the scene without its fibres, as it was before the last edit, or nothing beside it";
+        "Runs the scene without its fibres and sheets, as it was before the last edit, or nothing beside it";
     Timeline in View [alt(Key::L)] "Show timeline": "Shows what is kept of the motion, below the views";
     Plots in View [alt(Key::E)] "Show plots": "Plots energies, momenta and the scene's measures below the views";
     Theme in View [alt(Key::T)] "Light or dark": "Switches between the light and the dark theme";

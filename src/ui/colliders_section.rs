@@ -67,7 +67,7 @@ fn new_collider(ui: &mut Ui, cx: &mut Context, others: &[Collider]) -> Option<Co
                 ui.close();
             }
         }
-        let tooltip = "A model that bodies touch: solid where it is closed, a thin sheet where it has holes";
+        let tooltip = "A model that bodies touch: solid where it is closed, a thin shell where it has holes";
         if ui.button("Mesh file…").on_hover_text(tooltip).clicked() {
             cx.request(Request::Open(Dialog::path(PathPurpose::Collider, cx.document.path.as_deref())));
             ui.close();
@@ -120,7 +120,7 @@ fn show_collider(ui: &mut Ui, collider: &mut Collider) {
         ColliderShape::Plane => {}
         ColliderShape::Mesh(of) => {
             ui.weak(&of.path);
-            let tooltip = "Holds bodies in as a thin sheet, though it is closed";
+            let tooltip = "Holds bodies in as a thin shell, though it is closed";
             ui.checkbox(&mut of.hollow, "Hollow").on_hover_text(tooltip);
         }
     }

@@ -1,15 +1,15 @@
-//! The left panel: bodies and fibres by name, colour and visibility, and colliders.
+//! The left panel: bodies, fibres and sheets by name, colour and visibility, and colliders.
 
-use super::context::{Context, Request, Step};
+use super::context::{Context, Request};
 use super::editing::{Editing, brush_panel};
 use super::inspector::inspector;
+use super::outline_row::{colour, row};
+use super::sheets_section::sheets_section;
 use super::theme::{self, GRID, SIDE_WIDTH};
-use crate::edit::{Command, Item};
+use crate::edit::Item;
 use crate::scene::{AnyBody, Collider, Fibre};
 use crate::solver::snapshot::{FibreSnapshot, SpringKind};
-use egui::{
-    Color32, Id, Panel, Pos2, Rect, RichText, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo,
-};
+use egui::{Panel, RichText, ScrollArea, Ui};
 
 /// Shows what the document consists of, the selected fibres' properties, and the brush while it is in use.
 pub(super) fn left_panel(ui: &mut Ui, cx: &mut Context, editing: &mut Editing) {
@@ -21,6 +21,7 @@ pub(super) fn left_panel(ui: &mut Ui, cx: &mut Context, editing: &mut Editing) {
             bodies(ui, cx);
             layers(ui, cx);
             fibres(ui, cx);
+            sheets_section(ui, cx);
             colliders(ui, cx);
             brush_panel(editing, ui, cx);
         });
@@ -48,39 +49,6 @@ fn bodies(ui: &mut Ui, cx: &mut Context) {
         });
     }
     ui.add_space(2.0 * GRID);
-}
-
-/// Name and visibility of something; whether its name was clicked. A second click renames it.
-fn row(ui: &mut Ui, cx: &mut Context, item: &Item, name: &str, hidden: bool, chosen: bool) -> bool {
-    let (spot, eye) = ui.allocate_exact_size(egui::vec2(16.0, 16.0), Sense::click());
-    let eye = eye.on_hover_text(if hidden { "Show" } else { "Hide; it acts all the same" });
-    eye.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, !hidden, format!("Show {name}")));
-    paint_eye(ui, spot, hidden, eye.hovered());
-    if eye.clicked() {
-        cx.edit(&Command::SetHidden { items: vec![item.clone()], hidden: !hidden }, Step::Own);
-    }
-    let id = Id::unique(("rename", item));
-    if let Some(mut text) = ui.data(|data| data.get_temp::<String>(id)) {
-        let edit = ui.add(TextEdit::singleline(&mut text).desired_width(f32::INFINITY));
-        let escaped = ui.input(|input| input.key_pressed(egui::Key::Escape));
-        if edit.lost_focus() || ui.input(|input| input.key_pressed(egui::Key::Enter)) || escaped {
-            // Or else keys would go on meaning text.
-            edit.surrender_focus();
-            ui.data_mut(|data| data.remove::<String>(id));
-            if !escaped && text != name {
-                cx.edit(&Command::SetName { item: item.clone(), name: text }, Step::Own);
-            }
-        } else {
-            edit.request_focus();
-            ui.data_mut(|data| data.insert_temp(id, text));
-        }
-        return false;
-    }
-    let label = ui.selectable_label(chosen, name).on_hover_text("Double-click renames it");
-    if label.double_clicked() {
-        ui.data_mut(|data| data.insert_temp(id, name.to_owned()));
-    }
-    label.clicked()
 }
 
 /// What a two-layer body is made of.
@@ -163,37 +131,4 @@ fn is_in_solid(cx: &Context, fibre: &Fibre) -> bool {
     let known = cx.active.model.bodies.first().map(|body| &body.fibres);
     let is_there = |known: &Vec<_>| known.iter().any(|shown: &FibreSnapshot| shown.id == fibre.id);
     !is_settled || status.failure.is_some() || known.is_none_or(is_there)
-}
-
-/// The colour of a fibre or a body, which can be changed; that of the theme unless it has its own.
-fn colour(ui: &mut Ui, cx: &mut Context, item: &Item, own: Option<[u8; 3]>, usual: Color32) {
-    let now = own.map_or(usual, |[r, g, b]| Color32::from_rgb(r, g, b));
-    let mut color = [now.r(), now.g(), now.b()];
-    ui.scope(|ui| {
-        ui.spacing_mut().interact_size = egui::vec2(14.0, 14.0);
-        let button = ui.color_edit_button_srgb(&mut color).on_hover_text("Colour; right click: that of the theme");
-        if button.changed() {
-            cx.edit(&Command::SetColor { items: vec![item.clone()], color: Some(color) }, Step::Present);
-        } else if button.secondary_clicked() {
-            cx.edit(&Command::SetColor { items: vec![item.clone()], color: None }, Step::Own);
-        }
-    });
-}
-
-/// An eye, open or shut.
-fn paint_eye(ui: &Ui, spot: Rect, hidden: bool, hovered: bool) {
-    let color = if hovered { ui.visuals().strong_text_color() } else { ui.visuals().weak_text_color() };
-    let stroke = Stroke::new(1.2, color);
-    let (middle, half) = (spot.center(), egui::vec2(6.0, 4.0));
-    let lid = |side: f32| -> Vec<Pos2> {
-        (0..=12)
-            .map(|k| k as f32 / 6.0 - 1.0)
-            .map(|x| middle + egui::vec2(half.x * x, side * half.y * (1.0 - x * x)))
-            .collect()
-    };
-    ui.painter().add(Shape::line(lid(1.0), stroke));
-    if !hidden {
-        ui.painter().add(Shape::line(lid(-1.0), stroke));
-        ui.painter().circle_filled(middle, 1.8, color);
-    }
 }

@@ -91,6 +91,8 @@ fn a_report_has_every_field() {
         "grab",
         "twisting",
         "activation",
+        "membrane",
+        "hinges",
     ];
     assert_eq!(members(&body["energy"]), BTreeSet::from(energies));
     assert_eq!((&report["scene"], &body["kind"]), (&json!("Pressed block"), &json!("fibre_solid")));

@@ -8,12 +8,12 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use sinew::edit::{Command, Item};
 use sinew::scene::{
-    Body, Dab, Fibre, FibreSource, IntegratorKind, OwnedBody, Placement, Region, RegionMaterial, Room, Selector,
+    Body, Dab, Fibre, FibreSource, IntegratorKind, OwnedBody, Placement, Region, RegionMaterial, Room, Selector, Sheet,
     TwoLayer, Void,
 };
 
 /// Number of kinds of commands.
-pub const KINDS: usize = 23;
+pub const KINDS: usize = 26;
 
 /// Which kind a command is. Without a wildcard: a new kind is to be put in here and into [`any_command`].
 pub fn kind(command: &Command) -> usize {
@@ -41,6 +41,9 @@ pub fn kind(command: &Command) -> usize {
         Command::SetBody { .. } => 20,
         Command::RemoveBody { .. } => 21,
         Command::SetPlacement { .. } => 22,
+        Command::AddSheet { .. } => 23,
+        Command::SetSheet { .. } => 24,
+        Command::RemoveSheet { .. } => 25,
     }
 }
 
@@ -54,7 +57,11 @@ fn fibre_id() -> impl Strategy<Value = String> {
 
 fn item() -> impl Strategy<Value = Item> {
     let body = select(["bar", "cube", "balloon", "tube", "none"].map(str::to_owned).to_vec()).prop_map(Item::Body);
-    prop_oneof![body, (solid(), fibre_id()).prop_map(|(body, fibre)| Item::Fibre { body, fibre })]
+    prop_oneof![
+        body,
+        (solid(), fibre_id()).prop_map(|(body, fibre)| Item::Fibre { body, fibre }),
+        (solid(), sheet_id()).prop_map(|(body, sheet)| Item::Sheet { body, sheet }),
+    ]
 }
 
 fn any_fibre() -> impl Strategy<Value = Fibre> {
@@ -74,6 +81,28 @@ fn of_fibres() -> impl Strategy<Value = Command> {
         (solid(), any_fibre()).prop_map(|(body, fibre)| Command::AddFibre { body, fibre }),
         (solid(), any_fibre()).prop_map(|(body, fibre)| Command::SetFibre { body, fibre }),
         (solid(), fibre_id()).prop_map(|(body, fibre)| Command::RemoveFibre { body, fibre }),
+    ]
+}
+
+fn sheet_id() -> impl Strategy<Value = String> {
+    select(["fin", "skin", "new-0", "new-1"].map(str::to_owned).to_vec())
+}
+
+fn any_sheet() -> impl Strategy<Value = Sheet> {
+    let sheets = every_field().bodies[0].sheets.clone();
+    (sheet_id(), select(sheets), 0.0..1.1f64).prop_map(|(id, sheet, share)| Sheet {
+        id,
+        activation: None,
+        volume_fraction: share,
+        ..sheet
+    })
+}
+
+fn of_sheets() -> impl Strategy<Value = Command> {
+    prop_oneof![
+        (solid(), any_sheet()).prop_map(|(body, sheet)| Command::AddSheet { body, sheet }),
+        (solid(), any_sheet()).prop_map(|(body, sheet)| Command::SetSheet { verb: "Move".into(), body, sheet }),
+        (solid(), sheet_id()).prop_map(|(body, sheet)| Command::RemoveSheet { body, sheet }),
     ]
 }
 
@@ -186,7 +215,7 @@ fn of_bodies() -> impl Strategy<Value = Command> {
 }
 
 fn single() -> impl Strategy<Value = Command> {
-    prop_oneof![3 => of_fibres(), 2 => of_looks(), 3 => of_matter(), 3 => of_world(), 1 => of_pins(), 2 => of_bodies()]
+    prop_oneof![3 => of_fibres(), 3 => of_sheets(), 2 => of_looks(), 3 => of_matter(), 3 => of_world(), 1 => of_pins(), 2 => of_bodies()]
 }
 
 /// A command for the scene with every field.

@@ -28,6 +28,7 @@ fn unknown_fields_are_kept_and_listed_everywhere() {
                             | "mass"
                             | "source"
                             | "stiffness"
+                            | "along"
                             | "select"
                             | "motion"
                             | "drive"
@@ -136,6 +137,26 @@ fn activation() -> impl Strategy<Value = Activation> {
         (above_zero(), 0.1..=1.0, extra()).prop_map(|(force, width, extra)| MusclePull { force, width, extra });
     (drive(), -0.5..=0.8, proptest::option::of(curl), proptest::option::of(muscle), extra()).prop_map(
         |(drive, contract, curl, muscle, extra)| Activation { drive, contract, curl, muscle, twist: None, extra },
+    )
+}
+
+fn sheet() -> impl Strategy<Value = Sheet> {
+    let rows = vec(vec(vector(), 3), 2..4).prop_map(SheetSource::Grid);
+    let triangle = (vec(vector(), 3), extra()).prop_map(|(vertices, extra)| {
+        SheetSource::Triangles(SheetTriangles { vertices, triangles: vec![[0, 1, 2]], extra })
+    });
+    let grain = (direction(), above_zero(), extra()).prop_map(|(axis, et, extra)| Grain {
+        along: GrainAlong::Direction(axis),
+        et,
+        extra,
+    });
+    let stiffness = (above_zero(), above_zero(), proptest::option::of(grain), extra())
+        .prop_map(|(et, bending, grain, extra)| SheetStiffness { et, poisson_ratio: 1.0 / 3.0, bending, grain, extra });
+    (prop_oneof![rows, triangle], stiffness, 0.0..=1.0, extra()).prop_map(
+        |(source, stiffness, volume_fraction, extra)| {
+            let sheet = Sheet::grid("sheet", Vec::new()).with_rest_shape(SheetRestShape::Flat);
+            Sheet { source, stiffness, volume_fraction, extra, ..sheet }
+        },
     )
 }
 
@@ -278,29 +299,32 @@ fn body() -> impl Strategy<Value = Body> {
     });
     let dab = (vector(), above_zero(), 0.0..=1.0, 0.0..=1.0, extra())
         .prop_map(|(center, radius, value, strength, extra)| Dab { center, radius, value, strength, extra });
-    let parts = (fibre(), vec(dab, 0..3), pin);
+    let parts = (fibre(), vec(dab, 0..3), pin, sheet());
     (any::<String>(), look(), shape, placement, material, initial, selector(), parts, extra()).prop_map(
-        |(name, (hidden, color), shape, placement, material, initial, select, (fibre, paint, pin), extra)| Body {
-            id: "body \"\\ \u{1F9B4}\n".to_owned(),
-            name,
-            hidden,
-            color,
-            kind: BodyKind::FibreSolid,
-            shape,
-            placement,
-            material,
-            self_contact: hidden,
-            integrator: IntegratorKind::Midpoint.into(),
-            initial,
-            impulses: Vec::new(),
-            drives: vec![SharedDrive::new("shared", Wave::new(0.7).with_wavelength(0.1))],
-            fibres: vec![fibre],
-            paint,
-            regions: vec![Region { id: "region".to_owned(), select, extra: Extra::new() }],
-            region_materials: vec![RegionMaterial::of("region")],
-            voids: vec![Void::sphere("void", [0.0; 3], 1.0 / 3.0)],
-            pins: vec![pin],
-            extra,
+        |(name, (hidden, color), shape, placement, material, initial, select, (fibre, paint, pin, sheet), extra)| {
+            Body {
+                id: "body \"\\ \u{1F9B4}\n".to_owned(),
+                name,
+                hidden,
+                color,
+                kind: BodyKind::FibreSolid,
+                shape,
+                placement,
+                material,
+                self_contact: hidden,
+                integrator: IntegratorKind::Midpoint.into(),
+                initial,
+                impulses: Vec::new(),
+                drives: vec![SharedDrive::new("shared", Wave::new(0.7).with_wavelength(0.1))],
+                fibres: vec![fibre],
+                sheets: vec![sheet],
+                paint,
+                regions: vec![Region { id: "region".to_owned(), select, extra: Extra::new() }],
+                region_materials: vec![RegionMaterial::of("region")],
+                voids: vec![Void::sphere("void", [0.0; 3], 1.0 / 3.0)],
+                pins: vec![pin],
+                extra,
+            }
         },
     )
 }

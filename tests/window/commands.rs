@@ -97,7 +97,7 @@ fn typing_in_the_palette_is_no_shortcut() {
 fn a_key_that_can_do_nothing_says_why() {
     let mut window = still();
     let cases = [
-        (Modifiers::NONE, Key::X, "Delete: Select a fibre, a pin or a body first"),
+        (Modifiers::NONE, Key::X, "Delete: Select a fibre, a sheet, a pin or a body first"),
         (Modifiers::COMMAND, Key::Z, "Undo: There is nothing to undo"),
         (Modifiers::SHIFT, Key::ArrowRight, "Live: The present is shown already"),
     ];

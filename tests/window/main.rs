@@ -22,6 +22,7 @@ mod pulling;
 mod refusals;
 mod running;
 mod seeing;
+mod sheets;
 mod sketching;
 mod timeline;
 

@@ -60,7 +60,7 @@ fn what_was_said_goes_when_it_is_no_longer_true_and_one_thing_is_offered_once() 
     // Nothing is selected: it is said until something is.
     let mut window = still();
     press_key(&mut window, Modifiers::NONE, Key::G);
-    assert!(said(&window).contains("Select a fibre or a body first"), "{}", said(&window));
+    assert!(said(&window).contains("Select a fibre, a sheet or a body first"), "{}", said(&window));
     click(&mut window, "Helix 1");
     assert_eq!(said(&window), "");
 }

@@ -5,6 +5,7 @@ use super::of_pins::{carried_pins, scaled_pins};
 use super::of_two_layer::scaled_two_layer;
 use super::rigid::Rigid;
 use crate::edit::fibre_ops::FibreEditError;
+use crate::edit::sheet_ops;
 use crate::scene::{Body, Impulse, Mass, OwnedBody, Placement, Region, Rotation, Selector, Shape, VoidShape};
 use glam::{DQuat, DVec3};
 
@@ -91,6 +92,9 @@ fn scale_solid(body: &mut Body, factor: f64) -> Result<(), FibreEditError> {
     }
     for fibre in &mut body.fibres {
         *fibre = scaled_fibre(fibre, factor)?;
+    }
+    for sheet in &mut body.sheets {
+        *sheet = sheet_ops::scaled(sheet, factor)?;
     }
     for dab in &mut body.paint {
         dab.center = dab.center.map(|at| factor * at);

@@ -15,19 +15,22 @@ pub(super) struct AxisMap {
     pub(super) offset: DVec3,
 }
 
-/// The strokes of the moved, turned or mirrored curve: each is seen in the view of the axes to which its own went.
+/// A stroke of the moved, turned or mirrored curve: it is seen in the view of the axes to which its own went.
+pub(super) fn carried_stroke(stroke: &ViewStroke, map: &AxisMap) -> ViewStroke {
+    let targets = stroke.view.axes().map(|axis| map.to[axis]);
+    let view = View::ALL.into_iter().find(|view| targets.iter().all(|axis| view.axes().contains(axis)));
+    let view = view.unwrap_or(stroke.view);
+    let points = stroke.points.iter().map(|point| {
+        view.axes().map(|axis| {
+            let from = usize::from(targets[1] == axis);
+            map.factor[stroke.view.axes()[from]] * point[from] + map.offset[axis]
+        })
+    });
+    ViewStroke { view, points: points.collect(), extra: stroke.extra.clone() }
+}
+
+/// Both strokes of the moved, turned or mirrored curve.
 pub(super) fn carried(pair: &StrokePair, map: &AxisMap) -> StrokePair {
-    let carry = |stroke: &ViewStroke| {
-        let targets = stroke.view.axes().map(|axis| map.to[axis]);
-        let view = View::ALL.into_iter().find(|view| targets.iter().all(|axis| view.axes().contains(axis)));
-        let view = view.unwrap_or(stroke.view);
-        let points = stroke.points.iter().map(|point| {
-            view.axes().map(|axis| {
-                let from = usize::from(targets[1] == axis);
-                map.factor[stroke.view.axes()[from]] * point[from] + map.offset[axis]
-            })
-        });
-        ViewStroke { view, points: points.collect(), extra: stroke.extra.clone() }
-    };
-    StrokePair { first: carry(&pair.first), second: carry(&pair.second), ..pair.clone() }
+    let [first, second] = [&pair.first, &pair.second].map(|stroke| carried_stroke(stroke, map));
+    StrokePair { first, second, ..pair.clone() }
 }

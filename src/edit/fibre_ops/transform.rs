@@ -1,10 +1,10 @@
 //! Moving, turning and mirroring a fibre or some of its vertices.
 
-use super::axis_map::{AxisMap, carried};
+use super::axis_map::{AxisMap, carried, carried_stroke};
 use super::edited::{Edited, Sampling, chosen, with_vertices};
 use super::error::FibreEditError;
 use super::vertices::vertices;
-use crate::scene::{Activation, Fibre, FibreSource};
+use crate::scene::{Activation, Fibre, FibreSource, ViewStroke};
 use glam::{DMat3, DQuat, DVec3};
 
 /// A turn's entries within this of -1, 0 and 1 are taken for them: right angles come out of radians with such errors.
@@ -58,6 +58,17 @@ impl Transform {
     /// Where it takes a point [m].
     pub fn apply(&self, point: DVec3) -> DVec3 {
         self.matrix * point + self.offset
+    }
+
+    /// Where it takes a direction, which a scaling makes longer.
+    pub fn direction(&self, direction: DVec3) -> DVec3 {
+        self.matrix * direction
+    }
+
+    /// The strokes that give what two strokes gave, at its new place; none where axes do not go to axes.
+    pub(in crate::edit) fn carried(&self, strokes: [&ViewStroke; 2]) -> Option<[ViewStroke; 2]> {
+        let map = self.axis_map()?;
+        Some(strokes.map(|stroke| carried_stroke(stroke, &map)))
     }
 
     /// What becomes of how a fibre acts: the axis that it curls about turns along, and a mirroring reverses a sense of turning

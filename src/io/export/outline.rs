@@ -68,6 +68,7 @@ impl MotionFormat {
         let parts = [
             ("surfaces", any(|body| body.faces), self == Self::Csv),
             ("fibres", any(|body| body.fibres), !holds(&[Self::Usd, Self::Obj])),
+            ("sheets", any(|body| body.sheets), true),
             ("springs", any(|body| body.springs), self != Self::Usd),
             ("particles and their fields", any(|body| body.particles), !holds(&[Self::Ply, Self::Csv])),
         ];

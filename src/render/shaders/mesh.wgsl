@@ -59,6 +59,20 @@ fn fs_x_ray(in: MeshOut, @builtin(front_facing) front: bool) -> @location(0) vec
     return out_colour(colour, density, in.clip.xy);
 }
 
+// A thin film: lit from the side that is seen, denser where it is seen aslant.
+@fragment
+fn fs_film(in: MeshOut) -> @location(0) vec4f {
+    if in.above > 0.0 {
+        discard;
+    }
+    let normal = normalize(in.normal);
+    let eye = toward_eye(in.local);
+    let slant = 1.0 - abs(dot(normal, eye));
+    let density = mix(in.colour.a, 1.0, 0.5 * slant * slant);
+    let colour = lit(in.colour.rgb, select(-normal, normal, dot(normal, eye) > 0.0), in.local);
+    return out_colour(colour, density, in.clip.xy);
+}
+
 @fragment
 fn fs_faint(in: MeshOut) -> @location(0) vec4f {
     if in.above > 0.0 {

@@ -7,7 +7,7 @@ use super::check::{
 use crate::scene::{Activation, AfterLast, Drive, DriveKeys, SharedDrive, Stiffness, Wave};
 
 /// Shares by which a fibre may want to be shorter: beyond them its edges turn over or it buckles at once.
-const CONTRACTION: [f64; 2] = [-0.5, 0.8];
+pub(super) const CONTRACTION: [f64; 2] = [-0.5, 0.8];
 
 /// Checks the drives that a body shares.
 pub(super) fn shared(at: &At<'_>, drives: &[SharedDrive]) -> Checked {

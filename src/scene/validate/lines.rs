@@ -29,7 +29,7 @@ pub(super) fn source(at: &At<'_>, source: &FibreSource) -> Checked {
     }
 }
 
-fn stroke(at: &At<'_>, stroke: &ViewStroke) -> Checked {
+pub(super) fn stroke(at: &At<'_>, stroke: &ViewStroke) -> Checked {
     let at = at.field("points");
     require(&at, &stroke.points, stroke.points.len() >= 2, "is no line", || "give 2 points or more")?;
     let points = stroke.points.iter().enumerate();

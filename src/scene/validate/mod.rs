@@ -11,6 +11,7 @@ mod error;
 mod lines;
 mod measure;
 mod parts;
+mod sheets;
 mod solid;
 mod two_layer;
 mod voids;

@@ -4,6 +4,7 @@ use super::check::{At, Checked, Ids, fraction, not_negative, positive, require, 
 use super::drives;
 use super::lines::source;
 use super::parts::{impulses, initial, model_file, pins, placement, regions, rotation};
+use super::sheets::sheets;
 use super::voids::voids;
 use super::{SceneError, brief};
 use crate::geometry::lattice::points_looked_at;
@@ -176,6 +177,7 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
             drives::activation(&at.field("activation"), (activation, &one.stiffness), &body.drives)?;
         }
     }
+    sheets(&at.field("sheets"), &body.sheets, &body.drives)?;
     paint(&at.field("paint"), &body.paint)?;
     voids(&at.field("voids"), &body.voids)?;
     region_materials(&at.field("region_materials"), body, &known)?;

@@ -114,7 +114,8 @@ impl Body {
         let frames = size_of_val(&*self.parts.rest) + size_of_val(&*self.parts.model);
         let forces: usize = self.parts.forces.iter().map(|force| force.bytes()).sum();
         let matrix = self.parts.forces.iter().find_map(|force| force.downcast_ref::<MatrixForce>());
-        let vertices = self.parts.fibres.iter().flat_map(|fibre| &fibre.vertices);
+        let sheets = self.parts.sheets.iter().flat_map(|sheet| &sheet.vertices);
+        let vertices = self.parts.fibres.iter().flat_map(|fibre| &fibre.vertices).chain(sheets);
         let fibres: usize = vertices.map(|vertex| size_of_val(&*vertex.weights)).sum();
         let skin = self.parts.skin.as_deref().map_or(0, Skin::bytes);
         let springs = self.parts.layers.as_deref().map_or(0, Layers::bytes);

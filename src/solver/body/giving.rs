@@ -2,10 +2,7 @@
 
 use super::given::Given;
 use super::{Body, room_contact};
-use crate::solver::forces::{
-    ColliderContact, Contact, FibreForce, Force, Gravity, Inelastic, MatrixForce, PairDamping, Plane, Pressure,
-    SelfContact, Springs,
-};
+use crate::solver::forces::{ColliderContact, Contact, Force, Gravity, Plane};
 use glam::DVec3;
 
 impl Body {
@@ -74,14 +71,8 @@ impl Body {
     /// Whether for the next `seconds` nothing acts on it from outside but steady gravity, other bodies and panels.
     pub(in crate::solver) fn is_alone(&self, time: f64, seconds: f64) -> bool {
         let is_inner = |force: &dyn Force| {
-            force.downcast_ref::<MatrixForce>().is_some()
-                || force.downcast_ref::<FibreForce>().is_some()
-                || force.downcast_ref::<Inelastic>().is_some()
-                || force.downcast_ref::<PairDamping>().is_some()
-                || force.downcast_ref::<Springs>().is_some()
-                || force.downcast_ref::<Pressure>().is_some()
+            force.is_internal()
                 || force.downcast_ref::<Gravity>().is_some_and(|gravity| gravity.changes_until() <= time)
-                || force.downcast_ref::<SelfContact>().is_some()
                 || force.downcast_ref::<Contact>().is_some()
         };
         self.parts.constraints.is_empty()

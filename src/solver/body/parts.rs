@@ -41,6 +41,8 @@ pub struct BodyParts {
     pub(crate) contact: ContactLaw,
     /// Centre lines of the fibres, for drawing and counting.
     pub fibres: Vec<FibreLine>,
+    /// Sheets, for drawing and counting.
+    pub sheets: Vec<SheetSurface>,
     /// Build of a two-layer body; none for others.
     pub layers: Option<Arc<Layers>>,
     /// Render surface.
@@ -87,4 +89,35 @@ pub struct FibreLine {
     pub id: String,
     /// Embedded vertices, ends without force included.
     pub vertices: Vec<EmbeddingWeights>,
+}
+
+/// Surface of one embedded sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SheetSurface {
+    /// Identifier of the scene's sheet.
+    pub id: String,
+    /// Embedded vertices, those without force included.
+    pub vertices: Vec<EmbeddingWeights>,
+    /// Three vertices a triangle.
+    pub triangles: Arc<[[u32; 3]]>,
+    /// Lines along its grain; none where it has none.
+    pub threads: Arc<[Vec<SurfacePoint>]>,
+    /// Lines of vertices where it ends.
+    pub rim: Arc<[Vec<u32>]>,
+}
+
+/// A point on an edge of a sheet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePoint {
+    /// Vertices at both ends of the edge.
+    pub ends: [u32; 2],
+    /// How far it lies from the first to the second, 0 to 1.
+    pub share: f64,
+}
+
+impl SurfacePoint {
+    /// A vertex itself.
+    pub(crate) fn vertex(vertex: u32) -> Self {
+        Self { ends: [vertex; 2], share: 0.0 }
+    }
 }

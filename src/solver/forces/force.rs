@@ -38,6 +38,12 @@ pub trait Force: Any + Send + Sync {
         Vec::new()
     }
 
+    /// Whether it acts between the body's own particles alone: of all its forces neither sum nor moment is anything, wherever the
+    /// body is.
+    fn is_internal(&self) -> bool {
+        false
+    }
+
     /// Until when [s] it may change though nothing moves. One that does not say so may at any time, and its body never sleeps.
     fn changes_until(&self) -> f64 {
         f64::INFINITY

@@ -14,6 +14,7 @@ pub(crate) mod matrix;
 mod pair_damping;
 pub(crate) mod pressure;
 mod self_contact;
+pub(crate) mod sheet;
 pub(crate) mod springs;
 
 pub(crate) use air_drag::AirDrag;
@@ -31,4 +32,5 @@ pub(crate) use matrix::{Inelastic, InelasticLaw, Plasticity, Viscosity};
 pub(crate) use pair_damping::PairDamping;
 pub(crate) use pressure::Pressure;
 pub(crate) use self_contact::{SelfContact, SelfTouching, surface_particles};
+pub(crate) use sheet::SheetForce;
 pub(crate) use springs::Springs;

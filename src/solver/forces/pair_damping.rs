@@ -258,6 +258,10 @@ impl Force for PairDamping {
 
     fn add_energy(&self, _time: f64, _state: &ParticleState, _energies: &mut Energies) {}
 
+    fn is_internal(&self) -> bool {
+        true
+    }
+
     fn step_limit(&self, _state: &ParticleState) -> StepLimit {
         // Gershgorin: no row of the damping matrix sums to more than twice the particle's own entry.
         StepLimit { damping_rate: 2.0 * self.rate * self.greatest_weight_sum, ..StepLimit::default() }

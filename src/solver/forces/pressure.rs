@@ -132,6 +132,10 @@ impl Force for Pressure {
         energies.activation -= self.drive_work();
     }
 
+    fn is_internal(&self) -> bool {
+        true
+    }
+
     fn couplings(&self) -> Vec<Vec<u32>> {
         let of = |(surface, _): &(Surface, f64)| -> Vec<Vec<u32>> {
             match surface {

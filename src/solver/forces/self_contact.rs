@@ -138,6 +138,10 @@ impl Force for SelfContact {
         energies.contact += touching.into_iter().map(energy).sum::<f64>();
     }
 
+    fn is_internal(&self) -> bool {
+        true
+    }
+
     fn step_limit(&self, state: &ParticleState) -> StepLimit {
         let lightest = state.masses.iter().copied().fold(f64::INFINITY, f64::min);
         // Two of the lightest, each of which gives way.

@@ -96,6 +96,10 @@ impl Force for Springs {
         }
     }
 
+    fn is_internal(&self) -> bool {
+        true
+    }
+
     fn couplings(&self) -> Vec<Vec<u32>> {
         self.ends.iter().map(|ends| ends.to_vec()).collect()
     }

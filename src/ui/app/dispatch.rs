@@ -70,8 +70,11 @@ impl App {
         let replay = |perform| unless(self.no_replay(), perform);
         let selected = |perform| when(self.cx.selection.active().is_some(), "Select a fibre first", perform);
         let is_body = self.cx.selection.is_body();
-        let has_thing = is_body || self.cx.selection.active().is_some();
-        let thing = |perform| when(has_thing, "Select a fibre or a body first", perform);
+        let has_part = self.cx.selection.active().is_some() || self.cx.selection.sheet().is_some();
+        let mirrored = |perform| when(has_part, "Select a fibre or a sheet first", perform);
+        let is_sheet = self.cx.selection.sheet().is_some();
+        let has_thing = is_body || has_part;
+        let thing = |perform| when(has_thing, "Select a fibre, a sheet or a body first", perform);
         match action {
             Action::New => always(|app, ctx| app.leave(ctx, Next::New)),
             Action::NewEmpty => always(|app, ctx| app.leave(ctx, Next::Empty)),
@@ -125,6 +128,7 @@ impl App {
                 app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx);
                 editing::move_copy(app.views.editing_mut());
             }),
+            Action::Duplicate if is_sheet => always(|app, _| editing::duplicate_sheet(&mut app.cx)),
             Action::Duplicate => thing(|app, ctx| {
                 let (gesture, of) = editing::duplicate(&mut app.cx);
                 app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx);
@@ -158,6 +162,10 @@ impl App {
                 let is_in_hand = self.views.drawing_tool(&self.cx) == DrawingTool::Draw;
                 always(|app, _| app.views.take_in_hand(DrawingTool::Draw, &mut app.cx)).on(is_in_hand)
             }
+            Action::SheetTool => {
+                let is_in_hand = self.views.drawing_tool(&self.cx) == DrawingTool::Sheet;
+                always(|app, _| app.views.take_in_hand(DrawingTool::Sheet, &mut app.cx)).on(is_in_hand)
+            }
             Action::SelectTool => {
                 let is_in_hand = self.views.drawing_tool(&self.cx) == DrawingTool::Select;
                 always(|app, _| app.views.take_in_hand(DrawingTool::Select, &mut app.cx)).on(is_in_hand)
@@ -166,9 +174,9 @@ impl App {
             Action::Move => thing(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Move, &mut app.cx)),
             Action::Turn => thing(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Turn, &mut app.cx)),
             Action::Scale => thing(|app, ctx| app.views.begin_at_pointer(ctx, Kind::Scale, &mut app.cx)),
-            Action::MirrorX => selected(|app, _| editing::mirror(&mut app.cx, DVec3::X)),
-            Action::MirrorY => selected(|app, _| editing::mirror(&mut app.cx, DVec3::Y)),
-            Action::MirrorZ => selected(|app, _| editing::mirror(&mut app.cx, DVec3::Z)),
+            Action::MirrorX => mirrored(|app, _| editing::mirror(&mut app.cx, DVec3::X)),
+            Action::MirrorY => mirrored(|app, _| editing::mirror(&mut app.cx, DVec3::Y)),
+            Action::MirrorZ => mirrored(|app, _| editing::mirror(&mut app.cx, DVec3::Z)),
             Action::Reverse => selected(|app, _| editing::reverse(&mut app.cx)),
             Action::Smooth => selected(|app, _| editing::smooth(&mut app.cx)),
             Action::Resample => selected(|app, _| editing::resample(&mut app.cx)),
@@ -208,8 +216,11 @@ impl App {
             Action::Hide => thing(|app, _| editing::hide(&mut app.cx)),
             Action::ShowAll => {
                 let fibres = self.cx.active_body().is_some_and(|body| body.fibres.iter().any(|fibre| fibre.hidden));
-                let met = fibres || self.cx.scene().all_bodies().any(AnyBody::hidden);
-                when(met, "No body and no fibre of the body is hidden", |app, _| editing::show_all(&mut app.cx))
+                let sheets = self.cx.active_body().is_some_and(|body| body.sheets.iter().any(|sheet| sheet.hidden));
+                let met = fibres || sheets || self.cx.scene().all_bodies().any(AnyBody::hidden);
+                when(met, "No body, and no fibre or sheet of the body, is hidden", |app, _| {
+                    editing::show_all(&mut app.cx)
+                })
             }
             Action::PlayPause => always(|app, _| {
                 let playing = app.cx.simulation.is_playing();
@@ -296,7 +307,10 @@ impl App {
         match self.cx.selection.vertices() {
             _ if self.cx.selection.pin().is_some() || self.cx.selection.is_body() => None,
             Some(chosen) => chosen.is_empty().then_some("Select vertices first"),
-            None => self.cx.selection.active().is_none().then_some("Select a fibre, a pin or a body first"),
+            None => {
+                let any = self.cx.selection.active().is_some() || self.cx.selection.sheet().is_some();
+                (!any).then_some("Select a fibre, a sheet, a pin or a body first")
+            }
         }
     }
 

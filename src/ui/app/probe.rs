@@ -86,6 +86,16 @@ impl App {
         self.cx.selection.fibres().to_vec()
     }
 
+    /// Identifier of the selected sheet.
+    pub fn selected_sheet(&self) -> Option<String> {
+        self.cx.selection.sheet().cloned()
+    }
+
+    /// Vertices of the surface that strokes sweep so far, model frame [m]; none unless a sheet is being drawn.
+    pub fn swept_preview(&self) -> Vec<DVec3> {
+        self.views.swept_preview(&self.cx)
+    }
+
     /// Identifier of the body that is selected as a whole.
     pub fn selected_body(&self) -> Option<String> {
         self.cx.chosen_body().map(|body| body.id().to_owned())

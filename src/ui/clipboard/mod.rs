@@ -1,9 +1,10 @@
-//! The system's clipboard: fibres, bodies and patterns as JSON text, so that they go from scene to scene, window to window and
+//! The system's clipboard: fibres, sheets, bodies and patterns as JSON text, so that they go from scene to scene, window to window and
 //! into letters.
 
 mod bodies;
 mod fibres;
 mod patterns;
+mod sheets;
 
 pub(crate) use patterns::copied_pattern;
 
@@ -18,7 +19,13 @@ struct Clipping {
 
 /// What is selected as text.
 pub(super) fn copied(cx: &mut Context) -> Option<String> {
-    if cx.selection.is_body() { bodies::copied(cx) } else { fibres::copied(cx) }
+    if cx.selection.is_body() {
+        bodies::copied(cx)
+    } else if cx.selection.sheet().is_some() {
+        sheets::copied(cx)
+    } else {
+        fibres::copied(cx)
+    }
 }
 
 /// Puts what a text holds into the scene, selected.
@@ -26,11 +33,12 @@ pub(super) fn paste(text: &str, cx: &mut Context) {
     let holds = serde_json::from_str::<Clipping>(text).map(|clipping| clipping.sinew);
     let is_pasted = match holds.as_deref() {
         Ok(fibres::FIBRES) => fibres::paste(text, cx),
+        Ok(sheets::SHEET) => sheets::paste(text, cx),
         Ok(bodies::BODY) => bodies::paste(text, cx),
         Ok(patterns::PATTERN) => patterns::paste(text, cx),
         _ => false,
     };
     if !is_pasted {
-        cx.say(Severity::Warning, "The clipboard holds no fibres, body or pattern: copy some with Ctrl+C first");
+        cx.say(Severity::Warning, "The clipboard holds no fibres, sheet, body or pattern: copy some with Ctrl+C first");
     }
 }

@@ -3,7 +3,8 @@
 use super::{ChosenPin, Context, Lift};
 use crate::edit::body_ops::placed;
 use crate::edit::fibre_ops::Sampling;
-use crate::scene::{AnyBody, Body, Fibre, FibreSource, Shape, TwoLayer};
+use crate::edit::sheet_ops;
+use crate::scene::{AnyBody, Body, Fibre, FibreSource, Shape, Sheet, TwoLayer};
 use crate::sketch::View;
 use glam::DVec3;
 use std::rc::Rc;
@@ -65,6 +66,13 @@ impl Context {
         Some((body, body.fibres.iter().find(|fibre| fibre.id == *id)?))
     }
 
+    /// The sheet that is chosen and the body that it lies in.
+    pub(crate) fn selected_sheet(&self) -> Option<(&Body, &Sheet)> {
+        let body = self.active_body()?;
+        let id = self.selection.sheet()?;
+        Some((body, body.sheets.iter().find(|sheet| sheet.id == *id)?))
+    }
+
     /// The curve and vertices of that fibre.
     pub(crate) fn selected_lift(&self) -> Option<Rc<Lift>> {
         let (_, fibre) = self.selected_fibre()?;
@@ -92,6 +100,8 @@ impl Context {
         let points: Vec<DVec3> = if let Some(chosen) = self.selection.vertices() {
             let vertices = self.active_vertices();
             chosen.iter().filter_map(|&k| vertices.get(k).copied()).collect()
+        } else if let Some((_, sheet)) = self.selected_sheet() {
+            sheet_ops::vertices(sheet, self.sampling()).unwrap_or_default()
         } else {
             let sampling = self.sampling();
             let lifts = self.selected_fibres().into_iter().map(|fibre| self.lifts.of(fibre, sampling));
@@ -121,6 +131,10 @@ impl Context {
             if !self.scene().all_bodies().any(is_there) {
                 self.selection.forget_pin();
             }
+        }
+        let sheets = self.active_body().map_or(&[][..], |body| &body.sheets);
+        if self.selection.sheet().is_some_and(|id| sheets.iter().all(|known| known.id != *id)) {
+            self.selection.clear();
         }
         if self.selection.collider().is_some_and(|id| self.scene().colliders.iter().all(|known| known.id != *id)) {
             self.selection.clear();

@@ -1,4 +1,4 @@
-//! What is selected: fibres of the active body, vertices of one of them while those are edited, a pin, or the body itself.
+//! What is selected: fibres of the active body, vertices of one of them while those are edited, a sheet, a pin, or the body itself.
 
 /// Fibres by their identifiers, the last chosen at the end; vertices of that one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -7,6 +7,7 @@ pub(crate) struct Selection {
     vertices: Option<Vec<usize>>,
     pin: Option<ChosenPin>,
     collider: Option<String>,
+    sheet: Option<String>,
     /// Whether the active body is selected as a whole.
     body: bool,
 }
@@ -99,6 +100,16 @@ impl Selection {
     /// Chooses a collider, and nothing else.
     pub(crate) fn choose_collider(&mut self, collider: String) {
         *self = Self { collider: Some(collider), ..Self::default() };
+    }
+
+    /// The sheet of the active body that is chosen, by its identifier.
+    pub(crate) fn sheet(&self) -> Option<&String> {
+        self.sheet.as_ref()
+    }
+
+    /// Chooses a sheet of the active body, and nothing else.
+    pub(crate) fn choose_sheet(&mut self, sheet: impl Into<String>) {
+        *self = Self { sheet: Some(sheet.into()), ..Self::default() };
     }
 
     /// Chooses no pin any more.

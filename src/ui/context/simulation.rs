@@ -141,7 +141,10 @@ impl Simulation {
         match self.ghost? {
             Ghost::WithoutFibres => {
                 let mut scene = (**self.instead.as_ref().unwrap_or(document.scene())).clone();
-                scene.bodies.iter_mut().for_each(|body| body.fibres.clear());
+                for body in &mut scene.bodies {
+                    body.fibres.clear();
+                    body.sheets.clear();
+                }
                 Some(Arc::new(scene))
             }
             Ghost::BeforeEdit => document.editor.before_last().cloned(),

@@ -1,9 +1,9 @@
 //! What the menu does to the selected fibres and vertices.
 
 use super::motion::DUPLICATE;
-use super::set::set_fibres;
+use super::set::{set_fibres, set_sheet};
 use crate::edit::fibre_ops::{self, Edited, FibreEditError, ResampleTo, Transform};
-use crate::edit::{Command, Item};
+use crate::edit::{Command, Item, sheet_ops};
 use crate::scene::Fibre;
 use crate::ui::context::{Context, Severity, Step};
 use glam::DVec3;
@@ -46,7 +46,23 @@ pub(crate) fn duplicate(cx: &mut Context) -> (u64, Vec<String>) {
     (gesture, of)
 }
 
-/// Deletes the selected fibres or vertices.
+/// A copy of the selected sheet, beside it and selected.
+pub(crate) fn duplicate_sheet(cx: &mut Context) {
+    let Some((body, sheet)) = cx.selected_sheet() else { return };
+    let sampling = cx.sampling();
+    let by = Transform::translation(sampling.spacing * DVec3::ONE);
+    match sheet_ops::transform(&sheet_ops::copy(sheet, &body.sheets), &by, sampling) {
+        Ok(sheet) => {
+            let (body, id) = (body.id.clone(), sheet.id.clone());
+            let name = format!("{DUPLICATE} {}", sheet.title());
+            cx.edit(&Command::Many { name, commands: vec![Command::AddSheet { body, sheet }] }, Step::Own);
+            cx.selection.choose_sheet(id);
+        }
+        Err(error) => cx.say(Severity::Error, error.to_string()),
+    }
+}
+
+/// Deletes the selected fibres, vertices or sheet.
 pub(crate) fn delete(cx: &mut Context) {
     if let Some(chosen) = cx.selection.vertices().map(<[usize]>::to_vec) {
         let sampling = cx.sampling();
@@ -55,16 +71,26 @@ pub(crate) fn delete(cx: &mut Context) {
         return;
     }
     let Some(body) = cx.active_body().map(|body| body.id.clone()) else { return };
+    if let Some(sheet) = cx.selection.sheet().cloned() {
+        cx.selection.clear();
+        cx.edit(&Command::RemoveSheet { body, sheet }, Step::Own);
+        return;
+    }
     let command = Command::remove_fibres(&body, cx.selection.fibres().iter().map(String::as_str));
     cx.selection.clear();
     cx.edit(&command, Step::Own);
 }
 
-/// Mirrors the selected fibres in the plane through the middle of the body.
+/// Mirrors the selected fibres or sheet in the plane through the middle of the body.
 pub(crate) fn mirror(cx: &mut Context, normal: DVec3) {
     let middle = cx.active.bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
     let sampling = cx.sampling();
     match Transform::reflection(middle, normal) {
+        Ok(by) if cx.selection.sheet().is_some() => {
+            let Some((_, sheet)) = cx.selected_sheet() else { return };
+            let mirrored = sheet_ops::transform(sheet, &by, sampling);
+            set_sheet(cx, "Mirror", mirrored, Step::Own);
+        }
         Ok(by) => each(cx, "Mirror", |fibre| fibre_ops::transform(fibre, &by, sampling)),
         Err(error) => cx.say(Severity::Error, error.to_string()),
     }
@@ -151,22 +177,25 @@ pub(crate) fn split(cx: &mut Context) {
     }
 }
 
-/// Hides the selected fibres.
+/// Hides the selected fibres or sheet.
 pub(crate) fn hide(cx: &mut Context) {
     let Some(body) = cx.active_body().map(|body| body.id.clone()) else { return };
     let item = |fibre: &String| Item::Fibre { body: body.clone(), fibre: fibre.clone() };
-    let items: Vec<Item> = cx.selection.fibres().iter().map(item).collect();
+    let sheet = cx.selection.sheet().map(|sheet| Item::Sheet { body: body.clone(), sheet: sheet.clone() });
+    let items: Vec<Item> = cx.selection.fibres().iter().map(item).chain(sheet).collect();
     cx.selection.clear();
     cx.edit(&Command::SetHidden { items, hidden: true }, Step::Own);
 }
 
-/// Shows every hidden body, and fibre of the active one.
+/// Shows every hidden body, and fibre and sheet of the active one.
 pub(crate) fn show_all(cx: &mut Context) {
     let bodies = cx.scene().all_bodies().filter(|body| body.hidden());
     let mut items: Vec<Item> = bodies.map(|body| Item::Body(body.id().to_owned())).collect();
     if let Some(body) = cx.active_body() {
         let hidden = body.fibres.iter().filter(|fibre| fibre.hidden);
         items.extend(hidden.map(|fibre| Item::Fibre { body: body.id.clone(), fibre: fibre.id.clone() }));
+        let hidden = body.sheets.iter().filter(|sheet| sheet.hidden);
+        items.extend(hidden.map(|sheet| Item::Sheet { body: body.id.clone(), sheet: sheet.id.clone() }));
     }
     cx.edit(&Command::SetHidden { items, hidden: false }, Step::Own);
 }

@@ -93,7 +93,8 @@ fn mapped(body: &BodySnapshot, map: impl Fn(DVec3) -> DVec3) -> BodySnapshot {
     (mapped.skin, mapped.normals) = (Vec::new(), Vec::new());
     mapped.breaks.clear();
     let fibres = mapped.fibres.iter_mut().flat_map(|fibre| &mut fibre.vertices);
-    for point in mapped.particles.iter_mut().chain(fibres) {
+    let sheets = mapped.sheets.iter_mut().flat_map(|sheet| &mut sheet.vertices);
+    for point in mapped.particles.iter_mut().chain(fibres).chain(sheets) {
         *point = map(*point);
     }
     mapped

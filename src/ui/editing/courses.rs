@@ -1,4 +1,4 @@
-//! Where fibres and their vertices are seen in a view, and which of them lies under the pointer.
+//! Where fibres, their vertices and sheets are seen in a view, and which of them lies under the pointer.
 
 use crate::draw::Bounds;
 use crate::scene::Body;
@@ -35,6 +35,31 @@ pub(super) fn fibre_at(frame: &ViewFrame, at: Pos2, cx: &Context) -> Option<Stri
         (nearest <= NEAR_FIBRE).then_some((id, nearest))
     });
     near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(id, _)| id)
+}
+
+/// The sheet under the pointer: where it ends, and in a drawing view anywhere on it.
+pub(super) fn sheet_at(frame: &ViewFrame, at: Pos2, cx: &Context) -> Option<String> {
+    let shown = DisplayedState::of(frame.kind, cx);
+    let hidden = |id: &str| cx.active_body().is_some_and(|body| body.sheets.iter().any(|of| of.hidden && of.id == id));
+    let sheets = shown.bodies.get(shown.active(cx)).into_iter().flat_map(|body| body.sheets.iter());
+    let near = sheets.filter(|sheet| !hidden(&sheet.id)).filter_map(|sheet| {
+        let seen: Option<Vec<Pos2>> = sheet.vertices.iter().map(|&point| frame.screen(point)).collect();
+        let seen = seen?;
+        let rims = sheet.rim.iter().flat_map(|rim| rim.windows(2));
+        let to_rim = rims.map(|ends| distance_to(at, [seen[ends[0] as usize], seen[ends[1] as usize]]));
+        let nearest = to_rim.fold(f64::INFINITY, f64::min);
+        let on_it = || sheet.triangles.iter().any(|of| is_in(at, of.map(|k| seen[k as usize])));
+        let is_met = nearest <= NEAR_FIBRE || (frame.kind != PaneKind::Result && on_it());
+        is_met.then(|| (sheet.id.clone(), nearest))
+    });
+    near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(id, _)| id)
+}
+
+/// Whether a point lies in a triangle, whichever way that turns.
+fn is_in(at: Pos2, [a, b, c]: [Pos2; 3]) -> bool {
+    let side = |from: Pos2, to: Pos2| (to - from).rot90().dot(at - from);
+    let sides = [side(a, b), side(b, c), side(c, a)];
+    sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0)
 }
 
 /// Where a view shows the active fibre's vertices; none in the result unless it shows the same ones.
@@ -77,7 +102,11 @@ pub(super) fn seen_pivot(kind: PaneKind, pivot: DVec3, cx: &Context) -> DVec3 {
         let now = bodies.get(cx.active.index).and_then(|body| Bounds::of(body.particles.iter().copied()));
         return now.map_or(pivot, |bounds| bounds.center());
     }
-    let points: Vec<DVec3> = if let Some(chosen) = cx.selection.vertices() {
+    let points: Vec<DVec3> = if let Some(id) = cx.selection.sheet() {
+        let shown = DisplayedState::of(kind, cx);
+        let sheets = shown.bodies.get(shown.active(cx)).into_iter().flat_map(|body| &body.sheets);
+        sheets.filter(|sheet| sheet.id == *id).flat_map(|sheet| sheet.vertices.iter().copied()).collect()
+    } else if let Some(chosen) = cx.selection.vertices() {
         let marks = vertex_marks(kind, cx);
         chosen.iter().filter_map(|&k| marks.get(k).copied()).collect()
     } else {

@@ -3,9 +3,10 @@
 use super::body::{body_subject, end_body, show_placed};
 use super::courses::{seen_pivot, view_from_model};
 use super::moving::{Asked, Change, Kind, Moving, Subject, seen_angle, step_for};
-use super::set::set_fibres;
+use super::set::{set_fibres, set_sheet};
 use super::state::Editing;
 use crate::edit::fibre_ops::{self, Edited, FibreEditError};
+use crate::edit::sheet_ops;
 use crate::ui::context::{Context, Severity, Step};
 use crate::ui::views::{PaneKind, ViewFrame};
 use egui::{Pos2, Response, Ui};
@@ -28,9 +29,16 @@ pub(crate) fn begin_moving(
     by_drag: bool,
     cx: &mut Context,
 ) {
-    let found = if cx.selection.is_body() { body_subject(cx) } else { fibres_subject(cx) };
+    let found = if cx.selection.is_body() {
+        body_subject(cx)
+    } else if let Some((_, sheet)) = cx.selected_sheet() {
+        let subject = Subject::Sheet(Box::new(sheet.clone()));
+        cx.pivot().map(|pivot| (subject, pivot))
+    } else {
+        fibres_subject(cx)
+    };
     let Some((subject, pivot)) = found else {
-        cx.say(Severity::Warning, "Select a fibre or a body first: click it in a view or in the list");
+        cx.say(Severity::Warning, "Select a fibre, a sheet or a body first: click it in a view or in the list");
         return;
     };
     let (gesture, step) = (cx.begin_gesture(), step_for(cx.active.diagonal()));
@@ -78,10 +86,22 @@ fn part_copies(editing: &mut Editing, cx: &mut Context) {
 /// Puts the fibres where a gesture has them now, once the simulation has taken up where they were before, or `at_once`.
 fn follow_moving(editing: &mut Editing, at_once: bool, cx: &mut Context) {
     let Some((Moving { kind, pivot, gesture, subject, .. }, _)) = &editing.moving else { return };
-    let Subject::Fibres { originals, vertices, copied } = subject else { return };
     let taken_up = at_once || cx.simulation.is_up_to_date();
     let Some(change) = editing.pending.take_if(|_| taken_up) else { return };
     let sampling = cx.sampling();
+    let verb = match kind {
+        Kind::Move => "Move",
+        Kind::Turn => "Turn",
+        Kind::Scale => "Scale",
+    };
+    let (originals, vertices, copied) = match subject {
+        Subject::Fibres { originals, vertices, copied } => (originals, vertices, copied),
+        Subject::Sheet(original) => {
+            let moved = change.about(*pivot).and_then(|by| sheet_ops::transform(original, &by, sampling));
+            return set_sheet(cx, verb, moved, Step::Of(*gesture));
+        }
+        Subject::Body { .. } => return,
+    };
     let moved: Result<Vec<Edited>, FibreEditError> = change.about(*pivot).and_then(|by| {
         let edit = |fibre| match vertices {
             Some(chosen) => fibre_ops::transform_vertices(fibre, chosen, &by, sampling),
@@ -89,12 +109,7 @@ fn follow_moving(editing: &mut Editing, at_once: bool, cx: &mut Context) {
         };
         originals.iter().map(edit).collect()
     });
-    let verb = match (kind, copied) {
-        (_, Some(_)) => DUPLICATE,
-        (Kind::Move, None) => "Move",
-        (Kind::Turn, None) => "Turn",
-        (Kind::Scale, None) => "Scale",
-    };
+    let verb = if copied.is_some() { DUPLICATE } else { verb };
     set_fibres(cx, verb, moved, Step::Of(*gesture));
 }
 

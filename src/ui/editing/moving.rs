@@ -1,7 +1,7 @@
 //! Moving, turning and scaling what is selected with the pointer, by typed numbers, along one axis, finely or in steps.
 
 use crate::edit::fibre_ops::{FibreEditError, Transform};
-use crate::scene::{Fibre, OwnedBody};
+use crate::scene::{Fibre, OwnedBody, Sheet};
 use crate::text::quantity::typed;
 use egui::Pos2;
 use glam::{DMat3, DVec2, DVec3};
@@ -42,7 +42,7 @@ impl Change {
     }
 }
 
-/// A gesture under way. Places are in the model frame where fibres are moved, in the world where a body is.
+/// A gesture under way. Places are in the model frame where fibres or a sheet are moved, in the world where a body is.
 #[derive(Clone, Debug)]
 pub(super) struct Moving {
     pub kind: Kind,
@@ -77,6 +77,8 @@ pub(super) enum Subject {
         /// is a copy of.
         copied: Option<Vec<String>>,
     },
+    /// A sheet, as it was.
+    Sheet(Box<Sheet>),
     /// A body.
     Body {
         /// The body as it was.

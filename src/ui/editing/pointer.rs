@@ -2,7 +2,7 @@
 
 use super::allowed::Allowed;
 use super::brush::{brush, paint_brush};
-use super::courses::{courses, fibre_at, vertex_at, vertex_marks};
+use super::courses::{courses, fibre_at, sheet_at, vertex_at, vertex_marks};
 use super::gizmo::{handle_at, paint_gizmo};
 use super::handle::Handle;
 use super::motion::{begin_moving, follow_pointer};
@@ -84,7 +84,11 @@ pub(crate) fn choose_at(frame: &ViewFrame, at: Pos2, slice: Option<Slice>, cx: &
         Some(fibre) if cx.selection.contains(&fibre) => {}
         Some(fibre) => cx.selection.only(fibre),
         None if cx.selection.active().is_none() => {
-            choose_body_at(frame, at, slice, cx);
+            if let Some(sheet) = sheet_at(frame, at, cx) {
+                cx.selection.choose_sheet(sheet);
+            } else {
+                choose_body_at(frame, at, slice, cx);
+            }
         }
         None => {}
     }
@@ -97,6 +101,13 @@ fn click(frame: &ViewFrame, at: Pos2, adding: bool, slice: Option<Slice>, cx: &m
         return;
     }
     let fibre = fibre_at(frame, at, cx);
+    if fibre.is_none()
+        && !adding
+        && let Some(sheet) = sheet_at(frame, at, cx)
+    {
+        cx.selection.choose_sheet(sheet);
+        return;
+    }
     if fibre.is_none() && !adding && choose_body_at(frame, at, slice, cx) {
         return;
     }

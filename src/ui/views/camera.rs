@@ -121,7 +121,10 @@ fn selected_bounds(shown: &DisplayedState, cx: &Context) -> Option<Bounds> {
     }
     let fibres = shown.bodies.iter().flat_map(|body| &body.fibres);
     let chosen = fibres.filter(|fibre| cx.selection.contains(&fibre.id));
-    let bounds = Bounds::of(chosen.flat_map(|fibre| fibre.vertices.iter().copied()))?;
+    let sheets = shown.bodies.iter().flat_map(|body| &body.sheets);
+    let sheets = sheets.filter(|sheet| cx.selection.sheet() == Some(&sheet.id));
+    let points = chosen.flat_map(|fibre| &fibre.vertices).chain(sheets.flat_map(|sheet| &sheet.vertices));
+    let bounds = Bounds::of(points.copied())?;
     // Room to see what it lies in.
     let room = DVec3::splat(0.25 * bounds.radius());
     Some(Bounds { min: bounds.min - room, max: bounds.max + room })

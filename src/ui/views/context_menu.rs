@@ -18,7 +18,7 @@ const CHOSEN: [Action; 9] = [
     Action::SnapToSurface,
     Action::Hide,
 ];
-/// What can be done to a chosen body.
+/// What can be done to a chosen body or sheet.
 const BODY: [Action; 8] = [
     Action::Move,
     Action::Turn,
@@ -30,7 +30,7 @@ const BODY: [Action; 8] = [
     Action::Hide,
 ];
 const NONE_CHOSEN: [Action; 3] = [Action::Paste, Action::SelectAll, Action::ShowAll];
-const DRAWING: [Action; 4] = [Action::DrawTool, Action::SelectTool, Action::Frame, Action::FrameAll];
+const DRAWING: [Action; 5] = [Action::DrawTool, Action::SheetTool, Action::SelectTool, Action::Frame, Action::FrameAll];
 const RESULT: [Action; 6] =
     [Action::Frame, Action::FrameAll, Action::Follow, Action::XRay, Action::PlayPause, Action::Reset];
 
@@ -45,6 +45,7 @@ pub(super) fn context_menu(response: &Response, kind: PaneKind, opens: bool, cx:
         let of_chosen: &[Action] = match (cx.selection.active(), cx.selection.is_body()) {
             (Some(_), _) => &CHOSEN,
             (None, true) => &BODY,
+            (None, false) if cx.selection.sheet().is_some() => &BODY,
             (None, false) => &NONE_CHOSEN,
         };
         for &action in of_chosen {

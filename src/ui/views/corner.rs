@@ -63,7 +63,7 @@ fn choose_view(ui: &mut Ui, view: View, links: &mut Links) {
 /// Shows what a drag does here, and changes it.
 fn choose_tool(ui: &mut Ui, cx: &mut Context) {
     ui.spacing_mut().item_spacing.x = 0.5 * GRID;
-    for (action, name) in [(Action::DrawTool, "Draw"), (Action::SelectTool, "Select")] {
+    for (action, name) in [(Action::DrawTool, "Draw"), (Action::SheetTool, "Sheet"), (Action::SelectTool, "Select")] {
         let is_in_hand = cx.actions[action].on == Some(true);
         let tooltip = format!("{} ({})", action.tooltip(), key_of(ui, action));
         let button = ui.add(Button::selectable(is_in_hand, name).frame_when_inactive(true)).on_hover_text(tooltip);

@@ -8,6 +8,7 @@ use super::options::ViewOptions;
 use super::pane::Pane;
 use super::picture::Painter;
 use super::region::RegionTool;
+use super::sketch_tool::Makes;
 use super::sketching::Sketching;
 use super::view::{Tools, show};
 use crate::render::{Camera, RenderError};
@@ -128,6 +129,13 @@ impl Views {
         &mut self.tools.sketching
     }
 
+    /// Vertices of the surface that strokes sweep so far, model frame [m].
+    pub(crate) fn swept_preview(&self, cx: &Context) -> Vec<DVec3> {
+        let sketching = &self.tools.sketching;
+        let swept = sketching.tool.swept_preview(cx.sampling()).filter(|_| sketching.makes == Makes::Sheet);
+        swept.map_or_else(Vec::new, |swept| swept.vertices.clone())
+    }
+
     /// What drags in the drawing views do.
     pub(crate) fn drawing_tool(&self, cx: &Context) -> DrawingTool {
         self.tools.drawing(cx)
@@ -136,6 +144,11 @@ impl Views {
     /// Takes another tool in hand for the drawing views.
     pub(crate) fn take_in_hand(&mut self, tool: DrawingTool, cx: &mut Context) {
         self.tools.drawing = tool;
+        match tool {
+            DrawingTool::Draw => self.tools.sketching.makes = Makes::Fibre,
+            DrawingTool::Sheet => self.tools.sketching.makes = Makes::Sheet,
+            DrawingTool::Select => {}
+        }
         if tool == DrawingTool::Draw {
             cx.selection.enter_vertices(false);
         }

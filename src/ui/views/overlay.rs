@@ -1,17 +1,22 @@
-//! What is painted over the pictures: the preview of a fibre, the grab, titles and the coach's words.
+//! What is painted over the pictures: the preview of a fibre or a sheet, the grab, titles and the coach's words.
 
 use super::frame::ViewFrame;
 use super::grab::grabbed_point;
 use super::kind::PaneKind;
 use super::outline::paint_outline;
+use super::sketch_tool::Makes;
 use super::sketching::Sketching;
+use crate::geometry::surface_grid::grid_triangles;
 use crate::scene::AnyBody;
-use crate::sketch::View;
+use crate::sketch::{Sweep, View};
 use crate::solver::snapshot::BodySnapshot;
 use crate::ui::context::Context;
 use crate::ui::theme::{self, GRID, STROKE_WIDTH};
-use egui::{Align2, FontId, Painter, Rect, Stroke, Ui};
+use egui::{Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Stroke, Ui};
 use glam::DVec3;
+
+/// Opacity of the surface of a sheet that is being drawn.
+const FILM: f32 = 0.18;
 
 /// Paints what is too thin, the curve that the strokes make so far, and the grab, into the result.
 pub(super) fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Context) {
@@ -28,7 +33,15 @@ pub(super) fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx
         let points = &bodies.get(index)?.particles;
         Some(points.iter().sum::<DVec3>() / points.len() as f64)
     };
-    if let Some(follow) = sketching.tool.preview(cx.active.diagonal())
+    if let Makes::Sheet = sketching.makes
+        && let Some(swept) = sketching.tool.swept_preview(cx.sampling())
+        && let Some(now) = middle(bodies, cx.active.index)
+        && let Some(rest) = middle(&cx.active.model.bodies, 0)
+    {
+        paint_swept(&painter, &swept, now - rest, frame, accent);
+    }
+    if let Makes::Fibre = sketching.makes
+        && let Some(follow) = sketching.tool.preview(cx.active.diagonal())
         && let Some(now) = middle(bodies, cx.active.index)
         && let Some(rest) = middle(&cx.active.model.bodies, 0)
     {
@@ -43,6 +56,28 @@ pub(super) fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx
         painter.line_segment([from, to], Stroke::new(2.0, accent));
         painter.circle_filled(from, 4.0, accent);
         painter.circle_stroke(to, 5.0, Stroke::new(2.0, accent));
+    }
+}
+
+/// A surface as its rows and columns, and faintly what lies between them.
+fn paint_swept(painter: &Painter, swept: &Sweep, offset: DVec3, frame: &ViewFrame, accent: Color32) {
+    let seen: Option<Vec<Pos2>> = swept.vertices.iter().map(|&at| frame.screen(at + offset)).collect();
+    let Some(seen) = seen else { return };
+    let mut film = Mesh::default();
+    let fill = accent.gamma_multiply(FILM);
+    seen.iter().for_each(|&at| film.colored_vertex(at, fill));
+    for [a, b, c] in grid_triangles(swept.to_a_row, swept.rows()) {
+        film.add_triangle(a, b, c);
+    }
+    painter.add(film);
+    let line = |points: Vec<Pos2>, width: f32| painter.add(egui::Shape::line(points, Stroke::new(width, accent)));
+    let (columns, rows) = (swept.to_a_row, swept.rows());
+    for (row, points) in seen.chunks(columns).enumerate() {
+        line(points.to_vec(), if row == 0 || row + 1 == rows { STROKE_WIDTH } else { 0.5 });
+    }
+    for column in 0..columns {
+        let points = seen.iter().skip(column).step_by(columns).copied().collect();
+        line(points, if column == 0 || column + 1 == columns { STROKE_WIDTH } else { 0.5 });
     }
 }
 
@@ -111,6 +146,7 @@ fn coach(sketching: &Sketching, kind: PaneKind, cx: &Context) -> Option<&'static
         return None;
     }
     match sketching.tool.first() {
+        _ if sketching.makes == Makes::Sheet => None,
         None if view == View::Front => Some("1  Drag a stroke here, the fibre as seen from this side"),
         Some(first) if first.view != view => Some("2  Draw the same fibre as seen from here, between the guides"),
         _ => None,

@@ -1,7 +1,10 @@
-//! Drawing a fibre by a stroke in each of two views. Knows strokes and pixels, but no window.
+//! Drawing a fibre or a sheet by a stroke in each of two views. Knows strokes and pixels, but no window.
 
-use crate::scene::{Mismatch, StrokePair, ViewStroke};
-use crate::sketch::{Follow, Guides, LiftOptions, Lifted, SketchError, Stroke, View, follow, guides, lift};
+use crate::edit::fibre_ops::Sampling;
+use crate::scene::{Mismatch, StrokePair, SweptStrokes, ViewStroke};
+use crate::sketch::{
+    Follow, Guides, LiftOptions, Lifted, SketchError, Stroke, Sweep, View, follow, guides, lift, sweep,
+};
 use glam::DVec2;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -56,6 +59,16 @@ impl Stage {
     }
 }
 
+/// What two strokes make.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Makes {
+    /// The curve that both see.
+    #[default]
+    Fibre,
+    /// The surface that the first sweeps along the second.
+    Sheet,
+}
+
 /// What a released stroke has led to.
 #[derive(Clone, Debug)]
 pub(crate) enum StrokeOutcome {
@@ -65,6 +78,8 @@ pub(crate) enum StrokeOutcome {
     First,
     /// The pair cannot be used as it is.
     Refused(SketchError),
+    /// The pair sweeps a surface.
+    Swept(SweptStrokes),
     /// The pair makes a curve.
     Pair {
         /// The raw strokes and how they were taken.
@@ -79,16 +94,18 @@ pub(crate) enum StrokeOutcome {
 pub(crate) struct SketchTool {
     stage: Stage,
     /// What was previewed last.
-    previewed: RefCell<Option<Preview>>,
+    previewed: RefCell<Option<Preview<f64, Follow>>>,
+    swept: RefCell<Option<Preview<Sampling, Sweep>>>,
 }
 
-/// The curve that two strokes make so far.
+/// What two strokes make so far.
 #[derive(Clone, Debug)]
-struct Preview {
+struct Preview<K, T> {
     /// Points that the second stroke had.
     points: usize,
-    model_diagonal: f64,
-    curve: Option<Rc<Follow>>,
+    /// What it was made for.
+    made_for: K,
+    made: Option<Rc<T>>,
 }
 
 impl SketchTool {
@@ -116,6 +133,7 @@ impl SketchTool {
     pub(crate) fn press(&mut self, view: View, pixel: DVec2, point: DVec2) {
         let first = self.first().filter(|first| first.view != view).cloned();
         self.previewed.take();
+        self.swept.take();
         self.stage = Stage::Drawing { stroke: Stroke { view, points: vec![point] }, length: 0.0, last: pixel, first };
     }
 
@@ -131,8 +149,8 @@ impl SketchTool {
         }
     }
 
-    /// Ends the stroke; `model_diagonal` [m] is that of the body that is drawn into.
-    pub(crate) fn release(&mut self, model_diagonal: f64) -> Option<StrokeOutcome> {
+    /// Ends the stroke, drawn into a body that is sampled like this; two make what is asked for.
+    pub(crate) fn release(&mut self, sampling: Sampling, makes: Makes) -> Option<StrokeOutcome> {
         let Stage::Drawing { stroke, length, first, .. } = std::mem::take(&mut self.stage) else { return None };
         if length < SHORTEST_STROKE {
             self.stage = first.map_or(Stage::Empty, |first| Stage::Waiting { first });
@@ -142,7 +160,21 @@ impl SketchTool {
             self.stage = Stage::Waiting { first: stroke };
             return Some(StrokeOutcome::First);
         };
-        Some(self.pair(first, stroke, model_diagonal, Mismatch::Clip))
+        Some(match makes {
+            Makes::Fibre => self.pair(first, stroke, sampling.model_diagonal, Mismatch::Clip),
+            Makes::Sheet => self.swept(&first, &stroke, sampling),
+        })
+    }
+
+    /// A pair that sweeps no surface leaves the first stroke, to be swept along another one.
+    fn swept(&mut self, first: &Stroke, second: &Stroke, sampling: Sampling) -> StrokeOutcome {
+        match sweep(first, second, sampling.model_diagonal, sampling.spacing) {
+            Ok(_) => StrokeOutcome::Swept(SweptStrokes::new(drawn(first), drawn(second))),
+            Err(error) => {
+                self.stage = Stage::Waiting { first: first.clone() };
+                StrokeOutcome::Refused(error)
+            }
+        }
     }
 
     /// Takes a refused pair by stretching the second stroke onto the first.
@@ -187,15 +219,31 @@ impl SketchTool {
         let Stage::Drawing { stroke, first: Some(first), .. } = &self.stage else { return None };
         let points = stroke.points.len();
         let mut previewed = self.previewed.borrow_mut();
-        if let Some(known) = previewed.as_ref().filter(|known| known.points == points)
-            && known.model_diagonal == model_diagonal
-        {
-            return known.curve.clone();
-        }
-        let curve = follow(first, stroke, model_diagonal).ok().map(Rc::new);
-        *previewed = Some(Preview { points, model_diagonal, curve: curve.clone() });
-        curve
+        let made = || follow(first, stroke, model_diagonal).ok();
+        remade(&mut previewed, points, model_diagonal, made)
     }
+
+    /// The surface that the strokes sweep so far, likewise.
+    pub(crate) fn swept_preview(&self, sampling: Sampling) -> Option<Rc<Sweep>> {
+        let Stage::Drawing { stroke, first: Some(first), .. } = &self.stage else { return None };
+        let made = || sweep(first, stroke, sampling.model_diagonal, sampling.spacing).ok();
+        remade(&mut self.swept.borrow_mut(), stroke.points.len(), sampling, made)
+    }
+}
+
+/// What was made last, or made anew where the stroke or what it is made for is another.
+fn remade<K: Copy + PartialEq, T>(
+    last: &mut Option<Preview<K, T>>,
+    points: usize,
+    made_for: K,
+    make: impl FnOnce() -> Option<T>,
+) -> Option<Rc<T>> {
+    if let Some(known) = last.as_ref().filter(|known| known.points == points && known.made_for == made_for) {
+        return known.made.clone();
+    }
+    let made = make().map(Rc::new);
+    *last = Some(Preview { points, made_for, made: made.clone() });
+    made
 }
 
 fn drawn(stroke: &Stroke) -> ViewStroke {
@@ -215,7 +263,7 @@ mod tests {
                 tool.drag(point * 4000.0, point);
             }
         }
-        tool.release(0.1)
+        tool.release(Sampling { model_diagonal: 0.1, spacing: 0.01 }, Makes::Fibre)
     }
 
     #[test]

@@ -1,10 +1,11 @@
-//! Drawing fibres: from the pointer's samples to a fibre in the document.
+//! Drawing fibres and sheets: from the pointer's samples to a fibre or a sheet in the document.
 
 use super::frame::ViewFrame;
-use super::sketch_tool::{SHORTEST_STROKE, SketchTool, Stage, StrokeOutcome};
+use super::sketch_tool::{Makes, SHORTEST_STROKE, SketchTool, Stage, StrokeOutcome};
 use crate::edit::Command;
 use crate::edit::fibre_ops::{self, FibreEditError};
-use crate::scene::{Fibre, FibreSource, Mismatch, StrokePair, ViewStroke};
+use crate::edit::sheet_ops;
+use crate::scene::{Fibre, FibreSource, Mismatch, Sheet, StrokePair, SweptStrokes, ViewStroke};
 use crate::sketch::{SketchError, View};
 use crate::ui::context::{Context, Severity, Step};
 use crate::ui::editing::set_fibres;
@@ -14,6 +15,8 @@ use egui::{CursorIcon, Event, PointerButton, Pos2, Response, Ui};
 pub(crate) struct Sketching {
     /// The strokes so far.
     pub tool: SketchTool,
+    /// What two strokes make.
+    pub makes: Makes,
     /// Whether the next stroke takes the place of the selected fibre's in its view.
     pub redraws: bool,
     /// The stroke that was to take its place, and did not fit.
@@ -24,7 +27,7 @@ pub(crate) struct Sketching {
 
 impl Default for Sketching {
     fn default() -> Self {
-        Self { tool: SketchTool::default(), redraws: false, refused: None, coach: true }
+        Self { tool: SketchTool::default(), makes: Makes::default(), redraws: false, refused: None, coach: true }
     }
 }
 
@@ -67,6 +70,9 @@ impl Sketching {
             if response.hovered() {
                 ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
                 cx.status.hint = match self.tool.first() {
+                    Some(first) if first.view != view && self.makes == Makes::Sheet => {
+                        "Draw the way along which the first stroke is swept; Escape takes the first one back"
+                    }
                     Some(first) if first.view != view => {
                         "Draw the second stroke between the guides; Escape takes the first one back"
                     }
@@ -92,7 +98,7 @@ impl Sketching {
             self.tool.drag(frame.pixel(at), frame.drawn(view, at));
         }
         if response.drag_stopped_by(primary)
-            && let Some(outcome) = self.tool.release(cx.active.diagonal())
+            && let Some(outcome) = self.tool.release(cx.sampling(), self.makes)
         {
             self.released(outcome, cx);
         }
@@ -122,6 +128,10 @@ impl Sketching {
                 format!("That stroke was only {length:.0} pixels long; draw at least {SHORTEST_STROKE:.0}"),
             ),
             StrokeOutcome::First if self.redraws => self.redraw(cx),
+            StrokeOutcome::First if self.makes == Makes::Sheet => {
+                cx.say(Severity::Note, "Now draw in another view along what it is to be swept");
+            }
+            StrokeOutcome::Swept(strokes) => self.add_sheet(strokes, cx),
             StrokeOutcome::First => cx.say(Severity::Note, "Now draw the same fibre as the other view sees it"),
             StrokeOutcome::Refused(error) => {
                 let error: SketchError = error;
@@ -179,5 +189,22 @@ impl Sketching {
         cx.say(Severity::Note, format!("{} is in the solid", fibre.name));
         cx.edit(&Command::AddFibre { body, fibre }, Step::Own);
         cx.selection.only(id);
+    }
+
+    fn add_sheet(&mut self, strokes: SweptStrokes, cx: &mut Context) {
+        let Some(body) = cx.active_body() else {
+            cx.say(Severity::Error, "Sheets go into fibre solids: choose one in the list of bodies");
+            return;
+        };
+        let sheet = Sheet::swept("sheet-0", strokes)
+            .with_name("Sheet 0")
+            .with_stiffness(sheet_ops::stiffness_of(&body.material, sheet_ops::STIFFER))
+            .with_volume_fraction(sheet_ops::NEW_VOLUME_FRACTION);
+        let sheet = sheet_ops::copy(&sheet, &body.sheets);
+        let (body, id) = (body.id.clone(), sheet.id.clone());
+        self.coach = false;
+        cx.say(Severity::Note, format!("{} is in the solid", sheet.name));
+        cx.edit(&Command::AddSheet { body, sheet }, Step::Own);
+        cx.selection.choose_sheet(id);
     }
 }

@@ -1,7 +1,7 @@
 //! Strokes and guides over the drawing views.
 
 use super::frame::ViewFrame;
-use super::sketch_tool::Stage;
+use super::sketch_tool::{Makes, Stage};
 use super::sketching::Sketching;
 use crate::sketch::{Guides, Stroke as DrawnStroke, View};
 use crate::ui::context::Context;
@@ -16,7 +16,7 @@ pub(super) fn paint_strokes(sketching: &Sketching, ui: &Ui, view: View, frame: &
     let pictures = cx.tone.pictures();
     let ink = theme::color(pictures.stroke);
     let ends = [theme::color(pictures.stroke_start), theme::color(pictures.stroke_end)];
-    if let Some(guides) = tool.guides(view, cx.active.diagonal()) {
+    if let Some(guides) = tool.guides(view, cx.active.diagonal()).filter(|_| sketching.makes == Makes::Fibre) {
         paint_guides(&painter, &guides, view, frame, cx);
     }
     if tool.first().is_none() {
@@ -37,6 +37,7 @@ pub(super) fn paint_strokes(sketching: &Sketching, ui: &Ui, view: View, frame: &
         }
     }
     if let Some(first) = tool.first().filter(|first| first.view == view)
+        && sketching.makes == Makes::Fibre
         && let Some(follow) = tool.preview(cx.active.diagonal())
         && let Some(at) = frame.shown(first.view, follow.tick)
     {

@@ -83,7 +83,7 @@ pub(super) fn show(
     match frame.kind {
         _ if takes_region => {}
         _ if tools.editing.has_pointer(frame.kind) => {}
-        PaneKind::Drawing(view) if tools.drawing(cx) == DrawingTool::Draw => {
+        PaneKind::Drawing(view) if tools.drawing(cx) != DrawingTool::Select => {
             tools.sketching.draw(ui, &response, view, &frame, cx);
         }
         PaneKind::Drawing(_) => {}
@@ -116,12 +116,14 @@ fn paint_picture(pane: &mut Pane, ui: &Ui, result: &Display, painter: Option<&Pa
     }
     let state = DisplayedState::of(pane.kind, cx);
     let selected = selected(&state, cx);
+    let selected_sheets = selected_sheets(&state, cx);
     let display = match pane.kind {
         PaneKind::Drawing(_) => {
             let first_body = cx.active.index;
-            Display { skin: SkinStyle::XRay, room: false, selected, first_body, ..Display::default() }
+            let skin = SkinStyle::XRay;
+            Display { skin, room: false, selected, selected_sheets, first_body, ..Display::default() }
         }
-        PaneKind::Result => Display { selected, tints: tints(cx), ..result.clone() },
+        PaneKind::Result => Display { selected, selected_sheets, tints: tints(cx), ..result.clone() },
     };
     let theme = cx.tone.pictures();
     let (scene, ghost_aside) = (Arc::clone(cx.scene()), cx.ghost_aside());
@@ -140,4 +142,12 @@ fn selected(state: &DisplayedState, cx: &Context) -> Vec<[u32; 2]> {
     let body = state.active(cx);
     let fibres = state.bodies.get(body).into_iter().flat_map(|body| body.fibres.iter().enumerate());
     fibres.filter(|(_, fibre)| cx.selection.contains(&fibre.id)).map(|(k, _)| [body as u32, k as u32]).collect()
+}
+
+/// The selected sheet, likewise.
+fn selected_sheets(state: &DisplayedState, cx: &Context) -> Vec<[u32; 2]> {
+    let body = state.active(cx);
+    let sheets = state.bodies.get(body).into_iter().flat_map(|body| body.sheets.iter().enumerate());
+    let chosen = cx.selection.sheet();
+    sheets.filter(|(_, sheet)| Some(&sheet.id) == chosen).map(|(k, _)| [body as u32, k as u32]).collect()
 }

@@ -17,8 +17,8 @@ use crate::solver::state::ParticleState;
 use glam::{DMat3, DVec3};
 use std::sync::Arc;
 
-/// How far from a sheet its points are pushed off, in distances between them: they have a side of it, and keep it.
-const OFF_A_SHEET: f64 = 0.1;
+/// How far from a shell its points are pushed off, in distances between them: they have a side of it, and keep it.
+const OFF_A_SHELL: f64 = 0.1;
 
 /// A force [N] and its torque about a collider's origin [N m], or an impulse and its moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -89,7 +89,7 @@ impl ColliderContact {
     /// How a particle pushes on one of them.
     pub(crate) fn law(&self, index: usize) -> ContactLaw {
         let collider = &self.colliders[index];
-        let off = if collider.obstacle.is_sheet() { OFF_A_SHEET * self.spacing } else { 0.0 };
+        let off = if collider.obstacle.is_shell() { OFF_A_SHELL * self.spacing } else { 0.0 };
         ContactLaw { friction: collider.friction, radius: self.law.radius.max(off), ..self.law }
     }
 

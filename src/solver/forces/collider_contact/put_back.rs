@@ -12,14 +12,14 @@ const DEEPEST: f64 = 0.15;
 /// Share of the particles' distance by which a place may be off.
 const ROUND_OFF: f64 = 1e-6;
 
-/// Share of the distance at which points are kept off a sheet that is always left of it.
-const LEFT_OF_A_SHEET: f64 = 0.2;
+/// Share of the distance at which points are kept off a shell that is always left of it.
+const LEFT_OF_A_SHELL: f64 = 0.2;
 
 impl ColliderContact {
     /// The least distance [m] from one of them that a particle is left at.
     fn least_gap(&self, index: usize, law: &ContactLaw) -> f64 {
         let least = law.radius - DEEPEST * self.spacing;
-        if self.colliders[index].obstacle.is_sheet() { least.max(LEFT_OF_A_SHEET * law.radius) } else { least }
+        if self.colliders[index].obstacle.is_shell() { least.max(LEFT_OF_A_SHELL * law.radius) } else { least }
     }
 
     /// Puts back what went through a collider, or too deep into one, in the step that ends at a time [s]; `held` are the

@@ -271,6 +271,10 @@ impl Force for FibreForce {
         energies.twisting += self.twisting_energy(time, &state.positions);
     }
 
+    fn is_internal(&self) -> bool {
+        true
+    }
+
     fn couplings(&self) -> Vec<Vec<u32>> {
         self.fibres.iter().flat_map(FibreRest::couplings).collect()
     }

@@ -140,6 +140,10 @@ impl Force for MatrixForce {
         }
     }
 
+    fn is_internal(&self) -> bool {
+        true
+    }
+
     fn couplings(&self) -> Vec<Vec<u32>> {
         // The energy at a particle hangs on its neighbours, and so do they on each other.
         let neighbourhood = &self.reference.neighbourhood;

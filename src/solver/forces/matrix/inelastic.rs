@@ -242,6 +242,10 @@ impl Force for Inelastic {
         energies.matrix += each.iter().sum::<f64>();
     }
 
+    fn is_internal(&self) -> bool {
+        true
+    }
+
     fn step_limit(&self, state: &ParticleState) -> StepLimit {
         if self.law.viscosity.is_none() {
             return StepLimit::default();

@@ -2,12 +2,14 @@
 
 use super::draft::Draft;
 use super::error::BakeError;
+use super::fibres::PlacedFibre;
 use super::integrator::{integrator, stable_steps, step_parameter, stepping};
 use super::limits::{Resistance, Softer, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
 use super::pins::{Following, note_pins};
 use super::region_materials::varied;
+use super::sheets::PlacedSheet;
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{drives, fibres, fractions, regime, room, self_contact, sheets, supports};
@@ -23,7 +25,7 @@ use crate::solver::forces::{
 use crate::solver::integrators::LeapFrog;
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::state::ParticleState;
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -102,18 +104,8 @@ pub(super) fn draft(
     );
     let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)));
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(in_precision(matrix, material.precision))];
-    let rods = fibres::rods(body, &embedder, volume, &placed, path)?;
-    let strongest = fibres::strongest(body, &placed, &rods);
-    let mut softer = Softer::default();
-    let rests = sheets::rests(body, &surfaces);
-    if !rests.is_empty() {
-        softer.without_sheets = Some(forces.clone());
-        forces.push(Box::new(SheetForce::new(rests.into())));
-    }
-    if !rods.is_empty() {
-        softer.without_fibres = Some(forces.clone());
-        forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
-    }
+    let (softer, strongest) =
+        add_structures(body, (&embedder, volume, orientation), (&placed, &surfaces), path, &mut forces)?;
     forces.extend(inelastic.map(|inelastic| inelastic as Box<dyn Force>));
     forces.extend(weight_and_damping(scene, body, &neighbourhood, varied.damping.as_deref()));
     let flow = scene.wind.as_ref().and(skin.as_deref()).and_then(|skin| drives::wind(scene, skin.flow_surface()));
@@ -134,14 +126,7 @@ pub(super) fn draft(
     let integrator = integrator(stepping.integrator);
     let stable_dt = resistance.stable_step(integrator.as_ref());
     let explicit_dt = resistance.stable_step(&LeapFrog::default());
-    let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| match (parameter, strongest) {
-        (SolidParameter::Fibres, Some(fibre)) => format!("{path}/fibres/{fibre}/stiffness"),
-        (SolidParameter::Sheets, _) => {
-            let sheet = sheets::strongest(body, &surfaces).unwrap_or_default();
-            format!("{path}/sheets/{sheet}/stiffness")
-        }
-        (parameter, _) => parameter.pointer(path),
-    });
+    let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| strongest.pointer(parameter, path));
     let law = contact.law;
     if !contact.planes.is_empty() {
         forces.push(Box::new(contact));
@@ -166,7 +151,7 @@ pub(super) fn draft(
         integrator_reason: stepping.reason,
         constraints,
         contact: law,
-        fibres: placed.iter().map(fibres::PlacedFibre::line).collect(),
+        fibres: placed.iter().map(PlacedFibre::line).collect(),
         sheets: surfaces.iter().map(|of| of.surface(body)).collect(),
         layers: None,
         skin,
@@ -184,6 +169,46 @@ pub(super) fn draft(
     };
     note_pins(scene, &body.pins, &parts, Following::of_solid(body), path, notes);
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
+}
+
+/// What of a body's structures is the stiffest, by their places in the scene.
+struct Strongest {
+    fibre: Option<usize>,
+    sheet: Option<usize>,
+}
+
+impl Strongest {
+    /// The pointer to a parameter of the body at `path`.
+    fn pointer(&self, parameter: SolidParameter, path: &str) -> String {
+        match (parameter, self.fibre, self.sheet) {
+            (SolidParameter::Fibres, Some(fibre), _) => format!("{path}/fibres/{fibre}/stiffness"),
+            (SolidParameter::Sheets, _, Some(sheet)) => format!("{path}/sheets/{sheet}/stiffness"),
+            (parameter, ..) => parameter.pointer(path),
+        }
+    }
+}
+
+/// Adds the forces of sheets and fibres; gives those that there were without them, and what of them is the stiffest.
+fn add_structures(
+    body: &Body,
+    (embedder, volume, orientation): (&Embedder<'_>, f64, DQuat),
+    (fibres, sheets): (&[PlacedFibre], &[PlacedSheet]),
+    path: &str,
+    forces: &mut Vec<Box<dyn Force>>,
+) -> Result<(Softer, Strongest), BakeError> {
+    let rods = fibres::rods(body, embedder, volume, fibres, path)?;
+    let rests = sheets::rests(body, sheets);
+    let strongest = Strongest { fibre: fibres::strongest(body, fibres, &rods), sheet: sheets::strongest(body, sheets) };
+    let mut softer = Softer::default();
+    if !rests.is_empty() {
+        softer.without_sheets = Some(forces.clone());
+        forces.push(Box::new(SheetForce::new(rests.into())));
+    }
+    if !rods.is_empty() {
+        softer.without_fibres = Some(forces.clone());
+        forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
+    }
+    Ok((softer, strongest))
 }
 
 /// A matrix that computes its forces as exactly as is asked for.

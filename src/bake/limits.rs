@@ -98,7 +98,7 @@ fn greatest<T>(present: f64, raised: impl Iterator<Item = (T, f64)>) -> Option<T
 }
 
 /// Whether a drive changes how stiff a force is.
-fn is_driven(force: &Box<dyn Force>) -> bool {
+fn is_driven(force: &dyn Force) -> bool {
     force.downcast_ref().is_some_and(FibreForce::is_driven) || force.downcast_ref().is_some_and(SheetForce::is_driven)
 }
 
@@ -184,7 +184,11 @@ impl Resistance {
                 highest_frequency_squared(&mut copies, state, spacing, stop)
             };
             let greatest = at_extreme(true)?;
-            Some(if forces.iter().any(is_driven) { greatest.max(at_extreme(false)?) } else { greatest })
+            Some(if forces.iter().any(|force| is_driven(force.as_ref())) {
+                greatest.max(at_extreme(false)?)
+            } else {
+                greatest
+            })
         };
         let fibres = forces.iter().find_map(|force| force.downcast_ref::<FibreForce>());
         let all = highest(forces)?;

@@ -213,7 +213,7 @@ impl PlacedSheet {
     }
 
     /// Volume fraction in its surface and the triangles that carry force, at rest [m].
-    pub(super) fn share<'a>(&'a self, body: &Body) -> (f64, Vec<[DVec3; 3]>) {
+    pub(super) fn share(&self, body: &Body) -> (f64, Vec<[DVec3; 3]>) {
         let corners = |of: &[u32; 3]| of.map(|k| self.shape.points[k as usize]);
         (body.sheets[self.sheet].volume_fraction, self.shape.triangles[..self.active].iter().map(corners).collect())
     }

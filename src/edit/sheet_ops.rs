@@ -40,14 +40,15 @@ fn two_figures(value: f64) -> f64 {
 pub fn transform(sheet: &Sheet, by: &Transform, sampling: Sampling) -> Result<Sheet, FibreEditError> {
     let point = |at: &[f64; 3]| by.apply(DVec3::from_array(*at)).to_array();
     let source = match &sheet.source {
-        SheetSource::Strokes(strokes) => match by.carried([&strokes.first, &strokes.second]) {
-            Some([first, second]) => SheetSource::Strokes(SweptStrokes { first, second, extra: strokes.extra.clone() }),
-            None => {
+        SheetSource::Strokes(strokes) => {
+            if let Some([first, second]) = by.carried([&strokes.first, &strokes.second]) {
+                SheetSource::Strokes(SweptStrokes { first, second, extra: strokes.extra.clone() })
+            } else {
                 let swept = strokes.swept(sampling.model_diagonal, sampling.spacing)?;
                 let rows = swept.vertices.chunks(swept.to_a_row);
                 SheetSource::Grid(rows.map(|row| row.iter().map(|&at| by.apply(at).to_array()).collect()).collect())
             }
-        },
+        }
         SheetSource::Grid(rows) => SheetSource::Grid(rows.iter().map(|row| row.iter().map(point).collect()).collect()),
         SheetSource::Triangles(of) => {
             let vertices = of.vertices.iter().map(point).collect();

@@ -10,7 +10,7 @@ pub(crate) fn grid_triangles(to_a_row: usize, rows: usize) -> Vec<[u32; 3]> {
         for column in 0..to_a_row.saturating_sub(1) {
             let [a, b] = [at(column, row), at(column + 1, row)];
             let [c, d] = [at(column, row + 1), at(column + 1, row + 1)];
-            if (column + row) % 2 == 0 {
+            if (column + row).is_multiple_of(2) {
                 triangles.extend([[a, b, d], [d, c, a]]);
             } else {
                 triangles.extend([[a, b, c], [d, c, b]]);

@@ -74,7 +74,7 @@ fn patch() -> (Vec<DVec3>, Vec<DVec3>) {
             DVec3::new(u + 0.1 * v, 1.3 * v, 0.15 * u * u - 0.1 * v * v)
         })
         .collect();
-    let turn = DMat3::from_quat(DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 2.5));
+    let turn = DMat3::from_quat(DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize_or_zero(), 2.5));
     let stretch = DMat3::from_cols_array(&[1.2, 0.1, 0.0, -0.2, 0.8, 0.3, 0.1, 0.0, 1.1]);
     let moved = (0..20).map(|k| turn * (stretch * rest[k]) + 0.35 * wobble(k, 3)).collect();
     (rest, moved)

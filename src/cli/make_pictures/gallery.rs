@@ -71,8 +71,8 @@ pub(super) fn picture(example: &ExamplePicture, folder: &Path) -> Result<Vec<u8>
     let mut states = run(&scene, &assets, &[0.0, example.at], Some(&path))?;
     let now = states.pop().unwrap_or_default();
     let start = states.pop().filter(|_| example.beside_start);
-    let has_fibres = scene.bodies.iter().any(|body| !body.fibres.is_empty());
-    let skin = if has_fibres { SkinStyle::XRay } else { SkinStyle::Shaded };
+    let has_something = scene.bodies.iter().any(|body| !body.fibres.is_empty() || !body.sheets.is_empty());
+    let skin = if has_something { SkinStyle::XRay } else { SkinStyle::Shaded };
     let display = Display { skin, ..bare() };
     let size = EXAMPLE.map(|extent| FINER * extent);
     let list =

@@ -219,7 +219,7 @@ impl App {
                 let sheets = self.cx.active_body().is_some_and(|body| body.sheets.iter().any(|sheet| sheet.hidden));
                 let met = fibres || sheets || self.cx.scene().all_bodies().any(AnyBody::hidden);
                 when(met, "No body, and no fibre or sheet of the body, is hidden", |app, _| {
-                    editing::show_all(&mut app.cx)
+                    editing::show_all(&mut app.cx);
                 })
             }
             Action::PlayPause => always(|app, _| {

@@ -65,7 +65,9 @@ fn paint_swept(painter: &Painter, swept: &Sweep, offset: DVec3, frame: &ViewFram
     let Some(seen) = seen else { return };
     let mut film = Mesh::default();
     let fill = accent.gamma_multiply(FILM);
-    seen.iter().for_each(|&at| film.colored_vertex(at, fill));
+    for &at in &seen {
+        film.colored_vertex(at, fill);
+    }
     for [a, b, c] in grid_triangles(swept.to_a_row, swept.rows()) {
         film.add_triangle(a, b, c);
     }

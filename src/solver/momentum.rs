@@ -23,6 +23,11 @@ impl Drift {
         self.before = now;
     }
 
+    /// Whether a frame that has begun is followed.
+    pub(super) fn is_followed(&self) -> bool {
+        self.before.is_some()
+    }
+
     /// Counts a frame of so many seconds in which all that was known of gave them so much; none where something else may
     /// have.
     pub(super) fn end(&mut self, seconds: f64, now: Option<Momenta>, given: Momenta) {

@@ -71,25 +71,27 @@ impl World {
     pub(super) fn end_watch(&mut self) {
         let (time, seconds) = (self.time(), self.plan.frame_seconds);
         let pull = self.gravity.at(time);
-        let mut all_alone = true;
         for (body, watched) in self.bodies.iter().zip(&mut self.watch.bodies) {
+            if !watched.drift.is_followed() {
+                continue;
+            }
             let is_alone = body.is_watched() && body.is_alone(time, seconds);
-            all_alone &= is_alone;
             let given = body.given().momenta;
             let [linear, angular] = [given[0] - watched.given[0], given[1] - watched.given[1]];
             let by_gravity = seconds * body.state().mass() * pull;
             let now = is_alone.then(|| momenta(body.state()));
             watched.drift.end(seconds, now, [linear + by_gravity, angular]);
         }
-        if self.bodies.len() > 1 {
+        if self.watch.drift.is_followed() {
+            let all_alone = self.bodies.iter().all(|body| body.is_watched() && body.is_alone(time, seconds));
             let mass: f64 = self.bodies.iter().map(|body| body.state().mass()).sum();
             let linear = seconds * mass * pull;
-            // The centre of all is somewhere on a parabola; about the middle of the frame's two ends nothing is left of that.
+            // The centre of all falls along a parabola: its mean over the frame.
             let moments = self.bodies.iter().map(|body| body.state().mass() * body.state().center());
             let [center, momentum] = [moments.sum::<DVec3>() / mass, self.momenta()[0]];
-            let middle = center - 0.5 * seconds * momentum / mass + 0.5 * seconds * seconds / 3.0 * pull;
+            let mean = center - 0.5 * seconds * momentum / mass + seconds * seconds / 6.0 * pull;
             let now = all_alone.then(|| self.momenta());
-            self.watch.drift.end(seconds, now, [linear, middle.cross(linear)]);
+            self.watch.drift.end(seconds, now, [linear, mean.cross(linear)]);
         }
         let look = self.effort_of_a_look();
         if look <= FEW || COST * (self.effort() - self.watch.looked_at) >= look {
@@ -127,6 +129,7 @@ impl World {
         if self.watch.bodies.len() != self.bodies.len() {
             return;
         }
+        let _look = tracing::info_span!("look").entered();
         self.watch.looked_at = self.effort();
         let time = self.time();
         let mut of_all = Sight { time, balance: self.energy_of_panels() - self.work(), handled: 0.0, sizes: 0.0 };

@@ -135,6 +135,7 @@
 //! | the work that is done from outside | `solver::outside_body`, booked as a world goes by `solver::world::work` |
 //! | what a series has in its columns | `sim::columns` |
 //! | values that no solid has | `bake::regime` |
+//! | what can be driven in a scene, and where that stands in the file | [`scene::Drivable`]; its lanes and keys: `ui::drives` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
 //! | where a new body stands free, and how a body is moved in the window | `ui::bodies`, `ui::editing::body` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
@@ -182,6 +183,7 @@
 //!   colours and parts; motions are written on it. *Part*: a run of its faces of one name and material.
 //! - *model frame*: the frame in which a body is described. *Placement*: where it stands in the world.
 //! - *view*: front, side or top. *Stroke*: what was drawn in one. *Lift*: to make a curve of two strokes.
+//! - *drivable*: what a drive moves or could move. *Key*: a value of a drive at a time. *Lane*: where its course is shown.
 //! - *drive*: a number that changes in time. *Activation*: what a drive does to a fibre, which *acts* then. *Wind*: air or
 //!   water that moves as one.
 //! - *pattern*: a layout of fibres to start from. *Dab*: one touch of the brush that paints the volume fraction.

@@ -6,7 +6,7 @@ use crate::solver::forces::{Flow, FlowSurface};
 use glam::DVec3;
 
 /// A drive beside those that a body shares; one that names none of them does nothing.
-pub(super) fn drive(drive: &scene::Drive, shared: &[SharedDrive]) -> Drive {
+pub(crate) fn drive(drive: &scene::Drive, shared: &[SharedDrive]) -> Drive {
     match drive.resolved(shared) {
         None | Some(scene::Drive::Shared(_)) => Drive::Constant(0.0),
         Some(scene::Drive::Constant(value)) => Drive::Constant(*value),

@@ -27,6 +27,8 @@ mod supports;
 mod two_layer;
 mod voids;
 
+#[cfg(feature = "gui")]
+pub(crate) use drives::drive as solver_drive;
 pub use error::BakeError;
 pub use fibres::PlacedFibre;
 pub use note::Note;

@@ -24,7 +24,7 @@ pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
         integrator(ui, cx, body.id, body.integrator);
     } else if let Some(body) = cx.active_two_layer().cloned() {
         let mut changed = body.clone();
-        two_layer_fields(ui, &mut changed);
+        two_layer_fields(ui, cx, &mut changed);
         if changed != body {
             cx.edit(&Command::SetTwoLayer(Box::new(changed)), Step::Present);
         }

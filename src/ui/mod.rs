@@ -5,6 +5,7 @@
 //! (scenes, tables, a person's patterns, changes to be recovered) is written by [`crate::io`].
 
 pub(crate) mod action;
+mod activation_fields;
 pub(crate) mod app;
 mod autosave;
 mod bodies;
@@ -17,6 +18,7 @@ mod context;
 mod controls;
 mod dialogs;
 mod document;
+mod drives;
 mod editing;
 mod export;
 mod field;
@@ -28,6 +30,7 @@ mod loading;
 mod material_fields;
 mod material_presets;
 pub(crate) mod menu;
+mod motion_fields;
 mod next;
 mod opening;
 mod outliner;
@@ -56,6 +59,7 @@ mod two_layer_fields;
 mod unpin;
 mod views;
 mod voids_section;
+mod wind_section;
 mod world_tab;
 
 pub(crate) use app::App;

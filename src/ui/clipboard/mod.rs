@@ -1,4 +1,4 @@
-//! The system's clipboard: fibres, bodies and patterns as JSON text, so that they go from scene to scene, window to window and
+//! The system's clipboard: fibres, bodies, keys of drives and patterns as JSON text, so that they go from scene to scene, window to window and
 //! into letters.
 
 mod bodies;
@@ -8,6 +8,7 @@ mod patterns;
 pub(crate) use patterns::copied_pattern;
 
 use super::context::{Context, Severity};
+use super::drives;
 use serde::Deserialize;
 
 /// What a text says that it holds.
@@ -18,6 +19,9 @@ struct Clipping {
 
 /// What is selected as text.
 pub(super) fn copied(cx: &mut Context) -> Option<String> {
+    if !cx.keys.is_empty() {
+        return drives::copied_keys(cx);
+    }
     if cx.selection.is_body() { bodies::copied(cx) } else { fibres::copied(cx) }
 }
 
@@ -26,11 +30,12 @@ pub(super) fn paste(text: &str, cx: &mut Context) {
     let holds = serde_json::from_str::<Clipping>(text).map(|clipping| clipping.sinew);
     let is_pasted = match holds.as_deref() {
         Ok(fibres::FIBRES) => fibres::paste(text, cx),
+        Ok(drives::KEYS) => drives::paste_keys(text, cx),
         Ok(bodies::BODY) => bodies::paste(text, cx),
         Ok(patterns::PATTERN) => patterns::paste(text, cx),
         _ => false,
     };
     if !is_pasted {
-        cx.say(Severity::Warning, "The clipboard holds no fibres, body or pattern: copy some with Ctrl+C first");
+        cx.say(Severity::Warning, "The clipboard holds no fibres, body, keys or pattern: copy some with Ctrl+C first");
     }
 }

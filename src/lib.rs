@@ -196,6 +196,7 @@
 //! - *fibres implicit*: fibres' forces found together with where they bring the particles, so that their stiffness does not
 //!   set the step; all else by leap-frog.
 //! - *stable step*: the longest step under which a body's small motions do not grow. *Safety*: the share of it in use.
+//! - *hand*: what leads a shared drive away from what it is by itself.
 //! - *grip*: what touching particles hold on to below Coulomb's limit: springs along the surface.
 //! - *body contact*: the push between two bodies. *Grab*: the pull at a point of a body. *Strike*: an impulse on a whole
 //!   body.

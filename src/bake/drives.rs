@@ -1,12 +1,18 @@
 //! Drives of a scene for the solver.
 
 use crate::scene::{self, AfterLast, DriveKeys, Interpolation, SharedDrive};
+use crate::solver::body;
 use crate::solver::drive::{After, Between, Drive, Wave};
 use crate::solver::forces::{Flow, FlowSurface};
 use glam::DVec3;
 
 /// A drive beside those that a body shares; one that names none of them does nothing.
 pub(crate) fn drive(drive: &scene::Drive, shared: &[SharedDrive]) -> Drive {
+    if let scene::Drive::Shared(id) = drive
+        && let Some(own) = drive.resolved(shared)
+    {
+        return Drive::Shared { id: id.as_str().into(), own: Box::new(self::drive(own, &[])), hand: None };
+    }
     match drive.resolved(shared) {
         None | Some(scene::Drive::Shared(_)) => Drive::Constant(0.0),
         Some(scene::Drive::Constant(value)) => Drive::Constant(*value),
@@ -20,6 +26,15 @@ pub(crate) fn drive(drive: &scene::Drive, shared: &[SharedDrive]) -> Drive {
             start: wave.start,
         }),
     }
+}
+
+/// The drives that the parts of a body share.
+pub(super) fn shared(drives: &[SharedDrive]) -> Vec<body::SharedDrive> {
+    let of = |one: &SharedDrive| {
+        let drive = drive(&scene::Drive::Shared(one.id.clone()), drives);
+        body::SharedDrive { id: one.id.as_str().into(), drive }
+    };
+    drives.iter().map(of).collect()
 }
 
 /// What a scene's gravity is multiplied by, if anything.

@@ -155,7 +155,11 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Resu
     let stable_steps = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.stable_steps)).collect();
     let fractions = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.fractions)).collect();
     let thin = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.thin)).collect();
-    let (bodies, regions) = drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
+    let (mut bodies, regions): (Vec<Body>, Vec<_>) =
+        drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
+    for (body, of) in bodies.iter_mut().zip(scene.all_bodies()) {
+        body.share(drives::shared(of.drives()));
+    }
     let gravity = Gravity::new(DVec3::from_array(scene.gravity), drives::gravity(scene));
     let world = World::new(bodies, (room::panels(scene), colliders), probes, plan, gravity);
     overlaps::note_overlaps(scene, &world, &mut notes);

@@ -3,10 +3,12 @@
 pub(super) mod checkpoint;
 mod colliders;
 mod grabs;
+mod hands;
 mod parts;
 mod rest;
 mod touching;
 
+pub(crate) use hands::SharedDrive;
 pub use parts::{BodyParts, FibreLine, RestScale};
 
 use super::dynamics::{Dynamics, Fallbacks, energies};
@@ -57,6 +59,7 @@ pub struct Body {
     fallbacks: Fallbacks,
     last_good: ParticleState,
     divergence: Option<Divergence>,
+    shared: Vec<SharedDrive>,
 }
 
 impl Body {
@@ -76,6 +79,7 @@ impl Body {
             fallbacks: Fallbacks::default(),
             last_good: parts.state.clone(),
             divergence: None,
+            shared: Vec::new(),
             parts,
         };
         body.update_net_forces(0.0);
@@ -133,6 +137,7 @@ impl Body {
         self.parts.state.positions.clone_from(&other.parts.state.positions);
         self.parts.state.velocities.clone_from(&other.parts.state.velocities);
         self.grabs.clone_from(&other.grabs);
+        self.adopt_hands(other);
         for force in &mut self.parts.forces {
             force.adopt(&other.parts.forces);
         }

@@ -165,6 +165,8 @@ actions! {
         "Colours solids by strain, stress, volume fraction, speed, or not at all";
     Tension in View [alt(Key::F)] "Colour fibres by tension":
         "Colours fibres by the force that they carry: warm where they pull, cool where they are pressed";
+    Activation in View [alt(Key::A)] "Show fibres act":
+        "Colours fibres by their drive, from 0 to 1, and has them bulge as they contract";
     Slice in View [alt(Key::X)] "Next cut":
         "Cuts the solid open across X, Y or Z in the result view, or not at all";
     Ghost in View [alt(Key::O)] "Next ghost":

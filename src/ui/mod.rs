@@ -14,6 +14,7 @@ mod breaks;
 mod clipboard;
 mod colliders_section;
 mod comparison;
+mod conductor;
 mod context;
 mod controls;
 mod dialogs;

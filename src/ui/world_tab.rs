@@ -1,6 +1,7 @@
 //! The right panel's second tab: gravity, room, panels, colliders, pins, impulse, time step.
 
 use super::colliders_section::colliders_section;
+use super::conductor::conductor;
 use super::context::{Context, Step};
 use super::drives::keyed_field;
 use super::field::{NumberField, vector};
@@ -44,7 +45,13 @@ impl WorldTab {
             cx.edit(&Command::SetGravity(gravity), Step::Present);
         }
         let blows = cx.scene().wind.is_some();
-        let is_open = |title: &str| title != "Walls" && (title != "Wind" || blows);
+        let shares = !cx.simulation.published().status.drives.is_empty();
+        let is_open = |title: &str| match title {
+            "Walls" => false,
+            "Wind" => blows,
+            "Conductor" => shares,
+            _ => true,
+        };
         let section = |title: &str| CollapsingHeader::new(title).default_open(is_open(title));
         let mut room = cx.scene().room.clone();
         section("Floor and contact").show(ui, |ui| floor_section(ui, &mut room));
@@ -56,6 +63,7 @@ impl WorldTab {
         section("Panels").show(ui, |ui| panels_section(ui, cx));
         section("Colliders").show(ui, |ui| colliders_section(ui, cx));
         section("Pins").show(ui, |ui| pins_section(ui, cx));
+        section("Conductor").show(ui, |ui| conductor(ui, cx));
         section("Impulse").show(ui, |ui| self.impulse(ui, cx));
         section("Time step").show(ui, |ui| time_section(ui, cx));
     }

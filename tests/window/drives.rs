@@ -477,3 +477,60 @@ fn a_drive_that_is_changed_while_it_plays_acts_at_once_and_nothing_jumps() {
     }
     assert!(steep < length(&shape(&other)) - 1e-4, "{steep} {}", length(&shape(&other)));
 }
+
+#[test]
+fn fibres_show_that_they_act() {
+    let mut window = lanes();
+    assert!(window.state().published().snapshot.activation.is_none());
+    press_key(&mut window, Modifiers::ALT, Key::A);
+    for _ in 0..6 {
+        advance(&mut window);
+    }
+    window.step();
+    let shown = window.state().published().snapshot.activation.clone().expect("it was asked for");
+    // At 0.1 s, smoothly on the way to 1 at 1 s; contract is 0.3.
+    let value = 0.1 * 0.1 * (3.0 - 2.0 * 0.1);
+    let [alpha, beta, gamma] = [0, 1, 2].map(|fibre| shown.bodies[0][fibre].clone());
+    assert!(alpha.iter().all(|[drive, shorter]| (drive - value).abs() < 1e-9 && (shorter - 0.3 * value).abs() < 1e-9));
+    assert!(beta.iter().all(|[drive, shorter]| *drive > 0.0 && (shorter - 0.2 * drive).abs() < 1e-12));
+    assert!(gamma.iter().all(|edge| *edge == [0.0, 0.0]));
+    assert!(window.query_all_by_label_contains("Activation of fibres from 0").next().is_some());
+    // Tension takes its place.
+    press_key(&mut window, Modifiers::ALT, Key::F);
+    advance(&mut window);
+    let snapshot = &window.state().published().snapshot;
+    assert!(snapshot.activation.is_none() && snapshot.tension.is_some());
+}
+
+#[test]
+fn a_slider_leads_a_shared_drive_and_what_was_played_is_recorded() {
+    let mut window = lanes();
+    press_key(&mut window, Modifiers::ALT, Key::D);
+    click(&mut window, "World");
+    window.set_size(Vec2::new(1280.0, 1600.0));
+    window.run_steps(3);
+    let slider = window.get_by_role_and_label(Role::Slider, "pull, Bar").rect();
+    let led = |app: &sinew::test_support::ui::App| app.published().status.drives.iter().any(|drive| drive.is_led);
+    assert!(!led(window.state()));
+    // To the right end of its rail.
+    drag(&mut window, &[slider.left_center() + Vec2::new(6.0, 0.0), slider.center(), slider.right_center()]);
+    until(&mut window, led);
+    let before = window.state().scene().clone();
+    for _ in 0..5 {
+        advance(&mut window);
+    }
+    let value = window.state().published().status.drives[0].value;
+    assert!(value > 0.9, "{value}: much more than {} by itself", 0.02);
+    assert_eq!(*window.state().scene(), before, "nothing of the scene has changed");
+    click(&mut window, "Record");
+    window.run_steps(2);
+    assert_eq!(window.state().undo_name(), Some("Record performance"));
+    let keys = keys_of(window.state().scene(), &pull());
+    assert_eq!(keys.between, Interpolation::Linear);
+    assert_eq!(keys.keys.last().map(|key| key.value), Some(value));
+    until(&mut window, |app| is_settled(app) && !led(app));
+    let now = window.state().published().status.drives[0].value;
+    assert!((now - value).abs() < 1e-9, "it goes on where it was: {now}");
+    undo(&mut window);
+    assert_eq!(*window.state().scene(), before);
+}

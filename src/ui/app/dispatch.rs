@@ -247,6 +247,9 @@ impl App {
             Action::Tension => {
                 always(|app, _| app.views.options.toggle_tension(&mut app.cx)).on(self.views.options.tension)
             }
+            Action::Activation => {
+                always(|app, _| app.views.options.toggle_activation(&mut app.cx)).on(self.views.options.activation)
+            }
             Action::Slice => always(|app, _| app.views.options.next_slice(&app.cx)),
             Action::Ghost => always(|app, _| ViewOptions::next_ghost(&mut app.cx)),
             Action::Timeline => always(|app, _| app.timeline.fold()).on(self.timeline.is_shown()),

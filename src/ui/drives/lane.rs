@@ -87,8 +87,8 @@ pub(super) fn paint_lane(
         let y = values.place(level);
         painter.hline(place.x_range(), y, Stroke::new(1.0, ink.gamma_multiply(0.25)));
         if !follows {
-            let at = Pos2::new(place.left() + 3.0, y);
-            painter.text(at, Align2::LEFT_CENTER, compact(level), FontId::proportional(9.0), ink.gamma_multiply(0.8));
+            let at = Pos2::new(place.right() - 3.0, y);
+            painter.text(at, Align2::RIGHT_CENTER, compact(level), FontId::proportional(9.0), ink.gamma_multiply(0.8));
         }
     }
     for (time, _) in scale.ticks() {
@@ -102,6 +102,8 @@ pub(super) fn paint_lane(
     }
     match drive {
         Drive::Keyframes(keys) => {
+            // Those at the ends are whole.
+            let painter = ui.painter_at(place.expand2([KEY + 1.0, 0.0].into()));
             for (index, at) in key_places(keys, scale, values).into_iter().enumerate() {
                 let chosen = cx.keys.contains(of, index);
                 let fill = if chosen { accent } else { visuals.text_color() };

@@ -1,9 +1,9 @@
 //! Drives of a scene for the solver.
 
 use crate::scene::{self, AfterLast, DriveKeys, Interpolation, SharedDrive};
-use crate::solver::body;
 use crate::solver::drive::{After, Between, Drive, Wave};
 use crate::solver::forces::{Flow, FlowSurface};
+use crate::solver::shared_drive;
 use glam::DVec3;
 
 /// A drive beside those that a body shares; one that names none of them does nothing.
@@ -29,10 +29,10 @@ pub(crate) fn drive(drive: &scene::Drive, shared: &[SharedDrive]) -> Drive {
 }
 
 /// The drives that the parts of a body share.
-pub(super) fn shared(drives: &[SharedDrive]) -> Vec<body::SharedDrive> {
+pub(super) fn shared(drives: &[SharedDrive]) -> Vec<shared_drive::SharedDrive> {
     let of = |one: &SharedDrive| {
         let drive = drive(&scene::Drive::Shared(one.id.clone()), drives);
-        body::SharedDrive { id: one.id.as_str().into(), drive }
+        shared_drive::SharedDrive { id: one.id.as_str().into(), drive }
     };
     drives.iter().map(of).collect()
 }

@@ -103,9 +103,7 @@ impl Drivable {
                 let shortens = if of.contract == 0.0 { ANY } else { [ends[0].min(ends[1]), ends[0].max(ends[1])] };
                 both(pulls, shortens)
             }),
-            Self::Shared { .. } => {
-                self.followers(scene).iter().map(|one| one.limits(scene)).fold(ANY, |limits, one| both(limits, one))
-            }
+            Self::Shared { .. } => self.followers(scene).iter().map(|one| one.limits(scene)).fold(ANY, both),
             Self::Gravity | Self::Wind | Self::Panel(_) | Self::Collider(_) | Self::Pin { .. } => ANY,
         }
     }

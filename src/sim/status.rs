@@ -1,8 +1,9 @@
 //! What a window is told of a running world.
 
 use crate::scene::IntegratorKind;
-use crate::solver::body::{Body, SharedDrive};
+use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;
+use crate::solver::shared_drive::SharedDrive;
 use crate::solver::snapshot::Snapshot;
 use crate::solver::world::World;
 use glam::DVec3;

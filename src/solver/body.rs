@@ -8,7 +8,6 @@ mod parts;
 mod rest;
 mod touching;
 
-pub(crate) use hands::SharedDrive;
 pub use parts::{BodyParts, FibreLine, RestScale};
 
 use super::dynamics::{Dynamics, Fallbacks, energies};
@@ -17,6 +16,7 @@ use super::energy::Energies;
 use super::forces::fibre::breaking::FibreBreak;
 use super::forces::{Contact, Force, Grab, Inelastic, Plane};
 use super::integrators::Integrator;
+use super::shared_drive::SharedDrive;
 use super::state::ParticleState;
 use glam::DVec3;
 use thiserror::Error;

@@ -31,6 +31,7 @@ pub(crate) mod overlap;
 pub(crate) mod panel;
 pub(crate) mod rotation;
 pub(crate) mod scratch;
+pub(crate) mod shared_drive;
 pub(crate) mod skin;
 mod skin_arms;
 mod skin_weights;

@@ -1,18 +1,8 @@
 //! Hands that lead the drives that parts of a body share.
 
 use super::Body;
-use crate::solver::drive::Drive;
 use crate::solver::hand::Hand;
-use std::sync::Arc;
-
-/// A drive that parts of a body share.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct SharedDrive {
-    /// Identifier of the scene.
-    pub(crate) id: Arc<str>,
-    /// It, with the hand that leads it.
-    pub(crate) drive: Drive,
-}
+use crate::solver::shared_drive::SharedDrive;
 
 impl Body {
     /// The drives that its parts share.

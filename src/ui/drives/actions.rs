@@ -50,14 +50,15 @@ pub(crate) fn toggle_key(of: &Drivable, cx: &mut Context) {
             cx.say(Severity::Note, said);
             return;
         }
-        Some(Drive::Keyframes(keys)) => match key_at(keys, time, frame) {
-            Some(index) => ("Remove key", without_keys(keys, &[index]), None),
-            None => {
+        Some(Drive::Keyframes(keys)) => {
+            if let Some(index) = key_at(keys, time, frame) {
+                ("Remove key", without_keys(keys, &[index]), None)
+            } else {
                 let value = value_of(&Drive::Keyframes(keys.clone()), &[], time);
                 let (keys, index) = with_key(keys, time, value, frame);
                 ("Set key", keys.into(), Some(index))
             }
-        },
+        }
         // What nothing drives yet is all there, or where it starts.
         None => ("Set key", first_key(time, undriven(&source)).into(), Some(0)),
         still => ("Set key", as_keys(still, &[], time, frame).into(), Some(0)),
@@ -135,7 +136,9 @@ pub(crate) fn copied_keys(cx: &mut Context) -> Option<String> {
         keys.extend(chosen.map(|key| CopiedKey { of: pointer.clone(), time: key.time, value: key.value }));
     }
     let first = keys.iter().map(|key| key.time).fold(f64::INFINITY, f64::min);
-    keys.iter_mut().for_each(|key| key.time -= first);
+    for key in &mut keys {
+        key.time -= first;
+    }
     let count = keys.len();
     let text = serde_json::to_string_pretty(&Clipping { sinew: KEYS.to_owned(), keys }).ok()?;
     cx.say(Severity::Note, format!("{}: Ctrl+V puts them at the time that is shown", counted("Copied", count)));

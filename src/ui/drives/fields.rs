@@ -122,7 +122,7 @@ fn removed(of: &Drivable, drive: &Drive, scene: &Scene) -> Command {
 fn share(of: &Drivable, drive: &Drive, scene: &Scene) -> Command {
     let known = of.shared(scene);
     let is_free = |id: &String| known.iter().all(|one| one.id != *id);
-    let id = (1..).map(|k| format!("drive-{k}")).find(is_free).unwrap_or_default();
+    let id = (1..=known.len() + 1).map(|k| format!("drive-{k}")).find(is_free).unwrap_or_default();
     let body = of.body().unwrap_or_default().to_owned();
     let shared = Drivable::Shared { body, drive: id.clone() };
     named("Share drive", vec![(shared, Some(drive.clone())), (of.clone(), Some(Drive::Shared(id)))])

@@ -1,13 +1,13 @@
 //! The lanes below the timeline, one for each drive of the scene.
 
-use super::actions::{counted, named, playhead, undriven};
+use super::actions::{counted, named, playhead};
 use super::drag::{KeyBox, KeyDrag};
 use super::fields::{add_menu, lane_fields};
 use super::key_button::{key_button, point_at};
 use super::keys::{first_key, on_frame, with_key};
 use super::lane::{LOW, REACH, TALL, ValueScale, faint, key_places, paint_lane, round, words_at};
 use crate::scene::{Drivable, Drive, Scene};
-use crate::text::number::moment;
+use crate::text::number::{compact, moment};
 use crate::ui::context::{Context, Severity, Step};
 use crate::ui::theme::{self, GRID};
 use crate::ui::timescale::TimeScale;
@@ -254,18 +254,13 @@ fn hint_at(lane: &Shown, cx: &Context, scale: &TimeScale, at: Pos2) {
 /// What a lane's name stands for.
 fn told(of: &Drivable, cx: &Context) -> String {
     let scene = cx.scene();
-    let mut words = of.title(scene);
-    let follow = of.followers(scene);
-    if let Some((amount, unit)) = of.at_one(scene) {
-        words.push_str(&format!("\nwhere 1 is {} {unit}", crate::text::number::compact(amount)));
-    }
-    if !follow.is_empty() {
-        let names: Vec<String> = follow.iter().map(|one| one.title(scene)).collect();
-        words.push_str(&format!("\nfollowed by {}", names.join("; ")));
-    }
-    if let Some(Drive::Shared(id)) = of.drive(scene) {
-        words.push_str(&format!("\nfollows \"{id}\""));
-    }
-    let undriven = undriven(of);
-    words + &format!("\nwithout a drive: {undriven}")
+    let follow: Vec<String> = of.followers(scene).iter().map(|one| one.title(scene)).collect();
+    let amount = of.at_one(scene).map(|(amount, unit)| format!("where 1 is {} {unit}", compact(amount)));
+    let followed = (!follow.is_empty()).then(|| format!("followed by {}", follow.join("; ")));
+    let follows = match of.drive(scene) {
+        Some(Drive::Shared(id)) => Some(format!("follows \"{id}\"")),
+        _ => None,
+    };
+    let lines: Vec<String> = [Some(of.title(scene)), amount, followed, follows].into_iter().flatten().collect();
+    lines.join("\n")
 }

@@ -337,7 +337,9 @@ impl Force for FibreForce {
             return;
         }
         let mut fibres = self.fibres.to_vec();
-        fibres.iter_mut().for_each(|fibre| fibre.give(to, led));
+        for fibre in &mut fibres {
+            fibre.give(to, led);
+        }
         // A checkpoint of before keeps those that it has.
         if fibres != *self.fibres {
             self.fibres = fibres.into();

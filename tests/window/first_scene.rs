@@ -4,7 +4,6 @@ use super::editing::drop_file;
 use super::{Window, click, click_on, drag, is_settled, open, press_key, scene, stroke, until, view};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
-use egui_kittest::kittest::Queryable;
 use sinew::io::{load_assets, load_scene};
 use sinew::scene::Shape;
 

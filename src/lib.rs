@@ -138,6 +138,7 @@
 //! | the balance of energy and work, and what is said where it is not kept | `solver::world::watch`, `solver::account`, [`solver::Unbalanced`] |
 //! | what a series has in its columns | `sim::columns` |
 //! | values that no solid has | `bake::regime` |
+//! | what can be driven in a scene, and where that stands in the file | [`scene::Drivable`]; its lanes and keys: `ui::drives` |
 //! | a menu entry, its key and its tooltip | the table in `ui::action`; what it does, and when: `ui::app::dispatch` |
 //! | where a new body stands free, and how a body is moved in the window | `ui::bodies`, `ui::editing::body` |
 //! | what a change of the document does | [`edit::Command`], `edit::apply` |
@@ -188,6 +189,7 @@
 //! - *model frame*: the frame in which a body is described. *Placement*: where it stands in the world.
 //! - *view*: front, side or top. *Stroke*: what was drawn in one. *Lift*: to make a curve of two strokes.
 //!   *Sweep*: to make a surface of them, the first carried along the second.
+//! - *drivable*: what a drive moves or could move. *Key*: a value of a drive at a time. *Lane*: where its course is shown.
 //! - *drive*: a number that changes in time. *Activation*: what a drive does to a fibre, which *acts* then. *Wind*: air or
 //!   water that moves as one.
 //! - *pattern*: a layout of fibres to start from. *Dab*: one touch of the brush that paints the volume fraction.
@@ -200,6 +202,7 @@
 //! - *fibres implicit*: fibres' forces found together with where they bring the particles, so that their stiffness does not
 //!   set the step; all else by leap-frog.
 //! - *stable step*: the longest step under which a body's small motions do not grow. *Safety*: the share of it in use.
+//! - *hand*: what leads a shared drive away from what it is by itself.
 //! - *grip*: what touching particles hold on to below Coulomb's limit: springs along the surface.
 //! - *body contact*: the push between two bodies. *Grab*: the pull at a point of a body. *Strike*: an impulse on a whole
 //!   body.

@@ -3,10 +3,16 @@
 use crate::scene::{self, AfterLast, DriveKeys, Interpolation, SharedDrive};
 use crate::solver::drive::{After, Between, Drive, Wave};
 use crate::solver::forces::{Flow, FlowSurface};
+use crate::solver::shared_drive;
 use glam::DVec3;
 
 /// A drive beside those that a body shares; one that names none of them does nothing.
-pub(super) fn drive(drive: &scene::Drive, shared: &[SharedDrive]) -> Drive {
+pub(crate) fn drive(drive: &scene::Drive, shared: &[SharedDrive]) -> Drive {
+    if let scene::Drive::Shared(id) = drive
+        && let Some(own) = drive.resolved(shared)
+    {
+        return Drive::Shared { id: id.as_str().into(), own: Box::new(self::drive(own, &[])), hand: None };
+    }
     match drive.resolved(shared) {
         None | Some(scene::Drive::Shared(_)) => Drive::Constant(0.0),
         Some(scene::Drive::Constant(value)) => Drive::Constant(*value),
@@ -20,6 +26,15 @@ pub(super) fn drive(drive: &scene::Drive, shared: &[SharedDrive]) -> Drive {
             start: wave.start,
         }),
     }
+}
+
+/// The drives that the parts of a body share.
+pub(super) fn shared(drives: &[SharedDrive]) -> Vec<shared_drive::SharedDrive> {
+    let of = |one: &SharedDrive| {
+        let drive = drive(&scene::Drive::Shared(one.id.clone()), drives);
+        shared_drive::SharedDrive { id: one.id.as_str().into(), drive }
+    };
+    drives.iter().map(of).collect()
 }
 
 /// What a scene's gravity is multiplied by, if anything.

@@ -32,6 +32,8 @@ mod supports;
 mod two_layer;
 mod voids;
 
+#[cfg(feature = "gui")]
+pub(crate) use drives::drive as solver_drive;
 pub use error::BakeError;
 pub use fibres::PlacedFibre;
 pub use note::Note;
@@ -158,7 +160,11 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Resu
     let stable_steps = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.stable_steps)).collect();
     let fractions = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.fractions)).collect();
     let thin = drafts.iter_mut().map(|draft| std::mem::take(&mut draft.thin)).collect();
-    let (bodies, regions) = drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
+    let (mut bodies, regions): (Vec<Body>, Vec<_>) =
+        drafts.into_iter().map(|draft| (Body::new(draft.parts), draft.regions)).unzip();
+    for (body, of) in bodies.iter_mut().zip(scene.all_bodies()) {
+        body.share(drives::shared(of.drives()));
+    }
     let gravity = Gravity::new(DVec3::from_array(scene.gravity), drives::gravity(scene));
     let world = World::new(bodies, (room::panels(scene), colliders), probes, plan, gravity);
     overlaps::note_overlaps(scene, &world, &mut notes);

@@ -50,7 +50,7 @@ impl Look {
             ThemeName::Light => Theme::light(),
             ThemeName::Dark => Theme::dark(),
         };
-        transfer::Look { view, size: self.size.0, display, theme, field: None, tension: false }
+        transfer::Look { view, size: self.size.0, display, theme, field: None, tension: false, activation: false }
     }
 }
 

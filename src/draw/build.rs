@@ -45,7 +45,8 @@ pub fn draw(subject: &Subject<'_>, display: &Display, theme: &Theme) -> DrawList
         let values = values.filter(|(_, values)| values.len() == body.particles.len());
         let tensions = snapshot.tension.as_ref();
         let tensions = tensions.and_then(|tension| Some((tension.range, tension.bodies.get(index)?.as_slice())));
-        drawer.body(body, &looks, Values { field: values, tensions }, &mut list, &mut hue);
+        let activations = snapshot.activation.as_ref().and_then(|of| of.bodies.get(index)).map(Vec::as_slice);
+        drawer.body(body, &looks, Values { field: values, tensions, activations }, &mut list, &mut hue);
         if let (true, Some(body)) = (display.strokes, scene.bodies.get(number)) {
             surroundings::strokes(body, &mut list);
         }
@@ -117,6 +118,8 @@ struct Values<'a> {
     field: Option<([f64; 2], &'a [f64])>,
     /// At every edge of every fibre [N].
     tensions: Option<(f64, &'a [Vec<f64>])>,
+    /// At every edge of every fibre: its drive, and by what share that has it want to be shorter.
+    activations: Option<&'a [Vec<[f64; 2]>]>,
 }
 
 impl BodyDrawer<'_> {
@@ -124,7 +127,7 @@ impl BodyDrawer<'_> {
         &self,
         body: &BodySnapshot,
         looks: &Looks<'_>,
-        Values { field, tensions }: Values<'_>,
+        Values { field, tensions, activations }: Values<'_>,
         list: &mut DrawList,
         hue: &mut usize,
     ) {
@@ -150,7 +153,8 @@ impl BodyDrawer<'_> {
             if !own.is_some_and(|own| own.hidden) {
                 let tensions = tensions.and_then(|(range, fibres)| Some((range, fibres.get(index)?.as_slice())));
                 let breaks = body.breaks.iter().filter(|at| at.fibre as usize == index).map(|at| at.place).collect();
-                let shape = FibreShape { vertices: &fibre.vertices, breaks, tensions, colour };
+                let activations = activations.and_then(|fibres| fibres.get(index)).map(Vec::as_slice);
+                let shape = FibreShape { vertices: &fibre.vertices, breaks, tensions, activations, colour };
                 self.fibre(index as u32, &shape, [has_skin, clear], list);
             }
         }

@@ -17,6 +17,8 @@ const BREAK_RADIUS: f64 = 0.40;
 /// Where a vertex has come apart both ends are drawn back so far, in particle spacings, and at most by this share of an edge.
 const BREAK_GAP: f64 = 0.55;
 const MOST_GAP: f32 = 0.7;
+/// Share by which a fibre is drawn as if it were shorter at most: it bulges to twice its radius.
+const MOST_SHORTER: f64 = 0.75;
 /// Share of a mark that shows through what is in front.
 const BREAK_THROUGH: f32 = 0.7;
 
@@ -28,6 +30,8 @@ pub(super) struct FibreShape<'a> {
     pub(super) breaks: Vec<BreakPlace>,
     /// What its edges carry [N], with the end of the range; none where that is not asked for.
     pub(super) tensions: Option<(f64, &'a [f64])>,
+    /// The drive of its edges and the share by which that has them want to be shorter; none where that is not asked for.
+    pub(super) activations: Option<&'a [[f64; 2]]>,
     /// Its own colour.
     pub(super) colour: Colour,
 }
@@ -79,21 +83,42 @@ impl FibreShape<'_> {
         self.breaks.iter().filter_map(at).collect()
     }
 
-    /// Colours of points along its vertices, as [`Tube::along`] counts from vertex `first`: what an edge carries stands in
-    /// its middle, and from middle to middle it changes evenly.
+    /// Colours of points along its vertices, as [`Tube::along`] counts from vertex `first`: by what its edges carry, or by their
+    /// drive from 0 to 1.
     fn tints(&self, along: &[f32], first: usize) -> Vec<[u8; 3]> {
-        let Some((range, tensions)) = self.tensions.filter(|(_, tensions)| !tensions.is_empty()) else {
-            return Vec::new();
+        let of = |place: f32| match (self.tensions, self.activations) {
+            (Some((range, tensions)), _) => {
+                let force = between(tensions.len(), |edge| tensions[edge], place, first)?;
+                Some(colour_map::bytes(colour_map::signed_colour((force / range) as f32)))
+            }
+            (None, Some(activations)) => {
+                let value = between(activations.len(), |edge| activations[edge][0], place, first)?;
+                Some(colour_map::bytes(colour_map::colour(value as f32)))
+            }
+            (None, None) => None,
         };
-        let of = |place: f32| {
-            let at = (f64::from(place) + first as f64 - 0.5).clamp(0.0, (tensions.len() - 1) as f64);
-            let (before, share) = (at as usize, at.fract());
-            let after = (before + 1).min(tensions.len() - 1);
-            let force = tensions[before] + share * (tensions[after] - tensions[before]);
-            colour_map::bytes(colour_map::signed_colour((force / range) as f32))
-        };
-        along.iter().map(|&place| of(place)).collect()
+        along.iter().filter_map(|&place| of(place)).collect()
     }
+
+    /// Has a tube of this radius [m] bulge where its edges want to be shorter, so that it keeps its volume: r / sqrt(1 - c).
+    fn bulge(&self, tube: &mut Tube, radius: f32, first: usize) {
+        let Some(activations) = self.activations else { return };
+        for (vertex, &place) in tube.vertices.iter_mut().zip(&tube.along) {
+            if let Some(shorter) = between(activations.len(), |edge| activations[edge][1], place, first) {
+                vertex.position += ((1.0 - shorter.min(MOST_SHORTER)).powf(-0.5) as f32 - 1.0) * radius * vertex.normal;
+            }
+        }
+    }
+}
+
+/// What stands in the middles of edges, at a place along vertices that [`Tube::along`] counts from vertex `first`: from middle
+/// to middle it changes evenly. Nothing of no edges.
+fn between(count: usize, value: impl Fn(usize) -> f64, place: f32, first: usize) -> Option<f64> {
+    let last = count.checked_sub(1)?;
+    let at = (f64::from(place) + first as f64 - 0.5).clamp(0.0, last as f64);
+    let (before, share) = (at as usize, at.fract());
+    let after = (before + 1).min(last);
+    Some(value(before) + share * (value(after) - value(before)))
 }
 
 impl BodyDrawer<'_> {
@@ -106,7 +131,9 @@ impl BodyDrawer<'_> {
         for part in shape.parts() {
             let mut points: Vec<Vec3> = shape.vertices[part.clone()].iter().map(|&at| list.local(at)).collect();
             shape.draw_back(&part, &mut points, (BREAK_GAP * self.spacing) as f32);
-            let Tube { vertices, indices, along } = tube(&points, radius as f32);
+            let mut tube = tube(&points, radius as f32);
+            shape.bulge(&mut tube, radius as f32, part.start);
+            let Tube { vertices, indices, along } = tube;
             if tubes && !indices.is_empty() {
                 let id = PickId { body: self.index, kind: PickKind::Fibre, index };
                 list.meshes.push(Mesh {
@@ -148,7 +175,7 @@ mod tests {
     use super::*;
 
     fn shape<'a>(vertices: &'a [DVec3], breaks: &[BreakPlace], tensions: Option<(f64, &'a [f64])>) -> FibreShape<'a> {
-        FibreShape { vertices, breaks: breaks.to_vec(), tensions, colour: Colour::hex(0x80_8080) }
+        FibreShape { vertices, breaks: breaks.to_vec(), tensions, activations: None, colour: Colour::hex(0x80_8080) }
     }
 
     #[test]
@@ -181,5 +208,32 @@ mod tests {
         let shape = shape(&line, &[], Some((2.0, &[-2.0, 1.0])));
         assert_eq!(shape.tints(&[0.0, 0.5, 1.0, 1.5, 2.0], 0), [-1.0, -1.0, -0.25, 0.5, 0.5].map(byte));
         assert_eq!(shape.tints(&[0.0, 1.0], 1), [-0.25, 0.5].map(byte));
+    }
+
+    #[test]
+    fn what_acts_is_coloured_by_its_drive_and_bulges_by_what_it_is_shorter() {
+        let line: Vec<DVec3> = (0..4).map(|k| DVec3::X * f64::from(k)).collect();
+        let activations = [[0.0, 0.0], [0.5, 0.36], [1.0, 0.75]];
+        let acting = FibreShape { activations: Some(&activations), ..shape(&line, &[], None) };
+        let byte = |value: f32| colour_map::bytes(colour_map::colour(value));
+        assert_eq!(acting.tints(&[0.0, 1.5, 2.0, 3.0], 0), [0.0, 0.5, 0.75, 1.0].map(byte));
+        let points: Vec<Vec3> = line.iter().map(|at| at.as_vec3()).collect();
+        let mut bulged = tube(&points, 0.1);
+        acting.bulge(&mut bulged, 0.1, 0);
+        // Volume of a short piece: pi r² l, l shorter by its share.
+        let mut seen = 0;
+        for (vertex, place) in bulged.vertices.iter().zip(&bulged.along) {
+            let radius = vertex.position.y.hypot(vertex.position.z);
+            for (middle, shorter) in [(0.5, 0.0), (1.5, 0.36), (2.5, 0.75)] {
+                if *place == middle {
+                    seen += 1;
+                    assert!((radius * radius * (1.0 - shorter) - 0.01).abs() < 1e-5, "{radius} at {place}");
+                }
+            }
+        }
+        assert!(seen > 20, "{seen}");
+        let mut still = tube(&points, 0.1);
+        shape(&line, &[], None).bulge(&mut still, 0.1, 0);
+        assert_eq!(still, tube(&points, 0.1));
     }
 }

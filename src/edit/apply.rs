@@ -86,6 +86,8 @@ impl Command {
             }
             Self::SetTime(time) => scene.time = time.clone(),
             Self::SetGravity(gravity) => scene.gravity = *gravity,
+            Self::SetWind(wind) => scene.wind.clone_from(wind),
+            Self::SetDrive { of, drive } => of.set(scene, drive.clone())?,
             Self::SetRoom(room) => scene.room = room.clone(),
             Self::SetPanels(panels) => {
                 scene.panels.clone_from(panels);

@@ -1,8 +1,8 @@
 //! Changes of the document.
 
 use crate::scene::{
-    Collider, Dab, Fibre, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement, Region, RegionMaterial, Room,
-    Sheet, Time, TwoLayer, Void,
+    Collider, Dab, Drivable, Drive, Fibre, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement, Region,
+    RegionMaterial, Room, Sheet, Time, TwoLayer, Void, Wind,
 };
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
@@ -158,6 +158,15 @@ pub enum Command {
     SetPanels(Vec<Panel>),
     /// Changes the colliders.
     SetColliders(Vec<Collider>),
+    /// Changes the air or water that the bodies move in, or takes it away.
+    SetWind(Option<Wind>),
+    /// Has something follow a drive, or takes its drive away ([`Drivable::set`]).
+    SetDrive {
+        /// What follows it.
+        of: Drivable,
+        /// The drive.
+        drive: Option<Drive>,
+    },
 }
 
 /// Something that a person sees in the list of the document's parts.
@@ -235,6 +244,9 @@ impl Command {
             Self::SetRoom(_) => "Change room".to_owned(),
             Self::SetPanels(_) => "Change panels".to_owned(),
             Self::SetColliders(_) => "Change colliders".to_owned(),
+            Self::SetWind(_) => "Change wind".to_owned(),
+            Self::SetDrive { drive: Some(_), .. } => "Change drive".to_owned(),
+            Self::SetDrive { drive: None, .. } => "Remove drive".to_owned(),
         }
     }
 }

@@ -15,6 +15,8 @@ mod body;
 mod building;
 mod collider;
 mod document;
+mod drivable;
+mod drivable_words;
 mod drive;
 mod extra;
 mod fibre;
@@ -46,6 +48,7 @@ pub use axis::{Axis, Side};
 pub use body::{Body, BodyKind};
 pub use collider::{Collider, ColliderBox, ColliderCapsule, ColliderMesh, ColliderShape, ColliderSphere};
 pub use document::{MAX_PARTICLES, SCENE_VERSION, Scene, Units};
+pub use drivable::Drivable;
 pub use drive::{AfterLast, Drive, DriveKey, DriveKeys, Interpolation, SharedDrive, Wave};
 pub use extra::Extra;
 pub use fibre::{

@@ -59,6 +59,8 @@ pub enum SimCommand {
     Field(Option<FieldKind>),
     /// Put what the fibres carry into every picture from now on, or no longer.
     Tension(bool),
+    /// Put what the fibres do by themselves into every picture from now on, or no longer.
+    Activation(bool),
     /// Run another scene of the same models in step, from where the world is now; what is pulled or struck in one is in
     /// both. None ends it.
     Ghost(Option<Arc<Scene>>),
@@ -77,6 +79,15 @@ pub enum SimCommand {
     Memory(usize),
     /// Hand the motion over as it is kept, to be written meanwhile.
     Take(MotionTaker),
+    /// Has a hand lead a drive that parts of a body share, from the next frame on.
+    Lead {
+        /// Index of the body.
+        body: usize,
+        /// Identifier of the drive.
+        drive: String,
+        /// To which value, no further than the drive goes by itself; none lets go of it.
+        aim: Option<f64>,
+    },
     /// Strike a whole body.
     Strike {
         /// Index of the body.

@@ -7,6 +7,7 @@
 use super::command::SimCommand;
 use super::report::state_hash;
 use crate::scene::Scene;
+use crate::solver::hand::LATE;
 use crate::solver::world::World;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -72,6 +73,15 @@ pub enum Asked {
     },
     /// All was let go.
     ReleaseAll,
+    /// A hand led a drive that parts of a body share.
+    Lead {
+        /// Index of the body.
+        body: usize,
+        /// Identifier of the drive.
+        drive: String,
+        /// To which value; none let go of it.
+        aim: Option<f64>,
+    },
     /// A whole body was struck.
     Strike {
         /// Index of the body.
@@ -93,6 +103,7 @@ impl Asked {
             Self::PinGrab => SimCommand::PinGrab,
             Self::Unpin { body, grab } => SimCommand::Unpin { body, grab },
             Self::ReleaseAll => SimCommand::ReleaseAll,
+            Self::Lead { body, ref drive, aim } => SimCommand::Lead { body, drive: drive.clone(), aim },
             Self::Strike { body, impulse } => SimCommand::Strike { body, impulse: impulse.into() },
         })
     }
@@ -133,11 +144,45 @@ impl Journal {
         Ok(self)
     }
 
-    /// Notes what is asked now. Of the places to which something is pulled between two frames only the last counts.
+    /// What a hand made of a shared drive of a body: times [s] and values, between which it went evenly, up to where it let go.
+    /// `own` is what the drive was before by itself at a time [s], and `limits` are its least and its greatest value. The
+    /// frames of the scene that it started from are counted.
+    pub fn played(&self, body: usize, id: &str, own: impl Fn(f64) -> f64, limits: [f64; 2]) -> Vec<(f64, f64)> {
+        let seconds = self.scene.time.frame_seconds();
+        let mut keys: Vec<(f64, f64)> = Vec::new();
+        for JournalEntry { frame, what } in &self.asked {
+            let Asked::Lead { body: of, drive, aim } = what else { continue };
+            if (*of, drive.as_str()) != (body, id) {
+                continue;
+            }
+            let [start, end] = [*frame as f64 * seconds + LATE * seconds, (frame + 1) as f64 * seconds];
+            if keys.is_empty() {
+                let before = *frame as f64 * seconds;
+                keys.push((before, own(before)));
+                keys.push((start, own(start)));
+            }
+            let held = keys.last().map_or(0.0, |key| key.1);
+            if keys.last().is_none_or(|key| key.0 < start) {
+                keys.push((start, held));
+            }
+            if let Some(aim) = aim {
+                keys.retain(|key| key.0 <= start);
+                keys.push((end, aim.clamp(limits[0], limits[1])));
+            }
+        }
+        keys
+    }
+
+    /// Notes what is asked now. Of the places to which something is pulled or led between two frames only the last counts.
     pub(super) fn push(&mut self, what: Asked) {
         let frame = self.frames();
-        if let (Asked::MoveGrab(_), Some(last)) = (&what, self.asked.last_mut())
-            && matches!(last.what, Asked::MoveGrab(_))
+        let is_like = |last: &Asked| match (&what, last) {
+            (Asked::MoveGrab(_), Asked::MoveGrab(_)) => true,
+            (Asked::Lead { body, drive, .. }, Asked::Lead { body: of, drive: old, .. }) => (body, drive) == (of, old),
+            _ => false,
+        };
+        if let Some(last) = self.asked.last_mut()
+            && is_like(&last.what)
             && last.frame == frame
         {
             last.what = what;

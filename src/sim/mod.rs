@@ -27,7 +27,7 @@ pub(crate) use recording::DEFAULT_MEMORY;
 pub use report::{AccuracyReport, BodyReport, MeasureReport, Report};
 pub use runner::Runner;
 pub use series::TimeSeries;
-pub use status::{ComparedRun, ComparedSample, PinnedPoint, Published, RecordingStatus, Status, Stepping};
+pub use status::{ComparedRun, ComparedSample, DriveStatus, PinnedPoint, Published, RecordingStatus, Status, Stepping};
 pub use study::Study;
 pub use taken::MotionTaker;
 #[cfg(feature = "gui")]

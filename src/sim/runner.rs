@@ -92,6 +92,12 @@ impl Runner {
         self.world.bodies().iter().position(|body| body.parts().id == id)
     }
 
+    /// Has a hand lead a drive that parts of a body share, over the frame that comes next, to a value, no further than the drive
+    /// ever goes by itself, and hold it there; or let go of it. False where there is no such drive.
+    pub fn lead(&mut self, body: usize, drive: &str, aim: Option<f64>) -> bool {
+        self.world.lead(body, drive, aim)
+    }
+
     /// Lets go of everything that is grabbed.
     pub fn release_all(&mut self) {
         for index in 0..self.world.bodies().len() {

@@ -3,6 +3,7 @@
 use crate::scene::IntegratorKind;
 use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;
+use crate::solver::shared_drive::SharedDrive;
 use crate::solver::snapshot::Snapshot;
 use crate::solver::world::World;
 use glam::DVec3;
@@ -44,6 +45,23 @@ pub struct Status {
     pub edits: u64,
     /// What is kept of the motion.
     pub recording: RecordingStatus,
+    /// The drives that parts of bodies share, body by body.
+    pub drives: Vec<DriveStatus>,
+}
+
+/// A drive that parts of a body share.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DriveStatus {
+    /// Index of the body.
+    pub body: usize,
+    /// Its identifier among the body's.
+    pub id: String,
+    /// Its present value; of a wave along fibres, where they begin.
+    pub value: f64,
+    /// Its least and its greatest value.
+    pub limits: [f64; 2],
+    /// Whether a hand holds it.
+    pub is_led: bool,
 }
 
 impl Status {
@@ -65,6 +83,17 @@ impl Status {
         self.divergence = world.divergence().map(ToString::to_string);
         self.unbalanced = world.unbalanced().last().map(ToString::to_string);
         self.measures = world.measures();
+        let time = world.time();
+        let bodies = world.bodies().iter().enumerate();
+        let shared = bodies.flat_map(|(body, of)| of.shared_drives().iter().map(move |shared| (body, shared)));
+        let status = |(body, SharedDrive { id, drive }): (usize, &SharedDrive)| DriveStatus {
+            body,
+            id: id.to_string(),
+            value: drive.at(time).0,
+            limits: [drive.least(), drive.greatest()],
+            is_led: drive.hand().is_some_and(|hand| hand.holds()),
+        };
+        self.drives = shared.map(status).collect();
     }
 }
 

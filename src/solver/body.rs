@@ -7,6 +7,7 @@ mod given;
 mod giving;
 mod grabs;
 mod guard;
+mod hands;
 mod parts;
 mod rest;
 mod touching;
@@ -22,6 +23,7 @@ use super::energy::Energies;
 use super::forces::fibre::breaking::FibreBreak;
 use super::forces::{Contact, Force, Grab, Inelastic, Plane};
 use super::integrators::Integrator;
+use super::shared_drive::SharedDrive;
 use super::state::ParticleState;
 use glam::DVec3;
 
@@ -52,6 +54,7 @@ pub struct Body {
     fallbacks: Fallbacks,
     last_good: ParticleState,
     divergence: Option<Divergence>,
+    shared: Vec<SharedDrive>,
 }
 
 impl Body {
@@ -73,6 +76,7 @@ impl Body {
             fallbacks: Fallbacks::default(),
             last_good: parts.state.clone(),
             divergence: None,
+            shared: Vec::new(),
             parts,
         };
         body.update_net_forces(0.0);
@@ -133,6 +137,7 @@ impl Body {
         self.parts.state.velocities.clone_from(&other.parts.state.velocities);
         self.grabs.clone_from(&other.grabs);
         self.given = other.given;
+        self.adopt_hands(other);
         for force in &mut self.parts.forces {
             force.adopt(&other.parts.forces);
         }

@@ -1,6 +1,7 @@
 //! Constraints: particles whose motion is prescribed along some axes.
 
 use super::drive::Drive;
+use super::hand::Hand;
 use super::state::ParticleState;
 use glam::{BVec3, DQuat, DVec3};
 use std::sync::Arc;
@@ -150,6 +151,13 @@ impl PrescribedMotion {
                 })
             }
             Self::Fixed | Self::Ramp { .. } | Self::Keyframes(_) => position - self.at(time, DVec3::ZERO).0,
+        }
+    }
+
+    /// Has a hand lead a shared drive, or none.
+    pub(crate) fn give(&mut self, to: &str, led: Option<Hand>) {
+        if let Self::Driven { drive, .. } = self {
+            drive.give(to, led);
         }
     }
 

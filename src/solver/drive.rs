@@ -1,6 +1,8 @@
-//! Numbers that change in time, and what they do to a force.
+//! Numbers that change in time.
 
+use super::hand::Hand;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// A number that changes in time, exactly the same whenever it is asked for the same time.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +20,15 @@ pub(crate) enum Drive {
     },
     /// Up and down.
     Wave(Wave),
+    /// One that several things follow, and that a hand may lead.
+    Shared {
+        /// Its identifier among the body's.
+        id: Arc<str>,
+        /// What it is by itself.
+        own: Box<Drive>,
+        /// What leads it.
+        hand: Option<Hand>,
+    },
 }
 
 /// How a drive goes from one key to the next.
@@ -87,6 +98,10 @@ impl Drive {
                 let value = wave.mean - wave.amplitude * cos;
                 (rise * value, rate * value - rise * wave.amplitude * sin * TAU / wave.period)
             }
+            Self::Shared { own, hand, .. } => {
+                let own = own.at(time);
+                hand.map_or(own, |hand| hand.lead(time, own))
+            }
         }
     }
 
@@ -100,6 +115,7 @@ impl Drive {
                 times.sort_by(f64::total_cmp);
                 times
             }
+            Self::Shared { own, .. } => own.moments(),
             Self::Wave(wave) => (0..=32).map(|k| wave.start + wave.period * f64::from(k) / 16.0).collect(),
         }
     }
@@ -110,6 +126,7 @@ impl Drive {
             Self::Constant(value) => *value,
             Self::Keys { keys, .. } => keys.iter().map(|key| key.1).fold(f64::NEG_INFINITY, f64::max),
             Self::Wave(wave) => (wave.mean + wave.amplitude.abs()).max(0.0),
+            Self::Shared { own, .. } => own.greatest(),
         }
     }
 
@@ -119,6 +136,7 @@ impl Drive {
             Self::Constant(value) => *value,
             Self::Keys { keys, .. } => keys.iter().map(|key| key.1).fold(f64::INFINITY, f64::min),
             Self::Wave(wave) => (wave.mean - wave.amplitude.abs()).min(0.0),
+            Self::Shared { own, .. } => own.least(),
         }
     }
 
@@ -133,8 +151,36 @@ impl Drive {
             Self::Keys { keys, after: After::Hold, .. } => keys.last().map_or(0.0, |key| key.0),
             Self::Constant(_) => 0.0,
             Self::Wave(Wave { amplitude: 0.0, start, period, .. }) => start + period,
+            Self::Shared { own, hand, .. } => hand.map_or(own.until(), |hand| hand.until(own.until())),
             Self::Keys { .. } | Self::Wave(_) => f64::INFINITY,
         }
+    }
+
+    /// What it is by itself, without a hand.
+    fn own(&self) -> &Self {
+        if let Self::Shared { own, .. } = self { own } else { self }
+    }
+
+    /// What leads it.
+    pub(crate) fn hand(&self) -> Option<Hand> {
+        if let Self::Shared { hand, .. } = self { *hand } else { None }
+    }
+
+    /// Has a hand lead the shared drive of an identifier, or none.
+    pub(crate) fn give(&mut self, to: &str, led: Option<Hand>) {
+        if let Self::Shared { id, hand, .. } = self
+            && **id == *to
+        {
+            *hand = led;
+        }
+    }
+
+    /// The hand that leads it within two times [s] to a value, no further than it ever goes by itself, or lets go of it; none
+    /// where there is nothing to let go of.
+    pub(crate) fn led(&self, times: [f64; 2], aim: Option<f64>) -> Option<Hand> {
+        let aim = aim.map(|aim| aim.clamp(self.least(), self.greatest()));
+        let is_led = aim.is_some() || self.hand().is_some_and(|hand| hand.holds());
+        is_led.then(|| Hand::new(times, self.at(times[0]).0, aim))
     }
 }
 
@@ -170,73 +216,6 @@ fn keyed(keys: &[(f64, f64)], between: Between, after: After, time: f64) -> (f64
     }
 }
 
-/// What a force and its energy are multiplied by, and the work that this does on the body by changing: half of a step's at
-/// each of its ends.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Driven {
-    /// By 1 where there is none.
-    drive: Option<Drive>,
-    /// Work done up to the last booking [J].
-    done: f64,
-    /// The drive's value there, and the energy that is not multiplied [J].
-    booked: Option<[f64; 2]>,
-}
-
-impl Driven {
-    /// By a drive, if there is one.
-    pub(crate) fn by(drive: Option<Drive>) -> Self {
-        Self { drive, ..Self::default() }
-    }
-
-    /// The factor at a time [s].
-    pub(crate) fn at(&self, time: f64) -> f64 {
-        self.drive.as_ref().map_or(1.0, |drive| drive.at(time).0)
-    }
-
-    /// Work done so far [J].
-    pub(crate) fn work(&self) -> f64 {
-        self.done
-    }
-
-    /// Takes note of where the booking begins, unless it has begun; `energy` [J] is what is multiplied.
-    pub(crate) fn begin(&mut self, time: f64, energy: impl FnOnce() -> f64) {
-        if self.booked.is_none() {
-            self.book(time, energy);
-        }
-    }
-
-    /// Books the step that ended at a time [s] with this energy [J]. One that is no number, such as that of gas without a
-    /// volume, has no work: the body is about to be stopped.
-    pub(crate) fn book(&mut self, time: f64, energy: impl FnOnce() -> f64) {
-        let Some(drive) = &self.drive else { return };
-        let now = [drive.at(time).0, energy()];
-        if !now[1].is_finite() {
-            return;
-        }
-        if let Some(before) = self.booked {
-            self.done += 0.5 * (now[0] - before[0]) * (before[1] + now[1]);
-        }
-        self.booked = Some(now);
-    }
-
-    /// Begins to book anew, from wherever the body is next, and goes on with the work of what stood here before.
-    pub(crate) fn adopt(&mut self, before: Option<&Self>) {
-        self.booked = None;
-        self.done = before.map_or(0.0, |before| before.done);
-    }
-
-    /// Until when [s] it changes.
-    pub(crate) fn until(&self) -> f64 {
-        self.drive.as_ref().map_or(0.0, Drive::until)
-    }
-
-    /// Where it stands still at its greatest value, or at its least.
-    pub(crate) fn at_extreme(&self, greatest: bool) -> Self {
-        let of = |drive: &Drive| Drive::Constant(if greatest { drive.greatest() } else { drive.least() });
-        Self::by(self.drive.as_ref().map(of))
-    }
-}
-
 /// A drive at many places of a fibre.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DriveAlong {
@@ -248,7 +227,7 @@ pub(crate) struct DriveAlong {
 impl DriveAlong {
     /// A drive at places this far along a fibre [m].
     pub(crate) fn new(drive: &Drive, places: impl Iterator<Item = f64>) -> Self {
-        let turns = match drive {
+        let turns = match drive.own() {
             Drive::Wave(Wave { wavelength: Some(wavelength), .. }) => places
                 .map(|place| {
                     let (sin, cos) = (TAU * (place / wavelength).fract()).sin_cos();
@@ -262,18 +241,25 @@ impl DriveAlong {
 
     /// Its values at a time [s], by the number of the place.
     pub(crate) fn at(&self, time: f64) -> impl Fn(usize) -> f64 + '_ {
-        let (same, wave) = match &self.drive {
+        let hand = self.drive.hand();
+        let (same, wave) = match self.drive.own() {
             Drive::Wave(wave) if !self.turns.is_empty() => {
                 let (sin, cos) = wave.angle(time).sin_cos();
                 (0.0, Some((wave, wave.rise(time).0, [cos, sin])))
             }
-            drive => (drive.at(time).0, None),
+            _ => (self.drive.at(time).0, None),
         };
         move |place| {
             let Some((wave, rise, [cos, sin])) = wave else { return same };
             let [c, s] = self.turns[place];
-            rise * (wave.mean - wave.amplitude * (c * cos - s * sin))
+            let own = rise * (wave.mean - wave.amplitude * (c * cos - s * sin));
+            hand.map_or(own, |hand| hand.lead_along(time, own))
         }
+    }
+
+    /// Has a hand lead a shared drive, or none.
+    pub(crate) fn give(&mut self, to: &str, led: Option<Hand>) {
+        self.drive.give(to, led);
     }
 
     /// The greatest value that it takes, or the least.
@@ -344,16 +330,5 @@ mod tests {
                 assert!((values(k) - Drive::Wave(late).at(time).0).abs() < 1e-14, "{place} m, {time} s");
             }
         }
-    }
-
-    #[test]
-    fn energies_that_are_no_number_are_no_work() {
-        let mut driven = Driven::by(Some(keys(Between::Linear, After::Hold)));
-        driven.begin(0.5, || 2.0);
-        for energy in [f64::NAN, f64::INFINITY] {
-            driven.book(1.0, || energy);
-        }
-        driven.book(1.5, || 4.0);
-        assert_eq!(driven.work(), 0.5 * (3.0 - 1.0) * (2.0 + 4.0));
     }
 }

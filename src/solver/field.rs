@@ -65,4 +65,15 @@ impl Body {
         }
         lines
     }
+
+    /// What every edge of every centre line does by itself: its drive, and the share by which that has it want to be shorter;
+    /// zeros where it does not act.
+    pub fn activations(&self) -> Vec<Vec<[f64; 2]>> {
+        let edges = self.parts().fibres.iter().map(|line| line.vertices.len().saturating_sub(1));
+        let mut lines: Vec<Vec<[f64; 2]>> = edges.map(|count| vec![[0.0; 2]; count]).collect();
+        for fibres in self.parts().forces.iter().filter_map(|force| force.downcast_ref::<FibreForce>()) {
+            fibres.activations(&mut lines);
+        }
+        lines
+    }
 }

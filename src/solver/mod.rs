@@ -11,12 +11,14 @@ pub(crate) mod body_contact;
 pub(crate) mod collider;
 pub(crate) mod constraint;
 pub(crate) mod drive;
+pub(crate) mod driven;
 pub(crate) mod dynamics;
 pub(crate) mod easing;
 pub(crate) mod embedding;
 pub(crate) mod energy;
 pub(crate) mod field;
 pub(crate) mod forces;
+pub(crate) mod hand;
 pub(crate) mod implicit;
 pub(crate) mod integrators;
 pub(crate) mod layers;
@@ -31,6 +33,7 @@ pub(crate) mod overlap;
 pub(crate) mod panel;
 pub(crate) mod rotation;
 pub(crate) mod scratch;
+pub(crate) mod shared_drive;
 pub(crate) mod skin;
 mod skin_arms;
 mod skin_weights;
@@ -53,13 +56,14 @@ pub use energy::Energies;
 pub use field::FieldKind;
 pub use forces::springs::SpringKind;
 pub use forces::{Force, Grab, StepLimit};
+pub use hand::Hand;
 pub use integrators::Integrator;
 pub use measure::MeasureValue;
 pub use overlap::{Against, Overlap};
 pub use panel::Panel;
 pub use snapshot::{
-    BodySnapshot, BreakPlace, ColliderSnapshot, FibreBreak, FibreSnapshot, FieldSnapshot, LayersSnapshot,
-    SkinEmbedding, Snapshot, TensionSnapshot,
+    ActivationSnapshot, BodySnapshot, BreakPlace, ColliderSnapshot, FibreBreak, FibreSnapshot, FieldSnapshot,
+    LayersSnapshot, SkinEmbedding, Snapshot, TensionSnapshot,
 };
 pub use state::ParticleState;
 pub use swing::Swing;

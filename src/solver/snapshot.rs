@@ -31,6 +31,8 @@ pub struct Snapshot {
     pub field: Option<FieldSnapshot>,
     /// What the fibres carry, where that was asked for.
     pub tension: Option<TensionSnapshot>,
+    /// What the fibres do by themselves, where that was asked for.
+    pub activation: Option<ActivationSnapshot>,
 }
 
 /// A collider at one time.
@@ -81,6 +83,21 @@ impl TensionSnapshot {
         let forces = bodies.iter().flatten().flatten().map(|force| force.abs());
         let range = forces.filter(|force| force.is_finite()).fold(Self::LEAST, f64::max);
         Self { range, bodies }
+    }
+}
+
+/// What the fibres of a world do by themselves at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ActivationSnapshot {
+    /// Of the edges of every fibre of every body: the value of the drive, and the share by which that has the edge want to be
+    /// shorter.
+    pub bodies: Vec<Vec<Vec<[f64; 2]>>>,
+}
+
+impl ActivationSnapshot {
+    /// That of a world as it stands.
+    pub fn of(world: &World) -> Self {
+        Self { bodies: world.bodies().iter().map(Body::activations).collect() }
     }
 }
 
@@ -314,7 +331,7 @@ impl Snapshot {
             .collect();
         let panels = world.panels().iter().map(|panel| panel.height).collect();
         let colliders = world.colliders().iter().map(|of| ColliderSnapshot::of(of, world.time())).collect();
-        Self { time: world.time(), bodies, panels, colliders, field: None, tension: None }
+        Self { time: world.time(), bodies, panels, colliders, field: None, tension: None, activation: None }
     }
 }
 

@@ -10,6 +10,7 @@ mod asleep;
 mod checkpoint;
 mod eased;
 mod grips;
+mod hands;
 mod measured;
 mod probe;
 mod starts;

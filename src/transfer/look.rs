@@ -19,6 +19,8 @@ pub(crate) struct Look {
     pub(crate) field: Option<FieldKind>,
     /// Whether fibres are coloured by what they carry.
     pub(crate) tension: bool,
+    /// Whether fibres are coloured, and bulge, by what they do by themselves.
+    pub(crate) activation: bool,
 }
 
 /// Points of view.

@@ -5,7 +5,7 @@ use crate::draw::{Bounds, Display, Subject, Theme, draw};
 use crate::render::{Camera, Facing, GifPictures, Offscreen, Picture};
 use crate::scene::Scene;
 use crate::sim::Runner;
-use crate::solver::snapshot::{FieldKind, FieldSnapshot, Snapshot, TensionSnapshot};
+use crate::solver::snapshot::{ActivationSnapshot, FieldKind, FieldSnapshot, Snapshot, TensionSnapshot};
 
 /// Makes pictures of a scene, all from the same point of view.
 pub(crate) struct SceneRenderer {
@@ -19,6 +19,8 @@ pub(crate) struct SceneRenderer {
     field: Option<(FieldKind, f64)>,
     /// The end of the range of tensions so far [N], where fibres are coloured by them.
     tension: Option<f64>,
+    /// Whether they are coloured by what they do by themselves.
+    activation: bool,
     gifs: GifPictures,
 }
 
@@ -48,6 +50,7 @@ impl SceneRenderer {
             bounds: None,
             field: look.field.map(|field| (field, 0.0)),
             tension: look.tension.then_some(0.0),
+            activation: look.activation,
             gifs: GifPictures::default(),
         };
         #[cfg(feature = "gui")]
@@ -90,6 +93,7 @@ impl SceneRenderer {
             tension.range = *end;
             snapshot.tension = Some(tension);
         }
+        snapshot.activation = self.activation.then(|| ActivationSnapshot::of(runner.world()));
         Ok(snapshot)
     }
 

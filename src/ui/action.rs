@@ -167,11 +167,15 @@ actions! {
         "Colours solids by strain, stress, volume fraction, speed, or not at all";
     Tension in View [alt(Key::F)] "Colour fibres by tension":
         "Colours fibres by the force that they carry: warm where they pull, cool where they are pressed";
+    Activation in View [alt(Key::A)] "Show fibres act":
+        "Colours fibres by their drive, from 0 to 1, and has them bulge as they contract";
     Slice in View [alt(Key::X)] "Next cut":
         "Cuts the solid open across X, Y or Z in the result view, or not at all";
     Ghost in View [alt(Key::O)] "Next ghost":
         "Runs the scene without its fibres and sheets, as it was before the last edit, or nothing beside it";
     Timeline in View [alt(Key::L)] "Show timeline": "Shows what is kept of the motion, below the views";
+    Drives in View [alt(Key::D)] "Show drives":
+        "Shows what changes in time below the timeline, a lane each, with its keys";
     Plots in View [alt(Key::E)] "Show plots": "Plots energies, momenta and the scene's measures below the views";
     Theme in View [alt(Key::T)] "Light or dark": "Switches between the light and the dark theme";
     Palette in Help [ctrl(Key::P)] "Command palette…": "Finds any of these by its name";
@@ -238,7 +242,7 @@ impl std::ops::Index<Action> for ActionStates {
 }
 
 /// Gestures of the pointer and single keys that are no actions, for the help.
-pub(crate) const GESTURES: [(&str, &str); 19] = [
+pub(crate) const GESTURES: [(&str, &str); 21] = [
     ("Click on a body in the result view", "selects it: G, R, S and its handles move, turn and scale it"),
     ("Click on a fibre, Shift + click", "selects it, selects it too"),
     ("Drag an arrow, the square, the ring", "moves along an axis, moves freely, turns"),
@@ -251,6 +255,8 @@ pub(crate) const GESTURES: [(&str, &str); 19] = [
     ("2*3cm, 1.5 kPa, 90 g", "are numbers in every field, and while something is moved"),
     ("P while pulling", "leaves the point pinned where it is"),
     ("Drag in the timeline", "shows the motion at another time"),
+    ("I over a field with a diamond", "sets a key there in the frame that is shown, or takes it away"),
+    ("Double click, drag, Shift in a lane", "adds a key, moves keys or draws a box around them, off the frames"),
     ("Middle drag, Alt + left drag", "turns the result view, moves a drawing view"),
     ("Shift + middle drag, Alt + middle drag", "moves the view"),
     ("Wheel, Alt + right drag", "moves nearer or further"),

@@ -29,7 +29,7 @@ pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
         integrator(ui, cx, body.id, body.integrator);
     } else if let Some(body) = cx.active_two_layer().cloned() {
         let mut changed = body.clone();
-        two_layer_fields(ui, &mut changed);
+        two_layer_fields(ui, cx, &mut changed);
         touches_itself(ui, &mut changed.self_contact);
         if changed != body {
             cx.edit(&Command::SetTwoLayer(Box::new(changed)), Step::Present);

@@ -3,11 +3,12 @@
 use super::context::{Context, Request, Step};
 use super::dialogs::{Dialog, PathPurpose};
 use super::field::{NumberField, vector};
+use super::motion_fields::motion_fields;
 use super::room_section::FRICTION;
 use crate::draw::Bounds;
 use crate::edit::Command;
 use crate::io::{IoError, add_collider_model};
-use crate::scene::{Collider, ColliderMesh, ColliderShape, Distance, Motion};
+use crate::scene::{Collider, ColliderMesh, ColliderShape, Drivable};
 use egui::{RichText, Ui};
 use glam::DVec3;
 use std::path::Path;
@@ -20,7 +21,8 @@ const GAP: f64 = 0.05;
 
 /// Shows every collider of the scene.
 pub(super) fn colliders_section(ui: &mut Ui, cx: &mut Context) {
-    let mut colliders = cx.scene().colliders.clone();
+    let before = cx.scene().colliders.clone();
+    let mut colliders = before.clone();
     let mut step = Step::Present;
     let mut gone = None;
     for (index, collider) in colliders.iter_mut().enumerate() {
@@ -35,6 +37,8 @@ pub(super) fn colliders_section(ui: &mut Ui, cx: &mut Context) {
                 }
             });
             show_collider(ui, collider);
+            let of = Drivable::Collider(collider.id.clone());
+            motion_fields(ui, cx, &mut collider.motion, &of);
         });
         ui.separator();
     }
@@ -47,7 +51,7 @@ pub(super) fn colliders_section(ui: &mut Ui, cx: &mut Context) {
         colliders.push(added);
         step = Step::Own;
     }
-    if colliders != cx.scene().colliders {
+    if colliders != before {
         cx.edit(&Command::SetColliders(colliders), step);
     }
 }
@@ -134,17 +138,6 @@ fn show_collider(ui: &mut Ui, collider: &mut Collider) {
     }
     let tooltip = "How far it is turned about that axis at the start, right-handed";
     NumberField::new("Turned by", "°", -360.0..=360.0, Some(0.0), tooltip).show(ui, &mut rotation.degrees);
-    let moves = match &collider.motion {
-        Motion::Fixed => return,
-        Motion::Ramp(ramp) => match ramp.distance {
-            Distance::Metres(metres) => format!("moves by {metres} m in {} s", ramp.duration),
-            Distance::Fraction(share) => format!("moves by {share} in {} s", ramp.duration),
-        },
-        Motion::Turn(turn) => format!("turns by {}° in {} s", turn.degrees, turn.duration),
-        Motion::Keyframes(keys) => format!("follows {} offsets", keys.len()),
-        Motion::Driven(_) => "follows a drive".to_owned(),
-    };
-    ui.weak(moves).on_hover_text("Motions are changed in the scene's file");
 }
 
 /// Adds the model of a file as a collider.

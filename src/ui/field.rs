@@ -2,7 +2,7 @@
 
 use crate::text::number::compact;
 use crate::text::quantity::typed;
-use egui::{Align, DragValue, Layout, Response, Ui};
+use egui::{Align, DragValue, Layout, Rect, Response, Ui};
 use std::ops::RangeInclusive;
 
 /// A number that a person can change.
@@ -34,8 +34,13 @@ impl NumberField {
 
     /// Shows it over the width of a panel; whether it was changed.
     pub(super) fn show(&self, ui: &mut Ui, value: &mut f64) -> bool {
+        self.show_beside(ui, value, |_| {}).0
+    }
+
+    /// As [`Self::show`], with something before the number; gives the place of it all, too.
+    pub(super) fn show_beside(&self, ui: &mut Ui, value: &mut f64, beside: impl FnOnce(&mut Ui)) -> (bool, Rect) {
         let tooltip = self.explained();
-        ui.horizontal(|ui| {
+        let shown = ui.horizontal(|ui| {
             let text = ui.label(self.label).on_hover_text(&tooltip);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let response = self.drag(ui, value).on_hover_text(&tooltip).labelled_by(text.id);
@@ -49,11 +54,12 @@ impl NumberField {
                         }
                     });
                 }
+                beside(ui);
                 changed
             })
             .inner
-        })
-        .inner
+        });
+        (shown.inner, shown.response.rect)
     }
 
     fn drag(&self, ui: &mut Ui, value: &mut f64) -> Response {

@@ -1,6 +1,7 @@
 //! What the selected fibres are like: what is changed of one is changed of all.
 
 use super::action::Action;
+use super::activation_fields::{activation_fields, twisting_field};
 use super::context::{Context, Step};
 use super::controls::button;
 use super::field::NumberField;
@@ -9,7 +10,7 @@ use super::stroke_choices::stroke_choices;
 use super::theme::GRID;
 use crate::edit::Command;
 use crate::edit::fibre_ops::{displaced, rigidity_of};
-use crate::scene::{Fibre, FibreSource, Material, PaperStiffness, RestShape, Rigidity, Stiffness};
+use crate::scene::{Activation, Fibre, FibreSource, Material, PaperStiffness, RestShape, Rigidity, Stiffness};
 use egui::{Slider, SliderClamping, Ui};
 
 const EA: NumberField =
@@ -60,6 +61,7 @@ pub(super) fn inspector(ui: &mut Ui, cx: &mut Context, body: &str) {
             .on_hover_text("A fibre drawn curved pulls the solid straight");
     });
     yield_fields(ui, &mut edited);
+    activation_fields(ui, cx, &mut edited, body);
     if edited != fibre {
         let changed = cx.selected_fibres().into_iter().map(|other| with_change(other, &fibre, &edited)).collect();
         cx.edit(&Command::set_fibres("Change", body, changed), Step::Present);
@@ -127,6 +129,7 @@ fn stiffness(ui: &mut Ui, fibre: &mut Fibre, material: &Material) {
             KS.show(ui, ks);
         }
     }
+    twisting_field(ui, &mut fibre.stiffness);
     let (ea, ei) = fibre.stiffness.rigidity(volume);
     let mut radius = if ea > 0.0 { 2.0 * (ei / ea).sqrt() } else { 0.0 };
     if RADIUS.show(ui, &mut radius) {
@@ -158,6 +161,15 @@ fn with_change(fibre: &Fibre, before: &Fibre, after: &Fibre) -> Fibre {
     }
     if before.yields != after.yields && fibre.activation.is_none() {
         fibre.yields.clone_from(&after.yields);
+    }
+    if before.activation != after.activation && fibre.yields.is_none() {
+        fibre.activation = match (&after.activation, &fibre.activation) {
+            // Each keeps the drive that it follows.
+            (Some(after), Some(own)) if before.activation.is_some() => {
+                Some(Activation { drive: own.drive.clone(), ..after.clone() })
+            }
+            (after, _) => after.clone(),
+        };
     }
     fibre
 }

@@ -5,6 +5,7 @@
 //! (scenes, tables, a person's patterns, changes to be recovered) is written by [`crate::io`].
 
 pub(crate) mod action;
+mod activation_fields;
 pub(crate) mod app;
 mod autosave;
 mod bodies;
@@ -13,10 +14,12 @@ mod breaks;
 mod clipboard;
 mod colliders_section;
 mod comparison;
+mod conductor;
 mod context;
 mod controls;
 mod dialogs;
 mod document;
+mod drives;
 mod editing;
 mod export;
 mod field;
@@ -28,6 +31,7 @@ mod loading;
 mod material_fields;
 mod material_presets;
 pub(crate) mod menu;
+mod motion_fields;
 mod next;
 mod opening;
 mod outline_row;
@@ -58,6 +62,7 @@ mod two_layer_fields;
 mod unpin;
 mod views;
 mod voids_section;
+mod wind_section;
 mod world_tab;
 
 pub(crate) use app::App;

@@ -1,11 +1,13 @@
 //! Rigid panels: those that are there, and another one.
 
 use super::context::{Context, Step};
+use super::drives::{key_button, point_at};
 use super::field::NumberField;
+use super::motion_fields::drive_words;
 use super::room_section::{FRICTION, length};
 use crate::draw::Bounds;
 use crate::edit::Command;
-use crate::scene::{Drive, HeightKey, Panel, PanelDrive, PanelMotion};
+use crate::scene::{Drivable, HeightKey, Panel, PanelDrive, PanelMotion};
 use egui::{DragValue, Ui};
 use glam::DVec3;
 
@@ -13,10 +15,13 @@ const MASS: NumberField = NumberField::new("Mass", "kg", 1e-6..=1e6, Some(1.0), 
 /// A panel is this much wider than what it presses on, and stands this share of its height above it.
 const REACH: f64 = 1.5;
 const GAP: f64 = 0.3;
+/// How far a panel goes up by its drive before a person says how far [m].
+const USUAL_TRAVEL: f64 = 0.01;
 
 /// Shows every panel of the scene.
 pub(super) fn panels_section(ui: &mut Ui, cx: &mut Context) {
-    let mut panels = cx.scene().panels.clone();
+    let before = cx.scene().panels.clone();
+    let mut panels = before.clone();
     let mut step = Step::Present;
     let mut gone = None;
     for (index, panel) in panels.iter_mut().enumerate() {
@@ -27,7 +32,7 @@ pub(super) fn panels_section(ui: &mut Ui, cx: &mut Context) {
                     gone = Some(index);
                 }
             });
-            show_panel(ui, panel);
+            show_panel(ui, cx, panel);
         });
         ui.separator();
     }
@@ -40,7 +45,7 @@ pub(super) fn panels_section(ui: &mut Ui, cx: &mut Context) {
         panels.push(usual_panel(cx, &panels));
         step = Step::Own;
     }
-    if panels != cx.scene().panels {
+    if panels != before {
         cx.edit(&Command::SetPanels(panels), step);
     }
 }
@@ -61,7 +66,7 @@ fn usual_panel(cx: &Context, others: &[Panel]) -> Panel {
     }
 }
 
-fn show_panel(ui: &mut Ui, panel: &mut Panel) {
+fn show_panel(ui: &mut Ui, cx: &mut Context, panel: &mut Panel) {
     length("Height", "World Y of its underside at the start").show(ui, &mut panel.height);
     MASS.show(ui, &mut panel.mass);
     FRICTION.show(ui, &mut panel.friction);
@@ -73,7 +78,7 @@ fn show_panel(ui: &mut Ui, panel: &mut Panel) {
     match &mut panel.motion {
         PanelMotion::Falls => {}
         PanelMotion::Driven(keys) => show_heights(ui, keys, height),
-        PanelMotion::Follows(follows) => show_follows(ui, follows),
+        PanelMotion::Follows(follows) => show_follows(ui, cx, follows, &Drivable::Panel(panel.id.clone())),
     }
 }
 
@@ -102,29 +107,25 @@ fn show_motions(ui: &mut Ui, panel: &mut Panel) {
             let usual = || [0.0, 1.0].map(|time| HeightKey::new(time, panel.height)).to_vec();
             panel.motion = PanelMotion::Driven(kept.unwrap_or_else(usual));
         }
-        // Drives are written in the scene's file: there is none to choose where it has none.
-        let drive: Option<PanelDrive> = ui.data(|data| data.get_temp(kept_drive));
-        if let Some(drive) = drive {
-            let follows = matches!(panel.motion, PanelMotion::Follows(_));
-            let choice = ui.selectable_label(follows, "Follows").on_hover_text("Stands where a drive has it");
-            if choice.clicked() && !follows {
-                panel.motion = PanelMotion::Follows(drive);
-            }
+        let follows = matches!(panel.motion, PanelMotion::Follows(_));
+        let choice = ui.selectable_label(follows, "Follows").on_hover_text("Stands where a drive has it");
+        if choice.clicked() && !follows {
+            let drive: Option<PanelDrive> = ui.data(|data| data.get_temp(kept_drive));
+            panel.motion = PanelMotion::Follows(drive.unwrap_or_else(|| PanelDrive::new(0.0, USUAL_TRAVEL)));
         }
     });
 }
 
 /// Shows what a panel follows.
-fn show_follows(ui: &mut Ui, follows: &mut PanelDrive) {
+fn show_follows(ui: &mut Ui, cx: &mut Context, follows: &mut PanelDrive, of: &Drivable) {
     let tooltip = "How far above its height it stands where its drive is 1; below it where negative";
     length("Travel", tooltip).show(ui, &mut follows.travel);
-    let drive = match &follows.drive {
-        Drive::Constant(value) => format!("times {value} at all times"),
-        Drive::Keyframes(keys) => format!("times a drive of {} keys", keys.keys.len()),
-        Drive::Wave(wave) => format!("times a wave of {} s", wave.period),
-        Drive::Shared(id) => format!("times the drive \"{id}\""),
-    };
-    ui.weak(drive).on_hover_text("Drives are changed in the scene's file");
+    let row = ui.horizontal(|ui| {
+        ui.weak(format!("times {}", drive_words(&follows.drive)))
+            .on_hover_text("Its lane is below the timeline, under Drives");
+        key_button(ui, cx, of);
+    });
+    point_at(ui, cx, row.response.rect, of);
 }
 
 /// Shows the heights [m] of a panel over time; the first one that is added where there is none is `usual`.

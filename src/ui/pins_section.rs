@@ -1,8 +1,9 @@
 //! Pins of the active body: the regions that are held, and along which axes.
 
 use super::context::{ChosenPin, Context, Step};
+use super::motion_fields::motion_fields;
 use crate::edit::Command;
-use crate::scene::{Axis, Pin, Region, Side};
+use crate::scene::{Axis, Drivable, Pin, Region, Side};
 use egui::{ComboBox, Ui};
 
 /// Layers of the lattice that a new pin holds.
@@ -32,6 +33,8 @@ pub(super) fn pins_section(ui: &mut Ui, cx: &mut Context) {
                 }
             });
             ui.horizontal(|ui| held_axes(ui, &mut pin.axes));
+            let of = Drivable::Pin { body: id.clone(), pin: pin.id.clone() };
+            motion_fields(ui, cx, &mut pin.motion, &of);
         });
     }
     // A pin that holds nothing is none.

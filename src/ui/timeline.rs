@@ -3,11 +3,12 @@
 use super::action::Action;
 use super::context::{Context, Request, Severity};
 use super::controls::{button, key_of};
+use super::drives::{Columns, Lanes};
 use super::theme::{self, GRID};
 use super::timescale::TimeScale;
 use crate::sim::{DEFAULT_MEMORY, Published, SimCommand};
 use crate::text::number::{duration, memory, moment};
-use egui::{Align2, FontId, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2};
+use egui::{Align2, FontId, Pos2, Rangef, Rect, Response, Sense, Shape, Stroke, Ui, Vec2};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -20,6 +21,9 @@ const INSET: f32 = 2.0 * GRID;
 const BUTTON: Vec2 = Vec2::new(6.0 * GRID, 6.0 * GRID);
 /// Room of the read-out of memory, so that its digits move nothing [points].
 const MEMORY_WIDTH: f32 = 44.0 * GRID;
+/// Height of the panel with the lanes of drives, and the least that it may be given [points].
+const LANES: f32 = 52.0 * GRID;
+const LEAST: f32 = 26.0 * GRID;
 /// Half the width of a mark [points].
 const MARK: f32 = GRID;
 /// Memory that can be chosen [MiB].
@@ -32,11 +36,14 @@ pub(super) struct RememberedTimeline {
     shown: bool,
     /// Memory that frames may take [MiB].
     memory: usize,
+    /// Whether the lanes of drives are shown.
+    #[serde(default)]
+    drives: bool,
 }
 
 impl Default for RememberedTimeline {
     fn default() -> Self {
-        Self { shown: true, memory: DEFAULT_MEMORY / MIB }
+        Self { shown: true, memory: DEFAULT_MEMORY / MIB, drives: false }
     }
 }
 
@@ -49,6 +56,7 @@ pub(super) struct Timeline {
     asked: Option<(f64, Arc<Published>)>,
     /// How many of the simulation's words on it have been passed on.
     said: u64,
+    lanes: Lanes,
 }
 
 /// What a button shows.
@@ -69,7 +77,7 @@ impl Timeline {
 
     /// Goes on with the timeline of the last time.
     pub(super) fn recall(&mut self, last: RememberedTimeline, cx: &Context) {
-        self.remembered.shown = last.shown;
+        (self.remembered.shown, self.remembered.drives) = (last.shown, last.drives);
         self.choose_memory(last.memory.clamp(CHOICES[0], CHOICES[CHOICES.len() - 1]), cx);
     }
 
@@ -81,6 +89,17 @@ impl Timeline {
     /// Folds it away, or shows it again.
     pub(super) fn fold(&mut self) {
         self.remembered.shown = !self.remembered.shown;
+    }
+
+    /// Whether the lanes of drives are shown below it.
+    pub(super) fn shows_drives(&self) -> bool {
+        self.remembered.shown && self.remembered.drives
+    }
+
+    /// Folds the lanes away, or shows them again.
+    pub(super) fn fold_drives(&mut self) {
+        self.remembered.drives = !self.shows_drives();
+        self.remembered.shown |= self.remembered.drives;
     }
 
     fn choose_memory(&mut self, mebibytes: usize, cx: &Context) {
@@ -101,26 +120,63 @@ impl Timeline {
         if !self.remembered.shown {
             return;
         }
-        egui::Panel::bottom("timeline").exact_size(HEIGHT + GRID).frame(theme::panel(ui)).show(ui, |ui| {
-            ui.horizontal_centered(|ui| {
-                ui.spacing_mut().item_spacing.x = 0.5 * GRID;
-                sign_button(ui, cx, Action::FirstFrame, Sign::First);
-                sign_button(ui, cx, Action::StepBack, Sign::Back);
-                if cx.simulation.is_playing() {
-                    sign_button(ui, cx, Action::PlayPause, Sign::Pause);
-                } else {
-                    sign_button(ui, cx, Action::Replay, Sign::Replay);
-                }
-                sign_button(ui, cx, Action::Step, Sign::Forward);
-                ui.spacing_mut().item_spacing.x = 2.0 * GRID;
-                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    self.memory_menu(ui, cx);
-                    button(ui, cx, Action::Live, "Live");
-                    button(ui, cx, Action::GoOn, "Go on from here");
-                    self.track(ui, cx);
-                });
+        let frame = theme::panel(ui);
+        if !self.remembered.drives {
+            egui::Panel::bottom("timeline").exact_size(HEIGHT + GRID).frame(frame).show(ui, |ui| {
+                self.row(ui, cx);
             });
+            return;
+        }
+        let most = (0.5 * ui.ctx().content_rect().height()).max(LEAST);
+        let panel = egui::Panel::bottom("timeline with drives").resizable(true).frame(frame);
+        let shown = panel.default_size(LANES).size_range(LEAST..=most).show(ui, |ui| {
+            let (scale, columns) = self.row(ui, cx);
+            self.lanes.show(ui, cx, &scale, columns);
         });
+        // What is pressed elsewhere in the window is done to something else than the selected keys.
+        let pressed = ui.input(|input| input.pointer.any_pressed().then(|| input.pointer.interact_pos()).flatten());
+        let is_elsewhere = |at: Pos2| {
+            let is_over = ui.ctx().layer_id_at(at).is_some_and(|layer| layer.order != egui::Order::Background);
+            !is_over && !shown.response.rect.contains(at)
+        };
+        if pressed.is_some_and(is_elsewhere) {
+            cx.keys.clear();
+        }
+    }
+
+    /// The row of buttons with the bar between them; gives the scale of time, and where the columns of lanes below lie.
+    fn row(&mut self, ui: &mut Ui, cx: &mut Context) -> (TimeScale, Columns) {
+        let place = Rect::from_min_size(ui.max_rect().min, Vec2::new(ui.available_width(), HEIGHT + GRID));
+        let layout = egui::Layout::left_to_right(egui::Align::Center);
+        let scale = ui.scope_builder(egui::UiBuilder::new().max_rect(place).layout(layout), |ui| {
+            ui.spacing_mut().item_spacing.x = 0.5 * GRID;
+            sign_button(ui, cx, Action::FirstFrame, Sign::First);
+            sign_button(ui, cx, Action::StepBack, Sign::Back);
+            if cx.simulation.is_playing() {
+                sign_button(ui, cx, Action::PlayPause, Sign::Pause);
+            } else {
+                sign_button(ui, cx, Action::Replay, Sign::Replay);
+            }
+            sign_button(ui, cx, Action::Step, Sign::Forward);
+            drives_switch(ui, cx);
+            ui.spacing_mut().item_spacing.x = 2.0 * GRID;
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                self.memory_menu(ui, cx);
+                button(ui, cx, Action::Live, "Live");
+                button(ui, cx, Action::GoOn, "Go on from here");
+                self.track(ui, cx)
+            })
+            .inner
+        });
+        let (scale, bar) = scale.inner;
+        ui.advance_cursor_after_rect(place);
+        let courses = bar.shrink(INSET);
+        let columns = Columns {
+            names: Rangef::new(place.left(), bar.min),
+            courses,
+            fields: Rangef::new(bar.max + 2.0 * GRID, place.right() - 2.0 * GRID),
+        };
+        (scale, columns)
     }
 
     /// How much is kept; opens what may be.
@@ -150,12 +206,17 @@ impl Timeline {
         });
     }
 
-    /// The bar in which the motion is scrubbed.
-    fn track(&mut self, ui: &mut Ui, cx: &mut Context) {
+    /// The bar in which the motion is scrubbed; gives its scale of time and where it lies.
+    fn track(&mut self, ui: &mut Ui, cx: &mut Context) -> (TimeScale, Rangef) {
         let place = Rect::from_min_size(ui.max_rect().min, Vec2::new(ui.available_width(), HEIGHT));
         let response = ui.allocate_rect(place, Sense::click_and_drag());
         let bar = Rect::from_min_size(place.min + Vec2::new(0.0, 0.5 * GRID), Vec2::new(place.width(), BAR));
         let span = cx.simulation.published().status.recording.span.filter(|_| !cx.simulation.is_comparing());
+        let frame = cx.scene().time.frame_seconds();
+        let until = if self.remembered.drives { Lanes::last(cx.scene()) } else { 0.0 };
+        let places = bar.shrink2(Vec2::new(INSET, 0.0)).x_range();
+        let scale = TimeScale::new(span.unwrap_or([0.0; 2]), until, frame, places);
+        let scale = self.lanes.held_scale().unwrap_or(scale);
         let Some(span) = span.filter(|_| bar.width() > 4.0 * INSET) else {
             let why = if cx.simulation.is_comparing() {
                 "Nothing is recorded while integrators are compared"
@@ -166,10 +227,8 @@ impl Timeline {
             ui.painter().rect_filled(bar, 4.0, ui.visuals().extreme_bg_color);
             let ink = ui.visuals().weak_text_color();
             ui.painter().text(bar.center(), Align2::CENTER_CENTER, why, FontId::proportional(11.0), ink);
-            return;
+            return (scale, bar.x_range());
         };
-        let frame = cx.scene().time.frame_seconds();
-        let scale = TimeScale::new(span, frame, bar.shrink2(Vec2::new(INSET, 0.0)).x_range());
         self.scrub(&response, &scale, span, cx);
         let shown = self.held.unwrap_or(cx.simulation.published().status.time).clamp(span[0], span[1]);
         let spoken = format!("Timeline from {} to {}", moment(span[0], frame), moment(span[1], frame));
@@ -183,6 +242,7 @@ impl Timeline {
             tip.popup = tip.popup.anchor(Rect::from_x_y_ranges(at.x..=at.x, bar.y_range())).align(egui::RectAlign::TOP);
             tip.show(|ui| ui.label(words_at(cx, &scale, at.x, under)));
         }
+        (scale, bar.x_range())
     }
 
     /// Asks for the frame under the pointer while it is pressed: one at a time, the newest.
@@ -204,6 +264,19 @@ impl Timeline {
             }
             Some(_) => {}
         }
+    }
+}
+
+/// The switch of the lanes below.
+fn drives_switch(ui: &mut Ui, cx: &mut Context) {
+    let is_on = cx.actions[Action::Drives].on == Some(true);
+    let tooltip = format!("{} ({})", Action::Drives.tooltip(), key_of(ui, Action::Drives));
+    let text = match Lanes::count(cx.scene()) {
+        0 => "Drives".to_owned(),
+        count => format!("Drives {count}"),
+    };
+    if ui.selectable_label(is_on, egui::RichText::new(text).small()).on_hover_text(tooltip).clicked() {
+        cx.request(Request::Do(Action::Drives));
     }
 }
 

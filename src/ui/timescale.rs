@@ -26,10 +26,10 @@ pub(super) struct TimeScale {
 }
 
 impl TimeScale {
-    /// The scale of what is kept from a first to a last time [s] in frames of this length [s], over places of the window
-    /// [points].
-    pub(super) fn new([first, last]: [f64; 2], frame: f64, places: Rangef) -> Self {
-        let kept = last - first;
+    /// The scale of what is kept from a first to a last time [s], with room up to `until` [s], in frames of this length [s],
+    /// over places of the window [points].
+    pub(super) fn new([first, last]: [f64; 2], until: f64, frame: f64, places: Rangef) -> Self {
+        let kept = last.max(until) - first;
         let least = kept.max(ROOM * frame * (1.0 - 1e-6));
         let mut length =
             LENGTHS.into_iter().find(|length| *length >= least).unwrap_or(2.0 * LENGTHS[LENGTHS.len() - 1]);
@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn times_and_places_are_each_others_inverse() {
-        let scale = TimeScale::new([3.0, 11.0], 1.0 / 60.0, Rangef::new(100.0, 800.0));
+        let scale = TimeScale::new([3.0, 11.0], 0.0, 1.0 / 60.0, Rangef::new(100.0, 800.0));
         assert!((scale.place(3.0) - 100.0).abs() < 1e-3 && (scale.place(13.0) - 800.0).abs() < 1e-3, "{scale:?}");
         for time in [3.0, 4.25, 11.0] {
             assert!((scale.time(scale.place(time)) - time).abs() < 1e-4);
@@ -82,7 +82,7 @@ mod tests {
         let fast = [(0.0, 700.0), (0.004, 700.0), (0.05, 150.0), (0.05, 2000.0)];
         let cases = slow.map(|case| (1.0 / 60.0, case)).into_iter().chain(fast.map(|case| (5e-5, case)));
         for (frame, (length, width)) in cases {
-            let scale = TimeScale::new([7.3, 7.3 + length], frame, Rangef::new(0.0, width));
+            let scale = TimeScale::new([7.3, 7.3 + length], 7.3, frame, Rangef::new(0.0, width));
             let ticks = scale.ticks();
             for pair in ticks.windows(2) {
                 assert!(scale.place(pair[1].0) - scale.place(pair[0].0) >= APART - 0.1, "{length} s: {ticks:?}");

@@ -1,9 +1,11 @@
 //! What a two-layer body is made of, as numbers that can be changed.
 
+use super::context::Context;
+use super::drives::keyed_field;
 use super::field::NumberField;
 use super::material_fields::AIR_DRAG;
 use super::theme::GRID;
-use crate::scene::{PressureIn, TwoLayer};
+use crate::scene::{Drivable, PressureIn, TwoLayer};
 use egui::Ui;
 use std::ops::RangeInclusive;
 
@@ -36,13 +38,13 @@ const MASS: NumberField = parameter(
 const INNER_MASS: NumberField = parameter("Inner mass", "kg", 1e-9..=1e6, 1.0, "Mass of a particle of the inner layer");
 
 /// Shows the springs, gas, masses and drag of a two-layer body.
-pub(super) fn two_layer_fields(ui: &mut Ui, body: &mut TwoLayer) {
+pub(super) fn two_layer_fields(ui: &mut Ui, cx: &mut Context, body: &mut TwoLayer) {
     ui.heading("Springs and gas");
     KS.show(ui, &mut body.ks);
     KD.show(ui, &mut body.kd);
     RKS.show(ui, &mut body.rks);
     RKD.show(ui, &mut body.rkd);
-    PRESSURE.show(ui, &mut body.pressure);
+    keyed_field(ui, cx, &PRESSURE, &mut body.pressure, &Drivable::Pressure(body.id.clone()));
     ui.horizontal(|ui| {
         ui.label("Gas in");
         for (place, name) in [

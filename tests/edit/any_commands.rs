@@ -8,12 +8,12 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use sinew::edit::{Command, Item};
 use sinew::scene::{
-    Body, Dab, Fibre, FibreSource, IntegratorKind, OwnedBody, Placement, Region, RegionMaterial, Room, Selector, Sheet,
-    TwoLayer, Void,
+    Body, Dab, Drivable, Drive, DriveKeys, Fibre, FibreSource, IntegratorKind, OwnedBody, Placement, Region,
+    RegionMaterial, Room, Selector, Sheet, TwoLayer, Void, Wave, Wind,
 };
 
 /// Number of kinds of commands.
-pub const KINDS: usize = 26;
+pub const KINDS: usize = 28;
 
 /// Which kind a command is. Without a wildcard: a new kind is to be put in here and into [`any_command`].
 pub fn kind(command: &Command) -> usize {
@@ -44,6 +44,8 @@ pub fn kind(command: &Command) -> usize {
         Command::AddSheet { .. } => 23,
         Command::SetSheet { .. } => 24,
         Command::RemoveSheet { .. } => 25,
+        Command::SetDrive { .. } => 26,
+        Command::SetWind(_) => 27,
     }
 }
 
@@ -170,6 +172,25 @@ fn of_world() -> impl Strategy<Value = Command> {
     ]
 }
 
+/// Drives of everything that a drive can move, and of some things that are not there; some name no drive, or leave what they
+/// move no room.
+fn of_drives() -> impl Strategy<Value = Command> {
+    let mut all = every_field().drivables();
+    all.push(Drivable::Fibre { body: "bar".into(), fibre: "none".into() });
+    all.push(Drivable::Shared { body: "bar".into(), drive: "new".into() });
+    let keys = vec((0.0..2.0f64, -0.5..1.2f64), 1..4).prop_map(|mut keys| {
+        keys.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Drive::from(DriveKeys::new(keys))
+    });
+    let wave = (-0.1..2.0f64, option::of(0.01..0.1f64))
+        .prop_map(|(period, wavelength)| Drive::from(Wave { wavelength, ..Wave::new(period) }));
+    let named = select(vec!["slow", "breath", "new"]).prop_map(|id| Drive::Shared(id.to_owned()));
+    let drive = option::weighted(0.8, prop_oneof![(-0.2..1.0f64).prop_map(Drive::Constant), keys, wave, named]);
+    let wind = option::of((-2.0..2.0f64, -0.1..2.0f64))
+        .prop_map(|wind| Command::SetWind(wind.map(|(x, drag)| Wind { drag, ..Wind::new([x, 0.0, 0.0]) })));
+    prop_oneof![4 => (select(all), drive).prop_map(|(of, drive)| Command::SetDrive { of, drive }), 1 => wind]
+}
+
 /// Pins of either kind of body. The measures refer to regions of the bar: those without one of them are refused.
 fn of_pins() -> impl Strategy<Value = Command> {
     let scene = every_field();
@@ -215,7 +236,8 @@ fn of_bodies() -> impl Strategy<Value = Command> {
 }
 
 fn single() -> impl Strategy<Value = Command> {
-    prop_oneof![3 => of_fibres(), 3 => of_sheets(), 2 => of_looks(), 3 => of_matter(), 3 => of_world(), 1 => of_pins(), 2 => of_bodies()]
+    prop_oneof![3 => of_fibres(), 3 => of_sheets(), 2 => of_looks(), 3 => of_matter(), 3 => of_world(), 1 => of_pins(),
+        2 => of_bodies(), 2 => of_drives()]
 }
 
 /// A command for the scene with every field.

@@ -2,6 +2,7 @@
 
 mod any_commands;
 mod commands;
+mod drives;
 mod fibre_ops;
 mod history;
 mod random;

@@ -1,6 +1,7 @@
 //! What the simulation thread keeps of a motion: frames are shown again, replayed and gone on from, bit for bit.
 
 mod changes;
+mod leading;
 
 use glam::DVec3;
 use sinew::io::scene_from_json;

@@ -84,7 +84,7 @@ fn a_body_is_told_to_touch_itself_and_goes_on_moving() {
     assert!(window.state().scene().bodies[0].self_contact);
     until(&mut window, is_settled);
     assert_eq!(window.state().published().status.time, time);
-    press_key(&mut window, Modifiers::COMMAND, egui::Key::Z);
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
     assert_eq!(*window.state().scene(), before);
 }
 

@@ -6,6 +6,7 @@ mod autosave;
 mod bodies;
 mod commands;
 mod comparing;
+mod drives;
 mod editing;
 mod exporting;
 mod fibres;

@@ -4,10 +4,8 @@ use super::brief;
 use super::check::{
     At, Checked, Ids, direction, finite, fraction, increasing, not_negative, number, positive, require,
 };
+use crate::scene::drive::CONTRACTION;
 use crate::scene::{Activation, AfterLast, Drive, DriveKeys, SharedDrive, Stiffness, Wave};
-
-/// Shares by which a fibre may want to be shorter: beyond them its edges turn over or it buckles at once.
-pub(super) const CONTRACTION: [f64; 2] = [-0.5, 0.8];
 
 /// Checks the drives that a body shares.
 pub(super) fn shared(at: &At<'_>, drives: &[SharedDrive]) -> Checked {

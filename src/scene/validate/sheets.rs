@@ -2,8 +2,9 @@
 
 use super::brief;
 use super::check::{At, Checked, Ids, direction, finite, fraction, not_negative, number, require, vector, within};
-use super::drives::{CONTRACTION, still};
+use super::drives::still;
 use super::lines::stroke;
+use crate::scene::drive::CONTRACTION;
 use crate::scene::{
     Drive, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, SharedDrive, Sheet, SheetActivation, SheetSource,
     SheetStiffness, SheetTriangles, SweptStrokes,

@@ -15,7 +15,7 @@ pub(super) enum Effect {
 
 /// What the newer of two commands does to the older one.
 pub(super) fn effect(newer: &SimCommand, older: &SimCommand) -> Effect {
-    use SimCommand::{Edit, Field, Ghost, MoveGrab, Open, Pause, Play, Show, Speed, Tension};
+    use SimCommand::{Activation, Edit, Field, Ghost, Lead, MoveGrab, Open, Pause, Play, Show, Speed, Tension};
     match (newer, older) {
         // A ghost that is ended and wanted again starts anew from where the world is.
         (Ghost(Some(_)), Ghost(None)) => Effect::Stops,
@@ -26,12 +26,20 @@ pub(super) fn effect(newer: &SimCommand, older: &SimCommand) -> Effect {
         | (Speed(_), Speed(_))
         | (Field(_), Field(_))
         | (Tension(_), Tension(_))
+        | (Activation(_), Activation(_))
         | (Show(_), Show(_))
         | (MoveGrab(_), MoveGrab(_)) => Effect::Supersedes,
+        (Lead { body, drive, .. }, Lead { body: old_body, drive: old, .. }) => {
+            if (body, drive) == (old_body, old) {
+                Effect::Supersedes
+            } else {
+                Effect::Passes
+            }
+        }
         // Settings and all the rest do not heed each other. Whether time runs is all the same to an edit and a ghost: no
         // frame is computed between two commands.
-        (Speed(_) | Field(_) | Tension(_), _)
-        | (_, Speed(_) | Field(_) | Tension(_))
+        (Speed(_) | Field(_) | Tension(_) | Activation(_), _)
+        | (_, Speed(_) | Field(_) | Tension(_) | Activation(_))
         | (Edit(_) | Ghost(_), Edit(_) | Ghost(_) | Play | Pause) => Effect::Passes,
         _ => Effect::Stops,
     }

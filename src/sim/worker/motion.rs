@@ -90,8 +90,10 @@ impl Motion {
             SimCommand::Unpin { body, grab } => self.unpin(body, grab),
             SimCommand::ReleaseAll => self.release_all(),
             SimCommand::Strike { body, impulse } => self.strike(body, impulse),
+            SimCommand::Lead { body, ref drive, aim } => self.lead(body, drive, aim),
             SimCommand::Field(kind) => self.views.choose_field(kind),
             SimCommand::Tension(on) => self.views.choose_tension(on),
+            SimCommand::Activation(on) => self.views.choose_activation(on),
             SimCommand::Show(time) => self.show(self.replay.recording().nearest(time)),
             SimCommand::StepBack => match self.replay.recording().before(self.shown_time()) {
                 None => self.replay.hold(&mut self.playback),

@@ -23,6 +23,17 @@ impl Runs {
         self.runners_mut().filter_map(|runner| runner.find(&id).and_then(|place| runner.body_mut(place))).collect()
     }
 
+    /// Has a hand lead a shared drive of a body, and of its like.
+    pub(super) fn lead(&mut self, index: usize, drive: &str, aim: Option<f64>) {
+        let body = self.live.runner().and_then(|runner| runner.world().bodies().get(index));
+        let Some(id) = body.map(|body| body.parts().id.clone()) else { return };
+        for runner in self.runners_mut() {
+            if let Some(place) = runner.find(&id) {
+                runner.lead(place, drive, aim);
+            }
+        }
+    }
+
     /// Starts the ghost of a scene where the live run is.
     pub(super) fn start_ghost(&mut self, scene: Arc<Scene>, fresh: Runner) {
         self.ghost.start(scene, fresh, self.live.runner());

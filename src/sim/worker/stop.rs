@@ -49,11 +49,13 @@ impl Urgency {
             | SimCommand::Strike { .. } => Self::Before,
             // Of a drag, frames are what is wanted.
             SimCommand::MoveGrab(_)
+            | SimCommand::Lead { .. }
             | SimCommand::Play
             | SimCommand::Step
             | SimCommand::Speed(_)
             | SimCommand::Field(_)
             | SimCommand::Tension(_)
+            | SimCommand::Activation(_)
             | SimCommand::ContinueHere
             | SimCommand::Live
             | SimCommand::Take(_)

@@ -1,7 +1,7 @@
-//! What the window asked to see besides positions: a field over the bodies, and the tensions of fibres.
+//! What the window asked to see besides positions: a field over the bodies, and the tensions and activations of fibres.
 
 use crate::sim::runner::Runner;
-use crate::solver::snapshot::{FieldKind, FieldSnapshot, Snapshot, TensionSnapshot};
+use crate::solver::snapshot::{ActivationSnapshot, FieldKind, FieldSnapshot, Snapshot, TensionSnapshot};
 use crate::solver::world::World;
 
 /// Share of the way by which a range narrows from one picture to the next: a second or so in all.
@@ -16,6 +16,7 @@ pub(super) struct ViewRequests {
     tension: bool,
     /// End of the range of tensions [N].
     tension_end: f64,
+    activation: bool,
 }
 
 impl ViewRequests {
@@ -31,6 +32,11 @@ impl ViewRequests {
         self.tension_end = 0.0;
     }
 
+    /// Shows what fibres do by themselves from now on, or no longer.
+    pub(super) fn choose_activation(&mut self, on: bool) {
+        self.activation = on;
+    }
+
     /// Begins new ranges.
     pub(super) fn forget_ranges(&mut self) {
         (self.field_end, self.tension_end) = (0.0, 0.0);
@@ -41,6 +47,7 @@ impl ViewRequests {
         let mut snapshot = run.particles();
         snapshot.field = self.field(run.world());
         snapshot.tension = self.tension(run.world());
+        snapshot.activation = self.activation.then(|| ActivationSnapshot::of(run.world()));
         snapshot
     }
 

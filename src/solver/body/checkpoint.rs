@@ -4,6 +4,7 @@ use super::given::Given;
 use super::{Body, Divergence};
 use crate::solver::dynamics::Fallbacks;
 use crate::solver::forces::{Force, Grab, MatrixForce};
+use crate::solver::hand::Hand;
 use crate::solver::integrators::Integrator;
 use crate::solver::layers::Layers;
 use crate::solver::skin::Skin;
@@ -31,6 +32,8 @@ pub(in crate::solver) struct BodyCheckpoint {
     grabs: Vec<Grab>,
     /// From where its constraints move what they took hold of on the way.
     found: Vec<Option<Arc<[DVec3]>>>,
+    /// What leads its shared drives.
+    hands: Vec<Option<Hand>>,
     current: bool,
     steps: u64,
     evaluations: u64,
@@ -47,7 +50,8 @@ impl BodyCheckpoint {
             + size_of_val(&*self.net)
             + size_of_val(&*self.external_forces)
             + size_of_val(&*self.lifts)
-            + size_of_val(&*self.found);
+            + size_of_val(&*self.found)
+            + size_of_val(&*self.hands);
         let grabs: usize = self.grabs.iter().map(Force::bytes).sum();
         let forces: usize = self.forces.iter().map(|force| force.bytes() + size_of_val(force)).sum();
         size_of_val(self) + lists + grabs + forces + self.integrator.bytes()
@@ -69,6 +73,7 @@ impl Body {
             integrator: self.parts.integrator.clone(),
             grabs: self.grabs.clone(),
             found: self.parts.constraints.iter().map(|constraint| constraint.found.clone()).collect(),
+            hands: self.hands(),
             current: self.current,
             steps: self.steps,
             evaluations: self.evaluations,
@@ -97,6 +102,7 @@ impl Body {
         for (constraint, found) in self.parts.constraints.iter_mut().zip(&kept.found) {
             constraint.found.clone_from(found);
         }
+        self.take_hands(&kept.hands);
         self.current = kept.current;
         self.steps = kept.steps;
         self.evaluations = kept.evaluations;

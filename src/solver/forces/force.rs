@@ -2,6 +2,7 @@
 
 use super::fibre::breaking::FibreBreak;
 use crate::solver::energy::Energies;
+use crate::solver::hand::Hand;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 use std::any::Any;
@@ -70,6 +71,9 @@ pub trait Force: Any + Send + Sync {
     fn drive_work(&self) -> f64 {
         0.0
     }
+
+    /// Has a hand lead the body's shared drive of an identifier, or none.
+    fn give(&mut self, _to: &str, _led: Option<Hand>) {}
 
     /// What is wrong with a state, where the force has no meaning in it; the body is stopped then.
     fn fault(&self, _state: &ParticleState) -> Option<&'static str> {

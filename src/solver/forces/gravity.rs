@@ -1,7 +1,8 @@
 //! Weight.
 
 use super::force::Force;
-use crate::solver::drive::{Drive, Driven};
+use crate::solver::drive::Drive;
+use crate::solver::driven::Driven;
 use crate::solver::energy::Energies;
 use crate::solver::state::ParticleState;
 use glam::DVec3;

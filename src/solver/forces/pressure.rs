@@ -1,8 +1,10 @@
 //! Pressure of enclosed gas: the two-layer paper's, with the signed volume in place of a bounding box.
 
 use super::force::Force;
-use crate::solver::drive::{Drive, Driven};
+use crate::solver::drive::Drive;
+use crate::solver::driven::Driven;
 use crate::solver::energy::Energies;
+use crate::solver::hand::Hand;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -163,6 +165,10 @@ impl Force for Pressure {
         // Gas in both layers counts as two.
         let before = gases.find(|gas| gas.surfaces == self.surfaces);
         self.driven.adopt(before.map(|gas| &gas.driven));
+    }
+
+    fn give(&mut self, to: &str, led: Option<Hand>) {
+        self.driven.give(to, led);
     }
 
     fn drive_work(&self) -> f64 {

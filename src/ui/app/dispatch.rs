@@ -13,6 +13,7 @@ use crate::ui::bodies::{self, Layers, NewBody};
 use crate::ui::clipboard;
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{Dialog, PathPurpose};
+use crate::ui::drives;
 use crate::ui::editing::{self, Kind};
 use crate::ui::export;
 use crate::ui::next::Next;
@@ -70,6 +71,7 @@ impl App {
         let replay = |perform| unless(self.no_replay(), perform);
         let selected = |perform| when(self.cx.selection.active().is_some(), "Select a fibre first", perform);
         let is_body = self.cx.selection.is_body();
+        let has_keys = !self.cx.keys.is_empty();
         let has_part = self.cx.selection.active().is_some() || self.cx.selection.sheet().is_some();
         let mirrored = |perform| when(has_part, "Select a fibre or a sheet first", perform);
         let is_sheet = self.cx.selection.sheet().is_some();
@@ -119,6 +121,12 @@ impl App {
                 let step = document.editor.redo_name();
                 when(step.is_some(), "There is nothing to redo", |app, _| app.cx.redo()).detail(step)
             }
+            Action::Delete if has_keys => always(|app, _| drives::delete_keys(&mut app.cx)),
+            Action::Cut if has_keys => always(|app, ctx| {
+                app.copy(ctx);
+                drives::delete_keys(&mut app.cx);
+            }),
+            Action::Copy if has_keys => always(Self::copy),
             Action::Delete => unless(self.nothing_to_delete(), |app, _| match app.cx.selection.pin().cloned() {
                 Some(pin) => remove_pin(&pin, &mut app.cx),
                 None if app.cx.selection.is_body() => bodies::delete(&mut app.cx),
@@ -250,9 +258,13 @@ impl App {
             Action::Tension => {
                 always(|app, _| app.views.options.toggle_tension(&mut app.cx)).on(self.views.options.tension)
             }
+            Action::Activation => {
+                always(|app, _| app.views.options.toggle_activation(&mut app.cx)).on(self.views.options.activation)
+            }
             Action::Slice => always(|app, _| app.views.options.next_slice(&app.cx)),
             Action::Ghost => always(|app, _| ViewOptions::next_ghost(&mut app.cx)),
             Action::Timeline => always(|app, _| app.timeline.fold()).on(self.timeline.is_shown()),
+            Action::Drives => always(|app, _| app.timeline.fold_drives()).on(self.timeline.shows_drives()),
             Action::Plots => always(|app, _| flip(&mut app.time_series.open)).on(self.time_series.open),
             Action::Theme => always(|app, ctx| {
                 app.cx.tone = app.cx.tone.other();

@@ -7,6 +7,7 @@ use crate::ui::action::Action;
 use crate::ui::bodies::{Layers, add_model};
 use crate::ui::clipboard;
 use crate::ui::context::Severity;
+use crate::ui::drives;
 use crate::ui::editing;
 use crate::ui::next::Next;
 use egui::{Event, Key, KeyboardShortcut, Modifiers};
@@ -44,8 +45,19 @@ impl App {
                 self.patterns.leave_region();
             }
         }
+        self.set_key(ctx);
         self.perform_keys(ctx);
         self.use_clipboard(ctx);
+    }
+
+    /// Sets a key of what is under the pointer, or takes it away, where `I` is pressed over a field that can be driven.
+    fn set_key(&mut self, ctx: &egui::Context) {
+        let pointed = self.cx.pointed.take();
+        if let Some(of) = pointed.filter(|_| !ctx.egui_wants_keyboard_input())
+            && ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::I))
+        {
+            drives::toggle_key(&of, &mut self.cx);
+        }
     }
 
     /// Copies and pastes, unless that is meant for a text.

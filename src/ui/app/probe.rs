@@ -96,6 +96,13 @@ impl App {
         self.views.swept_preview(&self.cx)
     }
 
+    /// The selected keys of drives: what people call the drive, and which of its keys.
+    pub fn selected_keys(&self) -> Vec<(String, usize)> {
+        let drives = self.cx.keys.drives().into_iter();
+        let keys = drives.flat_map(|of| self.cx.keys.of(&of).into_iter().map(move |index| (of.clone(), index)));
+        keys.map(|(of, index)| (of.title(self.scene()), index)).collect()
+    }
+
     /// Identifier of the body that is selected as a whole.
     pub fn selected_body(&self) -> Option<String> {
         self.cx.chosen_body().map(|body| body.id().to_owned())

@@ -9,6 +9,7 @@
 //! end of the frame would let a tool go on from a document that is not there any more.
 
 mod active;
+mod chosen_keys;
 mod document;
 mod gestures;
 mod lifts;
@@ -20,6 +21,7 @@ mod simulation;
 mod status;
 
 pub(crate) use active::ActiveBody;
+pub(crate) use chosen_keys::ChosenKeys;
 pub(crate) use document::OpenDocument;
 pub(crate) use gestures::{Gestures, Step};
 pub(crate) use lifts::{Lift, Lifts};
@@ -32,7 +34,7 @@ pub(crate) use status::{Severity, StatusLine};
 use super::action::ActionStates;
 use super::theme::Tone;
 use crate::edit::Command;
-use crate::scene::Scene;
+use crate::scene::{Drivable, Drive, Scene};
 use crate::sim::SimCommand;
 use crate::solver::snapshot::Snapshot;
 use std::collections::VecDeque;
@@ -48,6 +50,10 @@ pub(super) struct Context {
     pub active: ActiveBody,
     /// What of it is selected.
     pub selection: Selection,
+    /// The selected keys of drives.
+    pub keys: ChosenKeys,
+    /// What a drive can move whose field is under the pointer.
+    pub pointed: Option<Drivable>,
     /// Light or dark.
     pub tone: Tone,
     /// What is said at the foot of the window.
@@ -77,6 +83,8 @@ impl Context {
             simulation,
             active: ActiveBody::default(),
             selection: Selection::default(),
+            keys: ChosenKeys::default(),
+            pointed: None,
             tone,
             status: StatusLine::default(),
             actions: ActionStates::default(),
@@ -158,6 +166,7 @@ impl Context {
     /// Nothing is selected any more: another body or document is drawn into.
     pub(super) fn forget_selection(&mut self) {
         self.selection = Selection::default();
+        self.keys.clear();
         self.lifts.clear();
     }
 
@@ -207,6 +216,11 @@ impl Context {
             }
         }
         self.forget_what_is_gone();
+        let scene = Arc::clone(self.scene());
+        self.keys.keep(|of| match of.drive(&scene) {
+            Some(Drive::Keyframes(keys)) => keys.keys.len(),
+            _ => 0,
+        });
         self.simulation.edit(&self.document);
     }
 }

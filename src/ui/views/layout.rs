@@ -208,6 +208,7 @@ impl Views {
             theme: cx.tone.pictures(),
             field: self.options.field(),
             tension: self.options.tension,
+            activation: self.options.activation,
         }
     }
 

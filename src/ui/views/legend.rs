@@ -50,6 +50,11 @@ pub(super) fn legend(ui: &mut Ui, cx: &Context) {
         let colour = |share: f32| colour_map::signed_colour(2.0 * share - 1.0);
         scale(ui, cx.tone, &Scale { name: "Tension of fibres [N]", meaning, range, colour });
     }
+    if snapshot.activation.is_some() {
+        let meaning = "What the drive of a fibre comes to; it is as thick as it is short: r / sqrt(1 - c)";
+        let (range, colour) = ([0.0, 1.0], colour_map::colour);
+        scale(ui, cx.tone, &Scale { name: "Activation of fibres", meaning, range, colour });
+    }
 }
 
 fn scale(ui: &mut Ui, tone: Tone, Scale { name, meaning, range, colour }: &Scale) {

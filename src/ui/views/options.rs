@@ -15,6 +15,8 @@ pub(crate) struct ViewOptions {
     field: Option<FieldKind>,
     /// Whether fibres are coloured by what they carry.
     pub tension: bool,
+    /// Whether they are coloured, and bulge, by what they do by themselves.
+    pub activation: bool,
     /// Whether the camera goes along with the active body.
     pub follow: bool,
 }
@@ -22,7 +24,7 @@ pub(crate) struct ViewOptions {
 impl Default for ViewOptions {
     fn default() -> Self {
         let display = Display { skin: SkinStyle::XRay, axes: false, ..Display::default() };
-        Self { display, field: None, tension: false, follow: false }
+        Self { display, field: None, tension: false, activation: false, follow: false }
     }
 }
 
@@ -96,17 +98,39 @@ impl ViewOptions {
     pub(crate) fn toggle_tension(&mut self, cx: &mut Context) {
         self.tension = !self.tension;
         if self.tension {
-            if self.display.skin == SkinStyle::Shaded {
-                self.display.skin = SkinStyle::XRay;
-            }
-            if self.field.is_some() && self.display.slice.is_none() {
-                cx.say(
-                    Severity::Note,
-                    "The colours of the solid hide its fibres: take them off, or cut it open (Alt+X)",
-                );
+            self.activation = false;
+            self.see_fibres(cx);
+        }
+        self.ask_for_colours(cx);
+    }
+
+    /// Colours fibres by what they do by themselves, or no longer; a solid that hides them is seen through from then on.
+    pub(crate) fn toggle_activation(&mut self, cx: &mut Context) {
+        self.activation = !self.activation;
+        if self.activation {
+            self.tension = false;
+            self.see_fibres(cx);
+            let acts = |body: crate::scene::AnyBody<'_>| body.fibres().iter().any(|fibre| fibre.activation.is_some());
+            if !cx.scene().all_bodies().any(acts) {
+                cx.say(Severity::Note, "No fibre acts yet: Activation in the inspector of a fibre lets it");
             }
         }
+        self.ask_for_colours(cx);
+    }
+
+    fn ask_for_colours(&self, cx: &Context) {
         cx.ask(SimCommand::Tension(self.tension));
+        cx.ask(SimCommand::Activation(self.activation));
+    }
+
+    /// Sees through a solid that hides its fibres.
+    fn see_fibres(&mut self, cx: &mut Context) {
+        if self.display.skin == SkinStyle::Shaded {
+            self.display.skin = SkinStyle::XRay;
+        }
+        if self.field.is_some() && self.display.slice.is_none() {
+            cx.say(Severity::Note, "The colours of the solid hide its fibres: take them off, or cut it open (Alt+X)");
+        }
     }
 
     /// Nothing is cut any more: another document is shown.

@@ -35,7 +35,7 @@ pub(super) fn pins(ui: &mut Ui, frame: &ViewFrame, cx: &mut Context) {
     let painter = ui.painter_at(frame.rect);
     let pictures = cx.tone.pictures();
     let (ink, accent) = (theme::color(pictures.text), theme::color(pictures.accent));
-    for pin in shown(frame.kind, cx) {
+    for (number, pin) in shown(frame.kind, cx).into_iter().enumerate() {
         let is_chosen = cx.selection.pin() == Some(&pin.which);
         let colour = if is_chosen { accent } else { ink };
         for &point in pin.holds.iter().step_by(pin.holds.len().div_ceil(MARKS).max(1)) {
@@ -46,7 +46,7 @@ pub(super) fn pins(ui: &mut Ui, frame: &ViewFrame, cx: &mut Context) {
         let Some(at) = frame.screen(pin.at).filter(|at| frame.rect.contains(*at)) else { continue };
         let head = at - Vec2::new(-0.4 * LENGTH, LENGTH);
         let spot = Rect::from_two_pos(at, head).expand(HEAD);
-        let response = ui.interact(spot, ui.scope_id().with(("pin", &pin.name)), Sense::click());
+        let response = ui.interact(spot, ui.scope_id().with(("pin", number, &pin.name)), Sense::click());
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &pin.name));
         paint_pin(&painter, [at, head], colour, response.hovered());
         if response.hovered() {

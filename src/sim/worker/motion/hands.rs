@@ -42,6 +42,12 @@ impl Motion {
         self.runs.bodies_mut(body).into_iter().for_each(|body| body.strike(impulse));
     }
 
+    pub(super) fn lead(&mut self, body: usize, drive: &str, aim: Option<f64>) {
+        self.continue_here();
+        self.note(Asked::Lead { body, drive: drive.to_owned(), aim });
+        self.runs.lead(body, drive, aim);
+    }
+
     pub(super) fn unpin(&mut self, body: usize, grab: usize) {
         self.continue_here();
         self.note(Asked::Unpin { body, grab });

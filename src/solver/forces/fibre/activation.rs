@@ -2,6 +2,7 @@
 
 use super::muscle::Muscle;
 use crate::solver::drive::{Drive, DriveAlong};
+use crate::solver::hand::Hand;
 use glam::DVec3;
 
 /// What a drive does to a fibre.
@@ -77,6 +78,12 @@ impl FibreActivation {
         1.0 - (self.contract * self.edges.extreme(greatest)).max(0.0)
     }
 
+    /// Has a hand lead a shared drive, or none.
+    pub(super) fn give(&mut self, to: &str, led: Option<Hand>) {
+        self.edges.give(to, led);
+        self.inner.give(to, led);
+    }
+
     /// Until when [s] it changes.
     pub(super) fn until(&self) -> f64 {
         self.edges.until()
@@ -87,6 +94,12 @@ impl FibreActivation {
         let value = self.edges.at(time);
         // An edge without length at rest resists sideways as it does along itself, which is the most that any does.
         move |edge| if self.stiffest { 1.0 } else { self.contract * value(edge) }
+    }
+
+    /// The drive at the edges at a time [s], and by what share it has them want to be shorter.
+    pub(super) fn values(&self, time: f64) -> impl Fn(usize) -> [f64; 2] + '_ {
+        let value = self.edges.at(time);
+        move |edge| [value(edge), self.contract * value(edge)]
     }
 
     /// What is added to the curvature binormals at rest at a time [s], model frame; nothing where it does not curl.

@@ -12,6 +12,7 @@ use super::strip::BlockVectors;
 use super::yielding::Yielded;
 use crate::solver::energy::Energies;
 use crate::solver::forces::force::Force;
+use crate::solver::hand::Hand;
 use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
 use crate::solver::wide::Vec3x;
@@ -332,6 +333,20 @@ impl Force for FibreForce {
             self.broken = before.broken.carried([&before.fibres, &self.fibres]);
             self.yielded = before.yielded.carried([&before.fibres, &self.fibres]);
             self.workspace = Scratch::default();
+        }
+    }
+
+    fn give(&mut self, to: &str, led: Option<Hand>) {
+        if !self.fibres.iter().any(|fibre| fibre.activation.is_some()) {
+            return;
+        }
+        let mut fibres = self.fibres.to_vec();
+        for fibre in &mut fibres {
+            fibre.give(to, led);
+        }
+        // A checkpoint of before keeps those that it has.
+        if fibres != *self.fibres {
+            self.fibres = fibres.into();
         }
     }
 

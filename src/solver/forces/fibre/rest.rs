@@ -7,6 +7,7 @@ use super::material_turn::turn_of_material;
 use super::twist::FibreTwist;
 use super::yield_limits::YieldLimits;
 use crate::solver::embedding::{EmbeddingWeights, TurnWeights};
+use crate::solver::hand::Hand;
 use glam::{DQuat, DVec3};
 
 /// One fibre at rest, ready to be evaluated.
@@ -213,6 +214,13 @@ impl FibreRest {
         extreme
     }
 
+    /// Has a hand lead a shared drive, or none.
+    pub(super) fn give(&mut self, to: &str, led: Option<Hand>) {
+        if let Some(activation) = &mut self.activation {
+            activation.give(to, led);
+        }
+    }
+
     /// Until when [s] it changes by itself.
     pub(super) fn changes_until(&self) -> f64 {
         self.activation.as_ref().map_or(0.0, FibreActivation::until)
@@ -221,6 +229,11 @@ impl FibreRest {
     /// Number of vertices at which the turn of the material is read for its twist.
     pub(super) fn twisted_ends(&self) -> usize {
         self.twist.as_ref().map_or(0, FibreTwist::len)
+    }
+
+    /// The drive at the edges at a time [s], and by what share it has them want to be shorter; nothing where it does not act.
+    pub(super) fn activations(&self, time: f64) -> Option<impl Fn(usize) -> [f64; 2] + '_> {
+        self.activation.as_ref().map(|activation| activation.values(time))
     }
 
     /// Force [N] that each edge carries at a time [s] between vertices at `x`; negative where it is pressed.

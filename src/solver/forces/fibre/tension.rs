@@ -24,4 +24,18 @@ impl FibreForce {
             first_edge += fibre.edges.len();
         }
     }
+
+    /// Puts the drive at every edge at the end of the last step, and the share by which that has it want to be shorter, into
+    /// `lines`, one entry an edge of each of the body's centre lines; entries of edges that do not act are left as they are.
+    pub(crate) fn activations(&self, lines: &mut [Vec<[f64; 2]>]) {
+        for fibre in self.fibres.iter() {
+            let Some(value) = fibre.activations(self.activity.time()) else { continue };
+            for k in 0..fibre.edges.len() {
+                let line = lines.get_mut(fibre.line as usize);
+                if let Some(entry) = line.and_then(|line| line.get_mut(fibre.first_vertex as usize + k)) {
+                    *entry = value(k);
+                }
+            }
+        }
+    }
 }

@@ -1,0 +1,145 @@
+//! One lane: the course of a drive over the time that the timeline shows, with its keys.
+
+use super::key_button::diamond;
+use super::keys::value_of;
+use crate::bake::solver_drive;
+use crate::scene::{Drivable, Drive, DriveKeys, Scene};
+use crate::text::number::compact;
+use crate::ui::context::Context;
+use crate::ui::theme;
+use crate::ui::timescale::TimeScale;
+use egui::{Align2, Color32, FontId, Pos2, Rangef, Rect, Shape, Stroke, Ui};
+
+/// Heights of a lane with a drive of its own, and of one that follows another [points].
+pub(super) const TALL: f32 = 56.0;
+pub(super) const LOW: f32 = 24.0;
+/// Half the diagonal of a key, and from how far it is hit [points].
+pub(super) const KEY: f32 = 5.0;
+pub(super) const REACH: f32 = 8.0;
+/// Room above and below the values of a drive, as a share of them.
+const ROOM: f64 = 0.16;
+
+/// Values over the height of a lane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ValueScale {
+    least: f64,
+    most: f64,
+    places: Rangef,
+}
+
+impl ValueScale {
+    /// Room for all that a drive does, and for 0 and 1.
+    pub(super) fn of(drive: &Drive, places: Rangef) -> Self {
+        let [least, most] = drive.range().unwrap_or([0.0, 1.0]);
+        let [least, most] = [least.min(0.0), most.max(1.0)];
+        let room = ROOM * (most - least);
+        Self { least: least - room, most: most + room, places }
+    }
+
+    /// Where a value is [points].
+    pub(super) fn place(&self, value: f64) -> f32 {
+        self.places.max - ((value - self.least) / (self.most - self.least)) as f32 * self.places.span()
+    }
+
+    /// The value at a place.
+    pub(super) fn value(&self, place: f32) -> f64 {
+        self.least + f64::from((self.places.max - place) / self.places.span()) * (self.most - self.least)
+    }
+
+    /// Steps in which values are chosen by the pointer: round, and a hundredth of what is shown or less.
+    pub(super) fn step(&self) -> f64 {
+        10f64.powf(((self.most - self.least) / 100.0).log10().floor())
+    }
+
+    /// What is shown of these limits.
+    pub(super) fn within(&self, [least, most]: [f64; 2]) -> [f64; 2] {
+        [least.max(self.least), most.min(self.most)]
+    }
+}
+
+/// A round value near to one, in steps of a power of ten, without digits that are none.
+pub(super) fn round(value: f64, step: f64) -> f64 {
+    let digits = (-step.log10()).round().max(0.0) as usize;
+    format!("{:.digits$}", (value / step).round() * step).parse().unwrap_or(value)
+}
+
+/// Where the keys of a drive lie.
+pub(super) fn key_places(keys: &DriveKeys, scale: &TimeScale, values: &ValueScale) -> Vec<Pos2> {
+    keys.keys.iter().map(|key| Pos2::new(scale.place(key.time), values.place(key.value))).collect()
+}
+
+/// Paints the course of a drive, its keys and the time that is shown [s]; faintly where it follows another one.
+pub(super) fn paint_lane(
+    ui: &Ui,
+    cx: &Context,
+    (of, drive): (&Drivable, &Drive),
+    place: Rect,
+    (scale, values): (&TimeScale, &ValueScale),
+    shown: f64,
+) {
+    let painter = ui.painter_at(place);
+    let visuals = ui.visuals();
+    let accent = theme::color(cx.tone.pictures().accent);
+    let ink = visuals.weak_text_color();
+    painter.rect_filled(place, 3.0, visuals.extreme_bg_color);
+    let follows = matches!(of.drive(cx.scene()), Some(Drive::Shared(_)));
+    for level in [0.0, 1.0] {
+        let y = values.place(level);
+        painter.hline(place.x_range(), y, Stroke::new(1.0, ink.gamma_multiply(0.25)));
+        if !follows {
+            let at = Pos2::new(place.right() - 3.0, y);
+            painter.text(at, Align2::RIGHT_CENTER, compact(level), FontId::proportional(9.0), ink.gamma_multiply(0.8));
+        }
+    }
+    for (time, _) in scale.ticks() {
+        painter.vline(scale.place(time), place.y_range(), Stroke::new(1.0, ink.gamma_multiply(0.15)));
+    }
+    let line = if follows { ink } else { visuals.text_color() };
+    painter.add(Shape::line(course(drive, place, scale, values), Stroke::new(1.5, line)));
+    painter.vline(scale.place(shown), place.y_range(), Stroke::new(1.5, accent));
+    if follows {
+        return;
+    }
+    match drive {
+        Drive::Keyframes(keys) => {
+            // Those at the ends are whole.
+            let painter = ui.painter_at(place.expand2([KEY + 1.0, 0.0].into()));
+            for (index, at) in key_places(keys, scale, values).into_iter().enumerate() {
+                let chosen = cx.keys.contains(of, index);
+                let fill = if chosen { accent } else { visuals.text_color() };
+                let half = if chosen { KEY + 1.0 } else { KEY };
+                painter.add(diamond(at, half, fill, Stroke::new(1.0, visuals.extreme_bg_color)));
+            }
+        }
+        Drive::Wave(wave) => {
+            let at = Pos2::new(scale.place(wave.start), values.place(0.0));
+            painter.circle_stroke(at, 3.0, Stroke::new(1.0, line));
+        }
+        Drive::Constant(_) | Drive::Shared(_) => {}
+    }
+}
+
+/// The course of a drive as a line, a point for each point of the window.
+fn course(drive: &Drive, place: Rect, scale: &TimeScale, values: &ValueScale) -> Vec<Pos2> {
+    let solved = solver_drive(drive, &[]);
+    let points = place.width().ceil().max(1.0) as usize;
+    let at = |k: usize| {
+        let x = (place.left() + k as f32).min(place.right());
+        Pos2::new(x, values.place(solved.at(scale.time(x)).0))
+    };
+    (0..=points).map(at).collect()
+}
+
+/// What a drive comes to at a time [s], in words: "0.4 = 20 %".
+pub(super) fn words_at(of: &Drivable, drive: &Drive, scene: &Scene, time: f64) -> String {
+    let value = value_of(drive, &[], time);
+    match of.at_one(scene) {
+        Some((amount, unit)) => format!("{} = {} {unit}", compact(value), compact(value * amount)),
+        None => compact(value),
+    }
+}
+
+/// Faint where something is not to be looked at first.
+pub(super) fn faint(colour: Color32) -> Color32 {
+    colour.gamma_multiply(0.3)
+}

@@ -200,7 +200,7 @@ pub enum BakeError {
     /// More steps to a frame than anybody can wait for.
     #[error(
         "{path}: a frame of {frame_seconds:.3e} s would take {steps:.2e} steps of at most {stable_dt:.2e} s for \"{body}\"; \
-         raise the frame rate, {}", softer(.limited_by.as_deref(), .integrator.as_deref())
+         raise the frame rate, {remedy}"
     )]
     TooManySteps {
         /// Pointer to the frame rate.
@@ -213,10 +213,8 @@ pub enum BakeError {
         steps: f64,
         /// Stable step [s].
         stable_dt: f64,
-        /// Pointer to the parameter that sets it.
-        limited_by: Option<String>,
-        /// Pointer to the integrator, where leap-frog could take far longer steps.
-        integrator: Option<String>,
+        /// What else to do, with the pointers to what it takes.
+        remedy: String,
     },
     /// A reaction asked of a region that nothing holds.
     #[error("{path}: nothing holds region \"{region}\", so it has no reaction; add a pin on it")]
@@ -228,7 +226,8 @@ pub enum BakeError {
     },
 }
 
-fn softer(limited_by: Option<&str>, integrator: Option<&str>) -> String {
+/// What shortens no frame and lengthens the step: of the parameter that sets it, and of an integrator, by their pointers.
+pub(super) fn softer(limited_by: Option<&str>, integrator: Option<&str>) -> String {
     let lower = limited_by.map_or("soften its material or fibres".to_owned(), |pointer| format!("lower {pointer}"));
     match integrator {
         Some(pointer) => format!("{lower}, or choose another {pointer}, under which what nothing damps does not grow"),

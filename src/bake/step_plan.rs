@@ -1,7 +1,7 @@
 //! How a frame is divided into steps.
 
 use super::draft::Draft;
-use super::error::BakeError;
+use super::error::{BakeError, softer};
 use super::integrator::implicit_steps;
 use crate::scene::{Scene, TimeStep};
 use crate::solver::body_contact::stiffness_between;
@@ -32,9 +32,12 @@ pub(super) fn step_plan(scene: &Scene, drafts: &[Draft], colliders: &[Collider])
                         frame_seconds: frame,
                         steps,
                         stable_dt,
-                        limited_by: draft.parts.limited_by.clone(),
-                        integrator: (draft.parts.explicit_dt > FAR_LONGER * stable_dt)
-                            .then(|| format!("{}/integrator", draft.parts.pointer)),
+                        remedy: softer(
+                            draft.parts.limited_by.as_deref(),
+                            (draft.parts.explicit_dt > FAR_LONGER * stable_dt)
+                                .then(|| format!("{}/integrator", draft.parts.pointer))
+                                .as_deref(),
+                        ),
                     });
                 }
             }

@@ -11,6 +11,7 @@ use crate::solver::account::Sight;
 use crate::solver::body::Body;
 use crate::solver::energy::Energies;
 use crate::solver::momentum::{Momenta, momenta};
+use crate::solver::state::ParticleState;
 use crate::solver::unbalanced::Unbalanced;
 use glam::DVec3;
 
@@ -111,7 +112,7 @@ impl World {
     /// Linear momentum and angular momentum about the origin of all bodies.
     fn momenta(&self) -> Momenta {
         let states = || self.bodies.iter().map(Body::state);
-        [states().map(|state| state.linear_momentum()).sum(), states().map(|state| state.angular_momentum()).sum()]
+        [states().map(ParticleState::linear_momentum).sum(), states().map(ParticleState::angular_momentum).sum()]
     }
 
     /// Evaluations of the forces so far, times particles.

@@ -2,6 +2,7 @@
 
 use super::{
     Activation, AnyBody, AnyBodyMut, Drive, DrivenMotion, Motion, PanelDrive, PanelMotion, Scene, SharedDrive,
+    SheetActivation,
 };
 
 /// Something that a drive moves or could move, by identifiers.
@@ -29,6 +30,13 @@ pub enum Drivable {
         /// Of the fibre.
         fibre: String,
     },
+    /// What a sheet does by itself.
+    Sheet {
+        /// Identifier of the body.
+        body: String,
+        /// Of the sheet.
+        sheet: String,
+    },
     /// The motion of a pinned region.
     Pin {
         /// Identifier of the body.
@@ -54,6 +62,7 @@ impl Scene {
             let body = || of.id().to_owned();
             all.extend(of.drives().iter().map(|one| Drivable::Shared { body: body(), drive: one.id.clone() }));
             all.extend(of.fibres().iter().map(|fibre| Drivable::Fibre { body: body(), fibre: fibre.id.clone() }));
+            all.extend(of.sheets().iter().map(|sheet| Drivable::Sheet { body: body(), sheet: sheet.id.clone() }));
             all.extend(of.pins().iter().map(|pin| Drivable::Pin { body: body(), pin: pin.id.clone() }));
             all.extend(of.two_layer().map(|_| Drivable::Pressure(body())));
         }
@@ -66,9 +75,11 @@ impl Drivable {
     pub fn body(&self) -> Option<&str> {
         match self {
             Self::Gravity | Self::Wind | Self::Panel(_) | Self::Collider(_) => None,
-            Self::Shared { body, .. } | Self::Fibre { body, .. } | Self::Pin { body, .. } | Self::Pressure(body) => {
-                Some(body)
-            }
+            Self::Shared { body, .. }
+            | Self::Fibre { body, .. }
+            | Self::Sheet { body, .. }
+            | Self::Pin { body, .. }
+            | Self::Pressure(body) => Some(body),
         }
     }
 
@@ -87,6 +98,10 @@ impl Drivable {
             Self::Fibre { fibre, .. } => {
                 let fibre = body()?.fibres().iter().find(|one| one.id == *fibre)?;
                 fibre.activation.as_ref().map(|of| &of.drive)
+            }
+            Self::Sheet { sheet, .. } => {
+                let sheet = body()?.sheets().iter().find(|one| one.id == *sheet)?;
+                sheet.activation.as_ref().map(|of| &of.drive)
             }
             Self::Pin { pin, .. } => driven(&body()?.pins().iter().find(|one| one.id == *pin)?.motion),
             Self::Pressure(_) => body()?.two_layer()?.pressure_drive.as_ref(),
@@ -149,9 +164,11 @@ impl Drivable {
                 let collider = scene.colliders.iter_mut().find(|collider| collider.id == *id);
                 collider.map(|collider| set_motion(&mut collider.motion, drive))
             }
-            Self::Shared { body, .. } | Self::Fibre { body, .. } | Self::Pin { body, .. } | Self::Pressure(body) => {
-                scene.find_body_mut(body).and_then(|body| self.set_of_body(body, drive))
-            }
+            Self::Shared { body, .. }
+            | Self::Fibre { body, .. }
+            | Self::Sheet { body, .. }
+            | Self::Pin { body, .. }
+            | Self::Pressure(body) => scene.find_body_mut(body).and_then(|body| self.set_of_body(body, drive)),
         };
         found.ok_or_else(missing)
     }
@@ -179,6 +196,14 @@ impl Drivable {
                     (Some(drive), None) => Some(Activation::contracting(0.0, drive)),
                 };
             }
+            (Self::Sheet { sheet, .. }, drive) => {
+                let AnyBodyMut::Solid(body) = of else { return None };
+                let sheet = body.sheets.iter_mut().find(|one| one.id == *sheet)?;
+                sheet.activation = drive.map(|drive| match &sheet.activation {
+                    Some(of) => SheetActivation { drive, ..of.clone() },
+                    None => SheetActivation::contracting([0.0; 2], drive),
+                });
+            }
             (Self::Pin { pin, .. }, drive) => {
                 set_motion(&mut of.pins_mut().iter_mut().find(|one| one.id == *pin)?.motion, drive);
             }
@@ -200,6 +225,7 @@ impl Drivable {
             Self::Collider(id) => format!("a collider \"{id}\""),
             Self::Shared { body, drive } => format!("a drive \"{drive}\" of \"{body}\""),
             Self::Fibre { body, fibre } => format!("a fibre \"{fibre}\" of \"{body}\""),
+            Self::Sheet { body, sheet } => format!("a sheet \"{sheet}\" of \"{body}\""),
             Self::Pin { body, pin } => format!("a pin \"{pin}\" of \"{body}\""),
             Self::Pressure(body) => format!("gas in \"{body}\""),
         }

@@ -2,8 +2,11 @@
 //! there, and between which numbers that may lie.
 
 use super::drive::CONTRACTION;
-use super::{Activation, AnyBody, Drivable, Drive, Motion, PanelMotion, Scene};
+use super::{Activation, AnyBody, Drivable, Drive, Motion, PanelMotion, Scene, SheetActivation};
 use glam::DVec3;
+
+/// Any number.
+const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 impl Drivable {
     /// RFC 6901 pointer to the drive in the scene's file, or to where it would be; none where what it moves is not there.
@@ -29,6 +32,10 @@ impl Drivable {
             Self::Fibre { fibre, .. } => {
                 let (at, body) = body()?;
                 format!("{at}/fibres/{}/activation/drive", body.fibres().iter().position(|one| one.id == *fibre)?)
+            }
+            Self::Sheet { sheet, .. } => {
+                let (at, body) = body()?;
+                format!("{at}/sheets/{}/activation/drive", body.sheets().iter().position(|one| one.id == *sheet)?)
             }
             Self::Pin { pin, .. } => {
                 let (at, body) = body()?;
@@ -69,6 +76,10 @@ impl Drivable {
                 let one = of_body().map_or(&[][..], AnyBody::fibres).iter().find(|one| one.id == *fibre);
                 of(one.map_or(fibre.as_str(), |one| one.title()))
             }
+            Self::Sheet { sheet, .. } => {
+                let one = of_body().map_or(&[][..], AnyBody::sheets).iter().find(|one| one.id == *sheet);
+                of(one.map_or(sheet.as_str(), |one| one.title()))
+            }
             Self::Pin { pin, .. } => of(&format!("Pin {pin}")),
             Self::Pressure(id) => format!("Gas in {}", of_body().map_or(id.as_str(), AnyBody::title)),
         }
@@ -87,6 +98,7 @@ impl Drivable {
             Self::Collider(id) => way(&scene.colliders.iter().find(|collider| collider.id == *id)?.motion),
             Self::Shared { .. } => None,
             Self::Fibre { .. } => act(self.activation(scene)?),
+            Self::Sheet { .. } => bend(self.sheet_activation(scene)?),
             Self::Pin { pin, .. } => way(&body()?.pins().iter().find(|one| one.id == *pin)?.motion),
             Self::Pressure(_) => Some((body()?.two_layer()?.pressure, "J")),
         }
@@ -94,14 +106,15 @@ impl Drivable {
 
     /// Least and greatest number that its drive may take, as [`validate`](Scene::validate) has it.
     pub fn limits(&self, scene: &Scene) -> [f64; 2] {
-        const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
         match self {
             Self::Pressure(_) => [0.0, f64::INFINITY],
             Self::Fibre { .. } => self.activation(scene).map_or(ANY, |of| {
                 let pulls = if of.muscle.is_some() { [0.0, 1.0] } else { ANY };
-                let ends = CONTRACTION.map(|share| share / of.contract);
-                let shortens = if of.contract == 0.0 { ANY } else { [ends[0].min(ends[1]), ends[0].max(ends[1])] };
-                both(pulls, shortens)
+                both(pulls, shortening(of.contract))
+            }),
+            Self::Sheet { .. } => self.sheet_activation(scene).map_or(ANY, |of| {
+                let [along, across] = of.contract.map(shortening);
+                both(along, across)
             }),
             Self::Shared { .. } => self.followers(scene).iter().map(|one| one.limits(scene)).fold(ANY, both),
             Self::Gravity | Self::Wind | Self::Panel(_) | Self::Collider(_) | Self::Pin { .. } => ANY,
@@ -121,6 +134,11 @@ impl Drivable {
         let Self::Fibre { body, fibre } = self else { return None };
         scene.body(body)?.fibres.iter().find(|one| one.id == *fibre)?.activation.as_ref()
     }
+
+    fn sheet_activation<'a>(&self, scene: &'a Scene) -> Option<&'a SheetActivation> {
+        let Self::Sheet { body, sheet } = self else { return None };
+        scene.body(body)?.sheets.iter().find(|one| one.id == *sheet)?.activation.as_ref()
+    }
 }
 
 impl Drive {
@@ -137,6 +155,23 @@ impl Drive {
 
 fn both(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0].max(b[0]), a[1].min(b[1])]
+}
+
+/// Least and greatest drive of what makes something shorter by this share where it is 1.
+fn shortening(contract: f64) -> [f64; 2] {
+    if contract == 0.0 {
+        return ANY;
+    }
+    let [a, b] = CONTRACTION.map(|share| share / contract);
+    [a.min(b), a.max(b)]
+}
+
+/// What a sheet does most.
+fn bend(of: &SheetActivation) -> Option<(f64, &'static str)> {
+    let greatest = |[along, across]: [f64; 2]| if along.abs() < across.abs() { across } else { along };
+    let (shorter, curls) = (greatest(of.contract), greatest(of.curl_degrees_per_metre));
+    let shortens = (shorter != 0.0).then_some((100.0 * shorter, "%"));
+    shortens.or((curls != 0.0).then_some((curls, "°/m")))
 }
 
 /// The greatest of what a fibre does.

@@ -262,6 +262,8 @@ fn asset(name: &str) -> PathBuf {
 fn numbers_place_a_body_and_give_its_shape() {
     let mut window = open(scene(CUBE));
     hold(&mut window);
+    window.get_by_role_and_label(Role::SpinButton, "Turned by").scroll_to_me();
+    window.run_steps(20);
     set(&mut window, "Turned by", "90");
     settle(&mut window);
     assert_eq!(body(&window, 0).view().placement().rotation.degrees, 90.0);

@@ -20,7 +20,7 @@ const fn beside_start(name: &'static str, at: f64) -> ExamplePicture {
 }
 
 /// Every scene that ships.
-pub(super) const EXAMPLES: [ExamplePicture; 81] = [
+pub(super) const EXAMPLES: [ExamplePicture; 85] = [
     beside_start("alive_fish", 2.0),
     at("alive_gripper", 2.0),
     at("alive_heart", 0.6),
@@ -75,6 +75,10 @@ pub(super) const EXAMPLES: [ExamplePicture; 81] = [
     beside_start("plastic_wire", 2.3),
     beside_start("plastic_wire_without", 2.3),
     at("press_short_bar", 0.01),
+    at("sheet_fin", 2.1),
+    at("sheet_fin_without", 2.1),
+    at("sheet_sandwich", 2.0),
+    at("sheet_sandwich_without", 2.0),
     at("short_bar", 0.003),
     at("short_bar_mesh", 0.003),
     at("short_bar_soft", 0.16),

@@ -3,14 +3,16 @@
 use super::actions::{named, playhead, undriven};
 use super::keys::{as_keys, as_wave, first_key, on_frame, value_of};
 use crate::edit::Command;
-use crate::scene::{Activation, AfterLast, Drivable, Drive, DriveKeys, Interpolation, Scene, Wave};
+use crate::scene::{
+    Activation, AfterLast, Drivable, Drive, DriveKeys, Interpolation, Scene, Sheet, SheetActivation, Wave,
+};
 use crate::text::number::compact;
 use crate::text::quantity::typed;
 use crate::ui::context::{Context, Step};
 use crate::ui::theme::GRID;
 use egui::{ComboBox, DragValue, TextStyle, Ui};
 
-/// Share by which a fibre that begins to act shortens.
+/// Share by which a fibre or a sheet that begins to act shortens.
 const FIRST_CONTRACTION: f64 = 0.2;
 /// Width of a choice [points].
 const CHOICE: f32 = 76.0;
@@ -246,6 +248,13 @@ fn first_drive(of: &Drivable, cx: &Context) -> Command {
         let fibre = crate::scene::Fibre { yields: None, ..one.clone() };
         let fibre = fibre.with_activation(Activation::contracting(FIRST_CONTRACTION, key(0.0)));
         return Command::set_fibres("Let act", body, vec![fibre]);
+    }
+    if let Drivable::Sheet { body, sheet } = of
+        && let Some(one) = scene.body(body).and_then(|body| body.sheets.iter().find(|one| one.id == *sheet))
+    {
+        let acts = SheetActivation::contracting([FIRST_CONTRACTION, 0.0], key(0.0));
+        let sheet = Sheet { activation: Some(acts), ..one.clone() };
+        return Command::SetSheet { verb: "Let act".to_owned(), body: body.clone(), sheet };
     }
     Command::SetDrive { of: of.clone(), drive: Some(key(undriven(of))) }
 }

@@ -28,7 +28,7 @@ pub enum Group {
     Start,
     /// Fibres that act.
     Alive,
-    /// Matter with holes, that yields or flows, and what it touches.
+    /// Matter with holes or sheets, that yields or flows, and what it touches.
     Matter,
     /// The fibre paper.
     Fibres,
@@ -137,6 +137,10 @@ examples! {
     Matter "collider_carry", "A bar that is carried", "": "Two fingers lift it and carry it along by friction alone.";
     Matter "void_bores", "A bored bar", "": "Two bores cross in it: landing, it is squeezed further.";
     Matter "void_without", "The bar without bores", "": "Solid, it keeps more of its height.";
+    Matter "sheet_sandwich", "A sandwich", "": "A sheet above and one below let it sag a seventh as far.";
+    Matter "sheet_sandwich_without", "The bar without sheets", "": "Alone it hangs down.";
+    Matter "sheet_fin", "A beating fin", "": "Two sheets carry it and pull in turns: it beats up and down.";
+    Matter "sheet_fin_without", "The fin without sheets", "": "Nothing carries it: it hangs down.";
     Matter "plastic_dent", "A dent in clay", "": "A stamp leaves a dent that stays.";
     Matter "plastic_dent_without", "No dent in rubber", "": "The same stamp: all of it springs back.";
     Matter "plastic_wire", "A bent wire", "": "The wire in the arm yields: the arm keeps its pose.";

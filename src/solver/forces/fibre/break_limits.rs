@@ -21,3 +21,8 @@ impl BreakLimits {
         self.angle.is_finite() || self.tension.is_finite()
     }
 }
+
+/// The greatest ratio of a load to its limit and where it is; zero where there is none.
+pub(super) fn furthest(ratios: impl Iterator<Item = (f64, usize)>) -> (f64, usize) {
+    ratios.fold((0.0, 0), |most, ratio| if ratio.0 > most.0 { ratio } else { most })
+}

@@ -1,6 +1,7 @@
 //! The force of all fibres of a body, evaluated together.
 
 use super::activity::{Activity, Now};
+use super::break_limits::furthest;
 use super::breaking::{Breakage, FibreBreak};
 use super::corner::{Corner, straight_energy};
 use super::fibre_embedding::FibreEmbedding;
@@ -395,9 +396,4 @@ impl Force for FibreForce {
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }
-}
-
-/// The greatest ratio of a load to its limit and where it is; zero where there is none.
-fn furthest(ratios: impl Iterator<Item = (f64, usize)>) -> (f64, usize) {
-    ratios.fold((0.0, 0), |most, ratio| if ratio.0 > most.0 { ratio } else { most })
 }

@@ -178,6 +178,8 @@ fn the_time_step_can_be_given_by_hand_and_its_limit_is_told() {
     click(&mut window, "World");
     click(&mut window, "By hand");
     assert!(matches!(window.state().scene().time.step, TimeStep::Manual(_)));
+    window.get_by_role_and_label(Role::SpinButton, "DT").scroll_to_me();
+    window.run_steps(20);
     set(&mut window, "DT", "0.01");
     until(&mut window, |app| app.published().status.bodies.iter().any(|body| (body.dt - 0.01).abs() < 1e-9));
     window.step();

@@ -137,7 +137,7 @@ examples! {
     Matter "collider_carry", "A bar that is carried", "": "Two fingers lift it and carry it along by friction alone.";
     Matter "void_bores", "A bored bar", "": "Two bores cross in it: landing, it is squeezed further.";
     Matter "void_without", "The bar without bores", "": "Solid, it keeps more of its height.";
-    Matter "sheet_sandwich", "A sandwich", "": "A sheet above and one below let it sag a seventh as far.";
+    Matter "sheet_sandwich", "A sandwich", "": "A sheet above and one below let it sag a third as far.";
     Matter "sheet_sandwich_without", "The bar without sheets", "": "Alone it hangs down.";
     Matter "sheet_fin", "A beating fin", "": "Two sheets carry it and pull in turns: it beats up and down.";
     Matter "sheet_fin_without", "The fin without sheets", "": "Nothing carries it: it hangs down.";

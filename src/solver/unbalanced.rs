@@ -80,8 +80,11 @@ fn step_of(parts: &BodyParts) -> &str {
 }
 
 fn remedy(parts: &BodyParts) -> String {
-    let BodyParts { dt, stable_dt, pointer, .. } = parts;
-    let beyond =
-        if dt > stable_dt { format!("its step is beyond the stable {stable_dt:.2e} s: ") } else { String::new() };
-    format!("{beyond}lower {}, or choose another {pointer}/integrator", step_of(parts))
+    let BodyParts { dt, stable_dt, pointer, limited_by, .. } = parts;
+    let (mut beyond, mut or) = (String::new(), String::new());
+    if dt > stable_dt {
+        beyond = format!("its step is beyond the stable {stable_dt:.2e} s: ");
+        or = limited_by.as_ref().map_or(or, |parameter| format!(", or {parameter}, which sets it"));
+    }
+    format!("{beyond}lower {}{or}, or choose another {pointer}/integrator", step_of(parts))
 }

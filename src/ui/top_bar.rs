@@ -8,9 +8,12 @@ use super::recent_menu::recent_menu;
 use super::theme::{self, GRID};
 use crate::sim::SimCommand;
 use crate::text::number::{moment, ratio};
-use egui::{DragValue, Panel, RichText, Ui};
+use egui::{DragValue, Label, Panel, RichText, Ui};
 use std::collections::VecDeque;
 use std::path::PathBuf;
+
+/// Width [points] below which only the pace is read out.
+const ROOMY: f32 = 420.0;
 
 /// The bar above the views.
 pub(super) struct TopBar {
@@ -88,13 +91,13 @@ impl TopBar {
             "Stopped before it was put together; Reset does that".to_owned()
         } else if status.real_time_factor > 0.0 && status.playing {
             let pace = if slow { "slow motion, " } else { "" };
-            format!(
-                "{}   {:.0} frames/s, {} drawn   {pace}{} × real time",
-                now(status.time),
-                status.frames_per_second,
-                self.frame_times.len(),
-                ratio(status.real_time_factor)
-            )
+            let pace = format!("{pace}{} × real time", ratio(status.real_time_factor));
+            if ui.available_width() < ROOMY {
+                format!("{}   {pace}", now(status.time))
+            } else {
+                let (computed, drawn) = (status.frames_per_second, self.frame_times.len());
+                format!("{}   {computed:.0} frames/s, {drawn} drawn   {pace}", now(status.time))
+            }
         } else if cx.simulation.is_replaying() {
             let last = status.recording.span.map_or(status.time, |span| span[1]);
             format!("{} of {}", now(status.time), now(last))
@@ -119,7 +122,7 @@ impl TopBar {
             why.push(saves.to_owned());
         }
         let why = why.join("\n");
-        ui.label(RichText::new(text).monospace()).on_hover_text(&why);
+        ui.add(Label::new(RichText::new(text).monospace()).truncate()).on_hover_text(&why);
         if draws_in_software {
             ui.label(RichText::new("software driver").weak()).on_hover_text(why);
         }

@@ -1,7 +1,7 @@
 //! What is keyed beside its field, acts at once, is seen to act and is led by hand.
 
 use super::drives::{FRAME, at, fibre, is_near, keys_of, lane, lanes, one_step, pairs, pull, undo};
-use super::{Window, advance, click, click_on, drag, hold, is_settled, press_key, until};
+use super::{Window, advance, click, click_on, drag, is_settled, press_key, until};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2};
 use egui_kittest::kittest::Queryable;

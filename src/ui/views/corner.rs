@@ -16,6 +16,8 @@ use crate::ui::theme::{self, GRID, Tone};
 use egui::{Align2, Button, FontId, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, Vec2};
 use glam::DVec3;
 
+/// Width of a view [points] below which its buttons draw in.
+const ROOMY: f32 = 210.0;
 /// Reach of the axes gizmo [points].
 const REACH: f32 = 30.0;
 /// Radius of the balls at its ends [points].
@@ -32,6 +34,9 @@ pub(super) fn corner(pane: &mut Pane, ui: &mut Ui, options: &mut ViewOptions, li
     let mut child = ui.new_child(UiBuilder::new().max_rect(bar));
     match pane.kind {
         PaneKind::Drawing(view) => child.horizontal(|ui| {
+            if bar.width() < ROOMY {
+                ui.spacing_mut().button_padding.x = GRID;
+            }
             choose_view(ui, view, links);
             choose_tool(ui, cx);
         }),

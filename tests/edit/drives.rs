@@ -17,6 +17,19 @@ fn json(scene: &Scene) -> serde_json::Value {
     serde_json::from_str(&scene_to_json(scene)).expect("what was written is JSON")
 }
 
+/// As many drives as a file has: whatever is one is tagged as one.
+fn count(value: &serde_json::Value) -> usize {
+    let own = |(key, value): (&String, &serde_json::Value)| {
+        let is_drive = key.ends_with("drive") && value.as_object().is_some_and(|of| of.len() == 1);
+        usize::from(is_drive) + count(value)
+    };
+    match value {
+        serde_json::Value::Object(fields) => fields.iter().map(own).sum(),
+        serde_json::Value::Array(items) => items.iter().map(count).sum(),
+        _ => 0,
+    }
+}
+
 #[test]
 fn every_drive_of_a_file_is_listed_under_its_pointer() {
     let scene = every_field();
@@ -28,18 +41,6 @@ fn every_drive_of_a_file_is_listed_under_its_pointer() {
         assert_eq!(written.pointer(&pointer), there.as_ref(), "{pointer}");
         assert!(!of.title(&scene).is_empty(), "{pointer}");
         pointers.extend(there.map(|_| pointer));
-    }
-    // As many as the file has: whatever is a drive is tagged as one.
-    fn count(value: &serde_json::Value) -> usize {
-        let own = |(key, value): (&String, &serde_json::Value)| {
-            let is_drive = key.ends_with("drive") && value.as_object().is_some_and(|of| of.len() == 1);
-            usize::from(is_drive) + count(value)
-        };
-        match value {
-            serde_json::Value::Object(fields) => fields.iter().map(own).sum(),
-            serde_json::Value::Array(items) => items.iter().map(count).sum(),
-            _ => 0,
-        }
     }
     assert_eq!(pointers.len(), count(&written), "{pointers:?}");
     assert!(pointers.len() >= 10, "{pointers:?}");

@@ -143,7 +143,7 @@ fn damaged_files_do_no_harm(cases: u32, random: &TestRng) {
     };
     let glb_path = folder.path().join("sound.glb");
     write_glb(&glb_path, &ball, "ball").expect("written");
-    let glb = fs::read(&glb_path).unwrap();
+    let glb = fs::read(&glb_path).expect("the model");
     let stl_text =
         b"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n\
         endsolid x\n";
@@ -170,7 +170,7 @@ fn damaged_files_do_no_harm(cases: u32, random: &TestRng) {
             survive(&path);
             Ok(())
         })
-        .unwrap();
+        .unwrap_or_else(|failure| panic!("{failure}"));
 }
 
 /// Sound files of every format, by their names.

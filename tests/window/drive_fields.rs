@@ -18,7 +18,7 @@ fn a_diamond_sets_and_removes_a_key_at_the_time_that_is_shown() {
     is_near(&pairs(&window, &Drivable::Gravity), &[(0.1, 1.0)], 1e-12);
     assert!(window.query_by_label("Lane of Gravity").is_some());
     one_step(&mut window, "Remove key", |window| {
-        window.query_all_by_label("Remove the key of Gravity").next().expect("a button").click()
+        window.query_all_by_label("Remove the key of Gravity").next().expect("a button").click();
     });
     assert_eq!(Drivable::Gravity.drive(window.state().scene()), Some(&Drive::Constant(1.0)));
     // A pin: it stays where it is, and goes from there.

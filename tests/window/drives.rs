@@ -216,7 +216,7 @@ fn escape_puts_dragged_keys_back() {
     let name = "pull, Bar";
     let (from, to) = (at(&window, name, 1.0, 1.0), at(&window, name, 1.6, 0.4));
     window.event(Event::PointerMoved(from));
-    button(&mut window, from, PointerButton::Primary, true);
+    button(&window, from, PointerButton::Primary, true);
     window.event(Event::PointerMoved(from.lerp(to, 0.5)));
     window.event(Event::PointerMoved(to));
     window.run_steps(5);
@@ -224,7 +224,7 @@ fn escape_puts_dragged_keys_back() {
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     assert_eq!((window.state().scene().clone(), window.state().undo_name()), (before.clone(), None));
     window.event(Event::PointerMoved(to + Vec2::splat(9.0)));
-    button(&mut window, to, PointerButton::Primary, false);
+    button(&window, to, PointerButton::Primary, false);
     window.run_steps(3);
     assert_eq!(*window.state().scene(), before);
 }

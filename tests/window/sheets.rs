@@ -59,7 +59,7 @@ fn two_strokes_sweep_a_sheet_that_is_previewed_and_undone() {
     // While the second stroke grows the surface does, from the first stroke on.
     let path = stroke(view(&window, "Side"), |s| [0.24 * s - 0.12, 0.1]);
     hover(&mut window, path[0]);
-    button(&mut window, path[0], PointerButton::Primary, true);
+    button(&window, path[0], PointerButton::Primary, true);
     window.step();
     let mut grown = Vec::new();
     for &at in &path[1..] {
@@ -68,7 +68,7 @@ fn two_strokes_sweep_a_sheet_that_is_previewed_and_undone() {
         grown.push(window.state().swept_preview().len());
     }
     let last = window.state().swept_preview();
-    button(&mut window, path[path.len() - 1], PointerButton::Primary, false);
+    button(&window, path[path.len() - 1], PointerButton::Primary, false);
     window.run_steps(2);
     assert!(grown.is_sorted() && grown[5] > 0 && grown[5] < grown[59], "{grown:?}");
     settle(&mut window);

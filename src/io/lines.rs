@@ -6,7 +6,7 @@ use super::model::load_obj_lines;
 use super::read::read_text;
 use super::scene::MAX_SCENE_BYTES;
 use super::{IoError, write_atomically, write_json};
-use crate::scene::one_line;
+use crate::scene::{brief, one_line};
 use glam::DVec3;
 use serde_json::{Value, json};
 use std::fmt::Display;
@@ -132,7 +132,10 @@ fn parted<'a>(name: &'a str, is_body: &impl Fn(&str) -> bool) -> Result<(&'a str
     let ways = name.match_indices('.').map(|(dot, _)| (&name[..dot], &name[dot + 1..]));
     let mut meant = ways.filter(|(body, _)| is_body(body));
     match (meant.next(), meant.next()) {
-        (Some((one, _)), Some((other, _))) => Err(format!("{name:?} may be of body {one:?} and of body {other:?}")),
+        (Some((one, _)), Some((other, _))) => {
+            let [name, one, other] = [name, one, other].map(|text| brief(&text));
+            Err(format!("{name} may be of body {one} and of body {other}"))
+        }
         (one, _) => Ok(one.unwrap_or(("", name))),
     }
 }
@@ -171,7 +174,7 @@ fn read_csv(text: &str) -> Result<Vec<NamedLine>, IoError> {
                 .parse()
                 .ok()
                 .filter(|c: &f64| c.is_finite())
-                .ok_or_else(|| fault("CSV", &at, format_args!("{value:?} is not a number")))?;
+                .ok_or_else(|| fault("CSV", &at, format_args!("{} is not a number", brief(&value))))?;
         }
         match lines.last_mut().filter(|line| line.body == body && line.name == name) {
             Some(line) => line.points.push(point.into()),

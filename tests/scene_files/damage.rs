@@ -3,6 +3,8 @@
 use super::{EVERY_FIELD, is_one_line};
 use serde_json::{Value, json};
 use sinew::io::{load_scene, scene_from_json, scene_to_json};
+use sinew::scene::{Body, Scene};
+use sinew::sim::Journal;
 use std::fs;
 use std::path::Path;
 
@@ -175,8 +177,7 @@ const OBJ: &str = "o bar.a\nv 0 0 0\nv 0 1 0\nv 0 2 0.5\nl 1 2 3\no b\nv 1 0 0\n
 
 /// A journal of everything that can be asked of a motion.
 fn journal() -> String {
-    let scene = json!({"version": 1, "bodies": [{"id": "cube", "shape": {"box": {"size": [0.03, 0.03, 0.03]}}}]});
-    let scene: sinew::scene::Scene = scene_from_json(&scene.to_string()).expect("a scene");
+    let scene = Scene::new("Cube").with_body(Body::cuboid("cube", [0.03; 3]));
     let asked = [
         json!("play"),
         json!({"speed": 0.5}),
@@ -195,6 +196,7 @@ fn journal() -> String {
 fn lines_and_journals(seeds: std::ops::Range<u64>) -> [u64; 2] {
     let folder = tempfile::tempdir().expect("a folder");
     let journal = journal();
+    assert!(serde_json::from_str::<Journal>(&journal).is_ok(), "undamaged it is one");
     let (mut read, mut refused) = (0, 0);
     for seed in seeds {
         let mut random = Random(seed);
@@ -202,7 +204,7 @@ fn lines_and_journals(seeds: std::ops::Range<u64>) -> [u64; 2] {
             [("a.csv", CSV), ("a.json", JSON), ("a.obj", OBJ), ("journal", &journal)][(seed % 4) as usize];
         let bytes = damaged_text(&mut random, sound);
         if name == "journal" {
-            match serde_json::from_slice::<sinew::sim::Journal>(&bytes) {
+            match serde_json::from_slice::<Journal>(&bytes) {
                 Ok(journal) => {
                     read += 1;
                     journal.scenes().for_each(|scene| drop(scene.validate()));

@@ -43,17 +43,17 @@ impl PlacedFibre {
 }
 
 /// Greatest `sum phi²` of a structure particle that carries force: beyond it the particle shrinks the stable step.
-const GREATEST_SQUARE_SUM: f64 = 1.0;
+pub(super) const GREATEST_SQUARE_SUM: f64 = 1.0;
 
 /// Structure particles nearer to each other than this share of the spacing D are warned of.
-const CROWDED: f64 = 0.75;
+pub(super) const CROWDED: f64 = 0.75;
 
 /// Turn [degrees] of a fibre at one vertex beyond which its bending energy is only a continuation of the law (below a
 /// cosine of -1/2), and as drawn less than a sixteenth of its stiffness is left.
 const FOLDED: f64 = 120.5;
 
 /// Turns [degrees] from vertex to vertex from which on a curl and a twist have another meaning.
-const MOST_CURLED: f64 = 90.0;
+pub(super) const MOST_CURLED: f64 = 90.0;
 const MOST_TWISTED: f64 = 180.0;
 
 /// Where the fibres of one body are put, and where it is said what happened.

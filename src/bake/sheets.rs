@@ -2,6 +2,7 @@
 
 use super::drives::drive;
 use super::falloff::curve;
+use super::fibres::{CROWDED, GREATEST_SQUARE_SUM, MOST_CURLED};
 use super::note::Note;
 use super::sheet_shape::SheetShape;
 use crate::geometry::kernel::Kernel;
@@ -24,17 +25,8 @@ pub(super) struct PlacedSheet {
     active: usize,
 }
 
-/// Greatest `sum phi²` of a vertex that carries force: beyond it the vertex shrinks the stable step.
-const GREATEST_SQUARE_SUM: f64 = 1.0;
-
 /// Least area of a triangle in units of D².
 const LEAST_AREA: f64 = 0.1;
-
-/// Vertices nearer to each other than this share of the spacing D are warned of.
-const CROWDED: f64 = 0.75;
-
-/// Turn [degrees] from vertex to vertex from which on a curl has another meaning.
-const MOST_CURLED: f64 = 90.0;
 
 /// Points at which the share of a sheet is summed over the distance from it.
 const SUMMED: u32 = 64;

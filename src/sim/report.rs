@@ -265,7 +265,7 @@ impl BodyReport {
     }
 }
 
-/// Hash of a state of bodies, equal only for equal bits: of all that their motion goes on from but what has broken.
+/// Hash of a state of bodies, equal only for equal bits: of positions, velocities and what forces remember of the motion so far.
 pub(super) fn state_hash<'a>(bodies: impl IntoIterator<Item = &'a Body>) -> String {
     let mut hasher = DefaultHasher::new();
     bodies.into_iter().for_each(|body| add_state(body, &mut hasher));

@@ -30,6 +30,15 @@ fn a_diamond_sets_and_removes_a_key_at_the_time_that_is_shown() {
     until(&mut window, is_settled);
 }
 
+/// Presses I over a number.
+fn i_over(window: &mut Window, label: &str) {
+    let field = window.get_by_role_and_label(Role::SpinButton, label);
+    window.event(Event::PointerMoved(field.rect().center()));
+    window.run_steps(2);
+    press_key(window, Modifiers::NONE, Key::I);
+    window.step();
+}
+
 #[test]
 fn i_over_a_field_sets_a_key_of_what_it_is_part_of() {
     let mut window = lanes();
@@ -41,22 +50,12 @@ fn i_over_a_field_sets_a_key_of_what_it_is_part_of() {
     click(&mut window, "Gamma");
     click(&mut window, "Activation");
     window.run_steps(20);
-    let field = window.get_by_role_and_label(Role::SpinButton, "Contracts by");
-    window.event(Event::PointerMoved(field.rect().center()));
-    window.step();
-    window.step();
-    press_key(&mut window, Modifiers::NONE, Key::I);
-    window.step();
+    i_over(&mut window, "Contracts by");
     is_near(&pairs(&window, &fibre("c")), &[(0.05, 1.0)], 1e-12);
     // What follows a shared drive keys that, with the value of then; elsewhere I is what it was.
     click(&mut window, "Alpha");
     window.run_steps(20);
-    let field = window.get_by_role_and_label(Role::SpinButton, "Contracts by");
-    window.event(Event::PointerMoved(field.rect().center()));
-    window.step();
-    window.step();
-    press_key(&mut window, Modifiers::NONE, Key::I);
-    window.step();
+    i_over(&mut window, "Contracts by");
     let smooth = |s: f64| s * s * (3.0 - 2.0 * s);
     is_near(&pairs(&window, &pull())[1..2], &[(0.05, smooth(0.05))], 1e-12);
     press_key(&mut window, Modifiers::NONE, Key::I);

@@ -175,9 +175,8 @@ pub(crate) fn surface_particles(points: &[DVec3], spacing: f64) -> Vec<u32> {
         let place = points[i as usize];
         let around = grid.within(place);
         let sum: DVec3 = around.iter().map(|&j| points[j as usize] - place).sum();
-        sum.length() > ONE_SIDED * spacing * (around.len() - 1) as f64
+        let others = around.len() - 1;
+        others == 0 || sum.length() > ONE_SIDED * spacing * others as f64
     };
-    // One that has no neighbour lies at the surface too: it fails any comparison with what it does not have.
-    let lonely = |&i: &u32| grid.within(points[i as usize]).len() == 1;
-    (0..points.len() as u32).filter(|i| is_surface(i) || lonely(i)).collect()
+    (0..points.len() as u32).filter(is_surface).collect()
 }

@@ -124,7 +124,7 @@ impl TopBar {
         let why = why.join("\n");
         ui.add(Label::new(RichText::new(text).monospace()).truncate()).on_hover_text(&why);
         if draws_in_software {
-            ui.label(RichText::new("software driver").weak()).on_hover_text(why);
+            ui.add(Label::new(RichText::new("software driver").weak()).truncate()).on_hover_text(why);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::scene::{
     Collider, Dab, Drivable, Drive, Fibre, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement, Region,
-    RegionMaterial, Room, Sheet, Time, TwoLayer, Void, Wind,
+    RegionMaterial, Room, SharedDrive, Sheet, Time, TwoLayer, Void, Wind,
 };
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
@@ -204,6 +204,14 @@ impl Command {
         let name = name_of(verb, &fibres);
         let add = |fibre| Self::AddFibre { body: body.to_owned(), fibre };
         Self::Many { name, commands: fibres.into_iter().map(add).collect() }
+    }
+
+    /// The changes that add drives which parts of a body share, and fibres that may follow them.
+    pub fn additions(body: &str, drives: Vec<SharedDrive>, fibres: Vec<Fibre>) -> Vec<Self> {
+        let of = |drive: String| Drivable::Shared { body: body.to_owned(), drive };
+        let drives = drives.into_iter().map(|one| Self::SetDrive { of: of(one.id), drive: Some(one.drive) });
+        let fibres = fibres.into_iter().map(|fibre| Self::AddFibre { body: body.to_owned(), fibre });
+        drives.chain(fibres).collect()
     }
 
     /// Takes fibres of a body away in one step.

@@ -1,11 +1,9 @@
 //! Drives: numbers that change in time.
 
 use super::Extra;
+pub(super) use crate::sketch::pattern::CONTRACTION;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-/// Shares by which a fibre may want to be shorter: beyond them its edges turn over or it buckles at once.
-pub(super) const CONTRACTION: [f64; 2] = [-0.5, 0.8];
 
 /// A number that changes in time, such as the share of its contraction that a fibre shows. What it moves is multiplied by
 /// it.

@@ -9,6 +9,15 @@ const A_FRAME: u32 = 3;
 /// Frames of a strip lie one below the other; each is as high as it is wide.
 const FRAMES_PER_SECOND: f64 = 11.0;
 
+/// How a strip plays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Runs {
+    /// To its end and back: what comes once, and has come furthest at the end.
+    ForthAndBack,
+    /// From its start again after its end: what comes over and over, furthest half-way.
+    Round,
+}
+
 /// Pictures by name, as far as they have been seen.
 #[derive(Default)]
 pub(super) struct Thumbs {
@@ -50,16 +59,28 @@ impl Thumbs {
         }
     }
 
-    /// Paints a strip into a place: forth and back while it plays, else where it has come furthest.
-    pub(super) fn paint_strip(&mut self, ui: &Ui, name: &'static str, png: &[u8], place: Rect, plays: bool) {
+    /// Paints a strip into a place; one that does not play, where it has come furthest.
+    pub(super) fn paint_strip(
+        &mut self,
+        ui: &Ui,
+        name: &'static str,
+        png: &[u8],
+        place: Rect,
+        runs: Runs,
+        plays: bool,
+    ) {
         let Some(texture) = self.get(ui.ctx(), name, png) else { return };
         let [width, height] = texture.size();
         let last = (height / width.max(1)).saturating_sub(1);
-        let frame = if plays {
+        if plays {
             ui.ctx().request_repaint_after_secs(1.0 / FRAMES_PER_SECOND as f32);
-            swing(ui.input(|input| input.time) * FRAMES_PER_SECOND, last)
-        } else {
-            last
+        }
+        let frames = ui.input(|input| input.time) * FRAMES_PER_SECOND;
+        let frame = match runs {
+            Runs::ForthAndBack if plays => swing(frames, last),
+            Runs::ForthAndBack => last,
+            Runs::Round if plays => frames.max(0.0) as usize % (last + 1),
+            Runs::Round => last.div_ceil(2),
         };
         // Half a pixel of each side is left out: what lies above and below is another frame.
         let half = 0.5 / height as f32;

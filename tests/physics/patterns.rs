@@ -2,6 +2,7 @@
 
 use crate::common::runner;
 use glam::DVec3;
+use sinew::edit::fibre_ops::made_to_act;
 use sinew::scene::{FibreSource, Scene};
 use sinew::sim::Runner;
 use sinew::sketch::pattern::{PATTERNS, Pattern};
@@ -121,4 +122,83 @@ fn rays_and_veins_carry_what_hangs() {
 fn a_spiral_turns_the_middle_of_a_plate_that_is_stretched() {
     let [with, without] = beside_plain("spiral", "turn");
     assert!(with.x < -5.0 && without.x.abs() < 0.1, "{} and {} degrees", with.x, without.x);
+}
+
+/// A measure at some times, of a scene that runs once.
+fn at_times(scene: &Scene, name: &str, times: &[f64]) -> Vec<DVec3> {
+    let mut runner = runner(scene);
+    let mut found = Vec::new();
+    for &time in times {
+        while runner.world().frame() < runner.frames_for(time) {
+            runner.advance_frame();
+        }
+        assert!(runner.world().divergence().is_none(), "{}: {:?}", scene.name, runner.world().divergence());
+        found.push(measured(&runner, name));
+    }
+    println!("{} {name}: {found:?}", scene.name);
+    found
+}
+
+/// The same scene with another value of a parameter, by the identifiers of both.
+fn with(id: &str, values: &[(&str, f64)]) -> Scene {
+    let pattern = Pattern::by_id(id).expect("a pattern");
+    let mut all = pattern.defaults();
+    for (name, value) in values {
+        let index = pattern.parameters.iter().position(|parameter| parameter.id == *name);
+        all[index.expect("a parameter of that name")] = *value;
+    }
+    let mut scene = demo_of(id).scene;
+    let acts = pattern.acts(&all, scene.bodies[0].fibres.len());
+    scene.bodies[0].drives.clear();
+    let drives = made_to_act(&mut scene.bodies[0].fibres, &acts, id, &[]);
+    scene.bodies[0].drives = drives;
+    scene
+}
+
+#[test]
+fn a_worm_crawls_by_its_wave_and_a_fish_swims() {
+    let crawl = |waves: f64| at_times(&with("worm", &[("waves", waves)]), "crawl", &[1.6])[0].x;
+    let (crawled, back) = (crawl(1.0), crawl(-1.0));
+    assert!(crawled > 20.0 && (back / crawled + 1.0).abs() < 0.05, "{crawled} and {back} mm");
+    let lively = [("contract", 0.6), ("period", 0.5)];
+    let swim = |waves: f64| at_times(&with("tail", &[lively[0], lively[1], ("waves", waves)]), "swim", &[1.5])[0].x;
+    let (swum, back) = (swim(1.0), swim(-1.0));
+    assert!(swum > 10.0 && (back / swum + 1.0).abs() < 0.05, "{swum} and {back} mm");
+}
+
+#[test]
+fn a_finger_curls_to_its_side_and_straightens() {
+    let tip = at_times(&demo_of("finger").scene, "tip", &[1.2, 1.6]);
+    assert!(tip[0].x > 20.0 && tip[1].x.abs() < 0.25 * tip[0].x && tip[0].z.abs() < 0.05 * tip[0].x, "{tip:?} mm");
+}
+
+#[test]
+fn a_heart_gets_narrow_and_tall_and_a_breath_small_all_round() {
+    let size = |id: &str, axis: &str| {
+        let found = at_times(&demo_of(id).scene, axis, &[0.0, 1.2, 1.6]);
+        [found[1].x / found[0].x, found[2].x / found[0].x]
+    };
+    let ([narrow, again], [tall, _]) = (size("rings", "width"), size("rings", "height"));
+    assert!(narrow < 0.92 && tall > 1.01 && (again - 1.0).abs() < 0.05, "{narrow}, {again}, {tall}");
+    let ([wide, again], [high, _]) = (size("spokes", "width"), size("spokes", "height"));
+    assert!(wide < 0.95 && (wide - high).abs() < 0.01 && (again - 1.0).abs() < 0.05, "{wide}, {again}, {high}");
+}
+
+#[test]
+fn arms_of_a_starfish_bend_down_in_turns() {
+    // The first arm points to the right.
+    let right = at_times(&demo_of("starfish").scene, "right", &[1.2, 1.6]);
+    assert!(right[0].y < -10.0 && right[1].y > 0.4 * right[0].y, "{right:?} mm");
+}
+
+#[test]
+fn a_trunk_twists_both_ways_alike_and_a_tentacle_curls_besides() {
+    let twist = at_times(&demo_of("trunk").scene, "twist", &[1.2, 1.6]);
+    assert!(twist[0].x > 15.0 && (twist[1].x / twist[0].x + 1.0).abs() < 0.1, "{twist:?} degrees");
+    // A third and two thirds of a swing after the right-handed ones came the left-handed and the upright ones.
+    let tentacle = demo_of("tentacle").scene;
+    let twist = at_times(&tentacle, "twist", &[1.2, 1.2 + 0.8 / 3.0]);
+    assert!(twist[0].x > 10.0 && twist[1].x < -10.0, "{twist:?} degrees");
+    let tip = at_times(&tentacle, "tip", &[1.2, 1.2 + 1.6 / 3.0]);
+    assert!(tip[1].x > 10.0 && tip[0].x.abs() < 0.5 * tip[1].x, "{tip:?} mm");
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::prelude::*;
-use sinew::sketch::pattern::{OwnPattern, PATTERNS, Pattern, PatternError, Polyline};
+use sinew::sketch::pattern::{Act, OwnPattern, PATTERNS, Pattern, PatternError, Polyline};
 use std::collections::BTreeSet;
 
 const LOW: DVec3 = DVec3::new(-0.021, 0.0, -0.021);
@@ -49,7 +49,13 @@ fn there_are_ten_and_more_each_with_its_words() {
             assert_eq!(parameter.held(parameter.default), parameter.default, "{}: {}", pattern.id, parameter.id);
             assert_eq!(parameter.held(f64::NAN), parameter.default);
         }
-        assert!(!pattern.lay(&[], LOW, HIGH).is_empty(), "{}", pattern.id);
+        let fibres = pattern.lay(&[], LOW, HIGH).len();
+        assert!(fibres > 0, "{}", pattern.id);
+        let acts = pattern.acts(&[], fibres);
+        assert_eq!(acts.len(), if pattern.is_acting() { fibres } else { 0 }, "{}", pattern.id);
+        for act in acts.iter().flatten() {
+            assert!(act.contract > 0.0 && act.period > 0.0 && !act.muscle.is_empty(), "{}: {act:?}", pattern.id);
+        }
         assert!(pattern.lay(&[], LOW, LOW.with_x(0.1)).is_empty(), "{}: a flat box", pattern.id);
     }
 }
@@ -167,6 +173,26 @@ fn what_is_no_layout_is_refused_in_plain_words() {
     // What sticks out is brought to the faces.
     let out = own(&[vec![DVec3::splat(-3.0), DVec3::splat(3.0)]], DVec3::ONE).unwrap();
     assert_eq!(out.lay(DVec3::ZERO, DVec3::ONE), [vec![DVec3::ZERO, DVec3::ONE]]);
+}
+
+#[test]
+fn what_fibres_do_is_kept_with_a_layout_and_what_none_can_do_is_refused() {
+    let worm = Pattern::by_id("worm").unwrap();
+    let lines = worm.lay(&[], LOW, HIGH);
+    let mut acts = worm.acts(&[0.4, 2.0, -1.5], lines.len());
+    assert_eq!(acts.len(), 4);
+    acts[3] = None;
+    let own = OwnPattern::new("Mine", "", &lines, LOW, HIGH).unwrap();
+    let acting = own.clone().with_acts(acts.clone()).unwrap();
+    let read: OwnPattern = serde_json::from_str(&serde_json::to_string(&acting).unwrap()).unwrap();
+    assert_eq!(read.acts(), acts);
+    let below = read.acts()[0].as_ref().unwrap();
+    assert_eq!((below.contract, below.period, below.waves), (0.4, 2.0, -1.5));
+    // Those that only resist say nothing of it.
+    assert!(!serde_json::to_string(&own).unwrap().contains("acts"));
+    assert_eq!(own.clone().with_acts(vec![None; 4]).unwrap(), own);
+    let still = acts[0].clone().map(|act| Act { period: 0.0, ..act });
+    assert_eq!(own.with_acts(vec![None, still]), Err(PatternError::Act { fibre: 1 }));
 }
 
 proptest! {

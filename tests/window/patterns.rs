@@ -6,7 +6,7 @@ use egui::{Event, Key, Modifiers, Pos2, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
-use sinew::scene::{Fibre, FibreSource};
+use sinew::scene::{Drive, Fibre, FibreSource};
 use sinew::sketch::pattern::PATTERNS;
 use sinew::test_support::geometry::distance_to_polyline;
 use sinew::test_support::ui::App;
@@ -83,10 +83,18 @@ fn every_pattern_is_added_in_one_step_and_taken_back() {
             let off = |vertex: &[f64; 3]| distance_to_polyline(DVec3::from_array(*vertex), line);
             assert!(vertices.len() <= line.len() && vertices.iter().all(|vertex| off(vertex) < 1e-9), "{}", fibre.name);
         }
+        let drives = window.state().scene().bodies[0].drives.clone();
+        let follow = |fibre: &Fibre| {
+            let drive = fibre.activation.as_ref().map(|of| &of.drive);
+            matches!(drive, Some(Drive::Shared(id)) if drives.iter().any(|one| one.id == *id))
+        };
+        assert_eq!(after[before.len()..].iter().all(follow), pattern.is_acting(), "{}", pattern.title);
+        assert_eq!(drives.is_empty(), !pattern.is_acting(), "{}", pattern.title);
         assert_eq!(window.state().selected_names().len(), shown.len(), "they are selected");
         assert!(window.state().pattern_preview().is_empty(), "the gallery is back");
         press_key(&mut window, Modifiers::COMMAND, Key::Z);
         assert_eq!(fibres(&window), before, "{}", pattern.title);
+        assert!(window.state().scene().bodies[0].drives.is_empty(), "{}", pattern.title);
     }
 }
 
@@ -181,6 +189,37 @@ fn fibres_can_be_replaced_in_the_same_step() {
     assert!(after.iter().all(|fibre| fibre.name.starts_with("Cross")));
     press_key(&mut window, Modifiers::COMMAND, Key::Z);
     assert_eq!(fibres(&window), before);
+}
+
+#[test]
+fn what_fibres_do_is_kept_with_a_pattern_and_comes_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = folder.path().join("patterns");
+    let mut window = with_folder(&place);
+    let before = fibres(&window).len();
+    choose(&mut window, "Worm");
+    set(&mut window, "Contraction", "0.3");
+    set(&mut window, "Period", "2");
+    click(&mut window, "Add fibres");
+    click(&mut window, "Fibre");
+    click(&mut window, "Save selection as pattern…");
+    type_text(&mut window, "Slow worm");
+    click(&mut window, "Save pattern");
+    choose(&mut window, "Slow worm");
+    click(&mut window, "Add fibres");
+    let all = fibres(&window);
+    assert_eq!(all.len(), before + 8);
+    let drives = window.state().scene().bodies[0].drives.clone();
+    for (drawn, again) in all[before..before + 4].iter().zip(&all[before + 4..]) {
+        let activations = [drawn, again].map(|fibre| fibre.activation.clone().expect("a fibre that acts"));
+        assert_eq!(activations[0].contract, 0.3);
+        assert_eq!(activations[1].contract, 0.3);
+        let [one, other] = activations.map(|of| of.drive.resolved(&drives).cloned().expect("a drive that is there"));
+        let (Drive::Wave(one), Drive::Wave(other)) = (one, other) else { panic!("waves") };
+        let [length, like] = [one.wavelength, other.wavelength].map(|length| length.expect("one along the fibre"));
+        assert!((length - like).abs() < 1e-12 && one.period == 2.0 && other.period == 2.0, "{length} and {like} m");
+        assert_eq!(one.phase_degrees, other.phase_degrees);
+    }
 }
 
 #[test]

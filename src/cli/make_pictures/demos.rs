@@ -1,7 +1,7 @@
 //! The little scenes that show what each pattern does: one of a few bodies, pressed, dropped, bent or stretched, with the
 //! pattern's fibres in it.
 
-use crate::edit::fibre_ops::{Called, laid};
+use crate::edit::fibre_ops::{Called, laid, made_to_act};
 use crate::io::{IoError, scene_from_json};
 use crate::scene::{Scene, Shape};
 use crate::sketch::pattern::Pattern;
@@ -14,6 +14,11 @@ const PUSHED: &str = include_str!("../../../assets/patterns/pushed_bar.json");
 const HELD_PLATE: &str = include_str!("../../../assets/patterns/held_plate.json");
 const HELD_LEAF: &str = include_str!("../../../assets/patterns/held_leaf.json");
 const STRETCHED: &str = include_str!("../../../assets/patterns/stretched_plate.json");
+const CRAWLING: &str = include_str!("../../../assets/patterns/crawling_bar.json");
+const SWIMMING: &str = include_str!("../../../assets/patterns/swimming_bar.json");
+const CUBE: &str = include_str!("../../../assets/patterns/floating_cube.json");
+const ARM: &str = include_str!("../../../assets/patterns/standing_arm.json");
+const FLOATING_PLATE: &str = include_str!("../../../assets/patterns/floating_plate.json");
 
 /// What a pattern does, as a scene.
 #[derive(Clone, Debug)]
@@ -44,7 +49,10 @@ const PRESSING: [f64; 2] = [0.06, 0.4];
 /// From its release to its greatest squeeze, the bar takes this long [s].
 const LANDING: [f64; 2] = [0.004, 0.0165];
 
-const ROWS: [Row; 12] = [
+/// The second swing of fibres that act, less the last of ten pictures, which is the first again [s].
+const SWING: [f64; 2] = [0.8, 0.8 + 0.9 * 0.8];
+
+const ROWS: [Row; 20] = [
     ("vertical", DROPPED, LANDING, STANDING, &[]),
     ("slanted", PRESSED, PRESSING, ASIDE, &[]),
     ("helix_left", PRESSED, PRESSING, STANDING, &[]),
@@ -57,6 +65,14 @@ const ROWS: [Row; 12] = [
     ("vein", HELD_LEAF, [0.0, 0.2], FLAT, &[]),
     ("spiral", STRETCHED, [0.0, 0.4], ABOVE, &[("arms", 3.0), ("turns", 1.0)]),
     ("short_fibres", DROPPED, LANDING, STANDING, &[("fibres", 60.0)]),
+    ("worm", CRAWLING, SWING, ASIDE, &[]),
+    ("tail", SWIMMING, [1.0, 1.45], ABOVE, &[("contract", 0.6), ("period", 0.5)]),
+    ("finger", ARM, SWING, ASIDE, &[]),
+    ("rings", CUBE, SWING, STANDING, &[]),
+    ("starfish", FLOATING_PLATE, SWING, FLAT, &[]),
+    ("tentacle", ARM, SWING, STANDING, &[]),
+    ("trunk", ARM, SWING, STANDING, &[]),
+    ("spokes", CUBE, SWING, STANDING, &[]),
 ];
 
 /// Bodies whose fibres hold against something: what they do shows only beside the same body without them.
@@ -82,6 +98,7 @@ pub fn demo(pattern: &Pattern) -> Result<Option<Demo>, IoError> {
         let spacing = body.material.spacing();
         let called = Called { id: pattern.id, title: pattern.title, bending: pattern.bending, spacing };
         body.fibres = laid(called, &lines, &body.material, &[]);
+        body.drives = made_to_act(&mut body.fibres, &pattern.acts(&values, lines.len()), pattern.id, &[]);
     }
     Ok(Some(Demo { scene, from, to, beside_plain: HOLDING.contains(&base), eye }))
 }

@@ -9,6 +9,7 @@
 //! Why not otherwise. Strokes projected from an edited curve would look as if somebody had drawn them, but lift to
 //! another curve than the one that was edited.
 
+mod acting;
 mod axis_map;
 mod cut;
 mod edited;
@@ -20,6 +21,7 @@ mod strokes;
 mod transform;
 mod vertices;
 
+pub use acting::{act_of, made_to_act};
 pub use cut::{copies, split};
 pub use edited::{Edited, LEAST_VERTICES, MOST_VERTICES, Sampling};
 pub use error::FibreEditError;

@@ -6,6 +6,7 @@
 //! Why not fitted to the surface. Fibres that leave a model's surface are trimmed when they are put into it, as those that
 //! were drawn by hand; a pattern is a start and is edited as any fibre.
 
+mod acting;
 mod curves;
 mod layout;
 mod lines;
@@ -14,6 +15,7 @@ mod parametric;
 mod planes;
 mod shipped;
 
+pub use acting::{Act, CONTRACTION};
 pub use layout::Polyline;
 pub use own::{OwnPattern, PatternError};
 pub use parametric::{Parameter, Pattern};

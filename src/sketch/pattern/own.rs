@@ -1,12 +1,13 @@
 //! A person's own layouts, kept as patterns: drawn in one box, fitted to others.
 
+use super::acting::{Act, CONTRACTION};
 use super::layout::Polyline;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// A layout that a person saved: in JSON an object with `title`, `does` and `fibres`, each a list of [x, y, z] in the unit
-/// cube.
+/// cube, and `acts`, what each of them does by itself, where any does something.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Unchecked")]
 pub struct OwnPattern {
@@ -14,6 +15,8 @@ pub struct OwnPattern {
     #[serde(skip_serializing_if = "String::is_empty")]
     does: String,
     fibres: Vec<Vec<[f64; 3]>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    acts: Vec<Option<Act>>,
 }
 
 /// The same as it was read, before it is looked at.
@@ -23,6 +26,8 @@ struct Unchecked {
     #[serde(default)]
     does: String,
     fibres: Vec<Vec<[f64; 3]>>,
+    #[serde(default)]
+    acts: Vec<Option<Act>>,
 }
 
 /// Why a layout is no pattern.
@@ -45,6 +50,12 @@ pub enum PatternError {
         /// Index of the fibre.
         fibre: usize,
     },
+    /// A fibre that acts as none can.
+    #[error("what fibre {fibre} of the pattern does needs a period over 0 s, and numbers")]
+    Act {
+        /// Index of the fibre.
+        fibre: usize,
+    },
     /// Nothing to measure the fibres by.
     #[error("the box of the pattern has no volume; it needs an extent along each axis")]
     Flat,
@@ -54,7 +65,7 @@ impl TryFrom<Unchecked> for OwnPattern {
     type Error = PatternError;
 
     fn try_from(read: Unchecked) -> Result<Self, PatternError> {
-        Self { title: read.title, does: read.does, fibres: read.fibres }.checked()
+        Self { title: read.title, does: read.does, fibres: read.fibres, acts: read.acts }.checked()
     }
 }
 
@@ -71,7 +82,21 @@ impl OwnPattern {
         }
         let share = |at: &DVec3| ((*at - min) / extents).to_array();
         let fibres = fibres.iter().map(|fibre| fibre.iter().map(share).collect()).collect();
-        Self { title: title.to_owned(), does: does.to_owned(), fibres }.checked()
+        Self { title: title.to_owned(), does: does.to_owned(), fibres, acts: Vec::new() }.checked()
+    }
+
+    /// With what each fibre does by itself; `None` for one that only resists.
+    ///
+    /// # Errors
+    /// A period that is not above zero, a number that is none.
+    pub fn with_acts(self, acts: Vec<Option<Act>>) -> Result<Self, PatternError> {
+        let acts = if acts.iter().all(Option::is_none) { Vec::new() } else { acts };
+        Self { acts, ..self }.checked()
+    }
+
+    /// What each fibre does by itself; empty where all only resist.
+    pub fn acts(&self) -> &[Option<Act>] {
+        &self.acts
     }
 
     /// Name a person reads.
@@ -90,7 +115,7 @@ impl OwnPattern {
         self.fibres.iter().map(|fibre| fibre.iter().map(at).collect()).collect()
     }
 
-    /// The same with every vertex in the unit cube.
+    /// The same with every vertex in the unit cube and no fibre shorter than fibres can be.
     fn checked(mut self) -> Result<Self, PatternError> {
         if self.fibres.is_empty() {
             return Err(PatternError::Empty);
@@ -105,6 +130,14 @@ impl OwnPattern {
                 }
                 *share = share.clamp(0.0, 1.0);
             }
+        }
+        for (fibre, act) in self.acts.iter_mut().enumerate() {
+            let Some(act) = act else { continue };
+            let numbers = [act.contract, act.period, act.phase_degrees, act.waves];
+            if !(act.period > 0.0 && numbers.iter().all(|number| number.is_finite())) {
+                return Err(PatternError::Act { fibre });
+            }
+            act.contract = act.contract.clamp(CONTRACTION[0], CONTRACTION[1]);
         }
         Ok(self)
     }

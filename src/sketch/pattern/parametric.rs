@@ -1,5 +1,6 @@
 //! A layout of fibres with parameters, and its fitting to a box.
 
+use super::acting::Act;
 use super::layout::{Inner, Polyline};
 use glam::DVec3;
 
@@ -50,6 +51,8 @@ pub struct Pattern {
     pub bending: f64,
     /// Polylines in the unit cube, from the values before the margin.
     pub(super) layout: fn(&[f64], &Inner) -> Vec<Polyline>,
+    /// What a fibre does by itself, from the values before the margin and its place in the layout; nothing unless given.
+    pub(super) acting: Option<fn(&[f64], usize) -> Act>,
 }
 
 impl Pattern {
@@ -61,12 +64,7 @@ impl Pattern {
     /// The fibres' vertices [m] in the box from `min` to `max` [m], model frame, by the values of the parameters in their
     /// order. Values are held within their ranges, those that are left out are defaults. A box without volume has none.
     pub fn lay(&self, values: &[f64], min: DVec3, max: DVec3) -> Vec<Polyline> {
-        let held: Vec<f64> = self
-            .parameters
-            .iter()
-            .enumerate()
-            .map(|(k, parameter)| parameter.held(values.get(k).copied().unwrap_or(parameter.default)))
-            .collect();
+        let held = self.held(values);
         let Some((&margin, values)) = held.split_last() else { return Vec::new() };
         let extents = max - min;
         if !(extents.is_finite() && extents.min_element() > 0.0) {
@@ -81,5 +79,24 @@ impl Pattern {
             *vertex = (low + vertex.clamp(DVec3::ZERO, DVec3::ONE) * inner.size).clamp(low, high);
         }
         fibres
+    }
+
+    /// Whether its fibres do something by themselves.
+    pub fn is_acting(&self) -> bool {
+        self.acting.is_some()
+    }
+
+    /// What each of so many fibres does by itself, by the values of the parameters as [`Pattern::lay`] takes them; empty
+    /// where they only resist.
+    pub fn acts(&self, values: &[f64], fibres: usize) -> Vec<Option<Act>> {
+        let held = self.held(values);
+        let Some((act, (_, values))) = self.acting.zip(held.split_last()) else { return Vec::new() };
+        (0..fibres).map(|fibre| Some(act(values, fibre))).collect()
+    }
+
+    /// A value of every parameter, within its range.
+    fn held(&self, values: &[f64]) -> Vec<f64> {
+        let given = |k: usize, parameter: &Parameter| values.get(k).copied().unwrap_or(parameter.default);
+        self.parameters.iter().enumerate().map(|(k, parameter)| parameter.held(given(k, parameter))).collect()
     }
 }

@@ -1,7 +1,7 @@
 //! The patterns that come with the program.
 
 use super::parametric::{Parameter, Pattern};
-use super::{curves, lines, planes};
+use super::{acting, curves, lines, planes};
 
 /// Bending stiffness over axial rigidity of most fibres, in particle spacings squared: as of those that are drawn.
 const SLENDER: f64 = 0.02;
@@ -43,8 +43,28 @@ const HELIX: [Parameter; 5] = [
     MARGIN,
 ];
 
+const CONTRACT: Parameter = share(
+    "contract",
+    "Contraction",
+    0.5,
+    acting::CONTRACTION,
+    "Share by which the fibres want to be shorter at most; below zero longer",
+);
+const PERIOD: Parameter = Parameter {
+    id: "period",
+    title: "Period",
+    tip: "Time from one contraction to the next",
+    unit: "s",
+    default: 0.8,
+    range: [0.05, 60.0],
+    whole: false,
+};
+const WAVES: Parameter =
+    share("waves", "Waves", 1.0, [-4.0, 4.0], "How many run along it at a time; below zero the other way");
+const WINDING: Parameter = turns(0.5, [0.1, 3.0], "How often each fibre winds about the axis");
+
 /// Every pattern that comes with the program.
-pub static PATTERNS: [Pattern; 12] = [
+pub static PATTERNS: [Pattern; 20] = [
     Pattern {
         id: "vertical",
         title: "Upright",
@@ -52,6 +72,7 @@ pub static PATTERNS: [Pattern; 12] = [
         parameters: &[ALONG_X, ALONG_Z, VERTICES, MARGIN],
         bending: SLENDER,
         layout: lines::vertical,
+        acting: None,
     },
     Pattern {
         id: "slanted",
@@ -66,6 +87,7 @@ pub static PATTERNS: [Pattern; 12] = [
         ],
         bending: SLENDER,
         layout: lines::slanted,
+        acting: None,
     },
     Pattern {
         id: "helix_left",
@@ -74,6 +96,7 @@ pub static PATTERNS: [Pattern; 12] = [
         parameters: &HELIX,
         bending: SLENDER,
         layout: curves::helix_left,
+        acting: None,
     },
     Pattern {
         id: "helix_right",
@@ -82,6 +105,7 @@ pub static PATTERNS: [Pattern; 12] = [
         parameters: &HELIX,
         bending: SLENDER,
         layout: curves::helix_right,
+        acting: None,
     },
     Pattern {
         id: "cross",
@@ -95,6 +119,7 @@ pub static PATTERNS: [Pattern; 12] = [
         ],
         bending: SLENDER,
         layout: lines::cross,
+        acting: None,
     },
     Pattern {
         id: "frame",
@@ -103,6 +128,7 @@ pub static PATTERNS: [Pattern; 12] = [
         parameters: &[VERTICES, MARGIN],
         bending: SLENDER,
         layout: lines::frame,
+        acting: None,
     },
     Pattern {
         id: "c_shape",
@@ -116,6 +142,7 @@ pub static PATTERNS: [Pattern; 12] = [
         ],
         bending: SLENDER,
         layout: curves::c_shape,
+        acting: None,
     },
     Pattern {
         id: "s_shape",
@@ -135,6 +162,7 @@ pub static PATTERNS: [Pattern; 12] = [
         ],
         bending: SLENDER,
         layout: curves::s_shape,
+        acting: None,
     },
     Pattern {
         id: "radial",
@@ -148,6 +176,7 @@ pub static PATTERNS: [Pattern; 12] = [
         ],
         bending: STOUT,
         layout: planes::radial,
+        acting: None,
     },
     Pattern {
         id: "vein",
@@ -170,6 +199,7 @@ pub static PATTERNS: [Pattern; 12] = [
         ],
         bending: STOUT,
         layout: planes::vein,
+        acting: None,
     },
     Pattern {
         id: "spiral",
@@ -184,6 +214,7 @@ pub static PATTERNS: [Pattern; 12] = [
         ],
         bending: SLENDER,
         layout: planes::spiral,
+        acting: None,
     },
     Pattern {
         id: "short_fibres",
@@ -198,6 +229,98 @@ pub static PATTERNS: [Pattern; 12] = [
         ],
         bending: SLENDER,
         layout: lines::short_fibres,
+        acting: None,
+    },
+    Pattern {
+        id: "worm",
+        title: "Worm",
+        does: "Crawls on a floor: a wave along its fibres lifts one part after the other and sets it down further on.",
+        parameters: &[CONTRACT, PERIOD, WAVES, VERTICES, MARGIN],
+        bending: SLENDER,
+        layout: acting::worm,
+        acting: Some(acting::acts_of_worm),
+    },
+    Pattern {
+        id: "tail",
+        title: "Fish",
+        does: "Beats from side to side by a wave from head to tail; in water it swims.",
+        parameters: &[CONTRACT, PERIOD, WAVES, VERTICES, MARGIN],
+        bending: SLENDER,
+        layout: acting::tail,
+        acting: Some(acting::acts_of_tail),
+    },
+    Pattern {
+        id: "finger",
+        title: "Finger",
+        does: "Curls to one side and straightens again: one of a gripper's.",
+        parameters: &[
+            CONTRACT,
+            PERIOD,
+            count("fibres", "Fibres", 2.0, [1.0, 8.0], "How many lie side by side on the face to which it curls"),
+            VERTICES,
+            MARGIN,
+        ],
+        bending: SLENDER,
+        layout: acting::finger,
+        acting: Some(acting::acts_of_finger),
+    },
+    Pattern {
+        id: "rings",
+        title: "Heart",
+        does: "Beats: its rings make it narrower and taller, and let it go again.",
+        parameters: &[
+            CONTRACT,
+            PERIOD,
+            count("rings", "Rings", 2.0, [1.0, 12.0], "How many lie one above the other"),
+            VERTICES,
+            MARGIN,
+        ],
+        bending: SLENDER,
+        layout: acting::rings,
+        acting: Some(acting::acts_of_rings),
+    },
+    Pattern {
+        id: "starfish",
+        title: "Starfish",
+        does: "Bends the arms of something flat downwards, one after the other, round and round.",
+        parameters: &[
+            CONTRACT,
+            PERIOD,
+            count("arms", "Arms", 5.0, [2.0, 24.0], "How many run from the middle to the rim"),
+            HUB,
+            FEW_VERTICES,
+            MARGIN,
+        ],
+        bending: SLENDER,
+        layout: acting::starfish,
+        acting: Some(acting::acts_of_starfish),
+    },
+    Pattern {
+        id: "tentacle",
+        title: "Tentacle",
+        does: "Twists one way, then the other, then curls to one side.",
+        parameters: &[CONTRACT, PERIOD, WINDING, VERTICES, MARGIN],
+        bending: SLENDER,
+        layout: acting::tentacle,
+        acting: Some(acting::acts_of_tentacle),
+    },
+    Pattern {
+        id: "trunk",
+        title: "Trunk",
+        does: "Twists to and fro by helices of both hands that pull in turns.",
+        parameters: &[CONTRACT, PERIOD, WINDING, VERTICES, MARGIN],
+        bending: SLENDER,
+        layout: acting::trunk,
+        acting: Some(acting::acts_of_trunk),
+    },
+    Pattern {
+        id: "spokes",
+        title: "Breath",
+        does: "Draws the solid in from all sides and lets it go, as a ball that breathes.",
+        parameters: &[CONTRACT, PERIOD, FEW_VERTICES, MARGIN],
+        bending: SLENDER,
+        layout: acting::spokes,
+        acting: Some(acting::acts_of_spokes),
     },
 ];
 

@@ -1,8 +1,8 @@
 //! A pattern as text: its fibres in the unit cube.
 
 use crate::edit::Command;
-use crate::edit::fibre_ops::{BENDING, Called, laid};
-use crate::sketch::pattern::OwnPattern;
+use crate::edit::fibre_ops::{BENDING, Called, laid, made_to_act};
+use crate::sketch::pattern::{Act, OwnPattern};
 use crate::ui::context::{Context, Severity, Step};
 use serde::{Deserialize, Serialize};
 
@@ -19,9 +19,15 @@ struct Clipping {
 }
 
 /// The pattern that is shown, as its numbers have it, as text; none where none is shown.
-pub(crate) fn copied_pattern(title: &str, does: &str, bending: f64, cx: &mut Context) -> Option<String> {
+pub(crate) fn copied_pattern(
+    title: &str,
+    does: &str,
+    acts: Vec<Option<Act>>,
+    bending: f64,
+    cx: &mut Context,
+) -> Option<String> {
     let [min, max] = cx.pattern.bounds?;
-    match OwnPattern::new(title, does, &cx.pattern.lines, min, max) {
+    match OwnPattern::new(title, does, &cx.pattern.lines, min, max).and_then(|own| own.with_acts(acts)) {
         Ok(pattern) => {
             let text = serde_json::to_string(&Clipping { sinew: PATTERN.to_owned(), pattern, bending }).ok()?;
             cx.say(Severity::Note, format!("Copied the pattern {title}"));
@@ -43,11 +49,11 @@ pub(super) fn paste(text: &str, cx: &mut Context) -> bool {
     };
     let bending = if bending.is_finite() && bending > 0.0 { bending } else { BENDING };
     let called = Called { id: "pattern", title: pattern.title(), bending, spacing: cx.sampling().spacing };
-    let fibres = laid(called, &pattern.lay(min, max), &body.material, &body.fibres);
-    let id = body.id.clone();
+    let mut fibres = laid(called, &pattern.lay(min, max), &body.material, &body.fibres);
+    let drives = made_to_act(&mut fibres, pattern.acts(), called.id, &body.drives);
     let added: Vec<String> = fibres.iter().map(|fibre| fibre.id.clone()).collect();
-    let add = fibres.into_iter().map(|fibre| Command::AddFibre { body: id.clone(), fibre });
-    let command = Command::Many { name: format!("Paste pattern {}", pattern.title()), commands: add.collect() };
+    let commands = Command::additions(&body.id, drives, fibres);
+    let command = Command::Many { name: format!("Paste pattern {}", pattern.title()), commands };
     cx.say(Severity::Note, format!("Pasted the pattern {}", pattern.title()));
     cx.edit(&command, Step::Own);
     cx.selection.set(added);

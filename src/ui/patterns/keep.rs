@@ -3,19 +3,24 @@
 use super::question::PatternQuestion;
 use super::state::{Chosen, Fit, Patterns};
 use crate::edit::fibre_ops;
+use crate::geometry::curve::arc_length;
 use crate::io::JsonFolder;
-use crate::sketch::pattern::{OwnPattern, Polyline};
+use crate::sketch::pattern::{Act, OwnPattern, Polyline};
 use crate::ui::context::{Context, Request, Severity};
 use crate::ui::dialogs::Dialog;
 
-/// The fibres that would be kept: the selected ones, or all.
-fn kept_lines(cx: &Context) -> Result<Vec<Polyline>, String> {
+/// The fibres that would be kept, the selected ones, or all, with what each does by itself.
+fn kept_fibres(cx: &Context) -> Result<Vec<(Polyline, Option<Act>)>, String> {
     let Some(body) = cx.active_body() else { return Ok(Vec::new()) };
     let selected = cx.selected_fibres();
     let fibres = if selected.is_empty() { body.fibres.iter().collect() } else { selected };
     let sampling = cx.sampling();
-    let course = |fibre| fibre_ops::vertices(fibre, sampling).map_err(|error| error.to_string());
-    fibres.into_iter().map(course).collect()
+    let kept = |fibre| {
+        let line = fibre_ops::vertices(fibre, sampling).map_err(|error| error.to_string())?;
+        let act = fibre_ops::act_of(fibre, arc_length(&line), &body.drives);
+        Ok((line, act))
+    };
+    fibres.into_iter().map(kept).collect()
 }
 
 impl Patterns {
@@ -28,9 +33,9 @@ impl Patterns {
             );
             return;
         }
-        match kept_lines(cx) {
-            Ok(lines) => {
-                let question = PatternQuestion::Keep { title: String::new(), does: String::new(), fibres: lines.len() };
+        match kept_fibres(cx) {
+            Ok(kept) => {
+                let question = PatternQuestion::Keep { title: String::new(), does: String::new(), fibres: kept.len() };
                 cx.request(Request::Open(Dialog::Pattern(question)));
             }
             Err(problem) => cx.say(Severity::Error, problem),
@@ -66,9 +71,10 @@ impl Patterns {
     }
 
     fn keep(&mut self, folder: &JsonFolder, title: &str, does: &str, cx: &mut Context) -> Result<(), String> {
-        let lines = kept_lines(cx)?;
+        let (lines, acts): (Vec<_>, Vec<_>) = kept_fibres(cx)?.into_iter().unzip();
         let [min, max] = cx.active.corners().ok_or("The body is not there yet: save the pattern again in a moment")?;
-        let own = OwnPattern::new(title, does, &lines, min, max).map_err(|error| error.to_string())?;
+        let own = OwnPattern::new(title, does, &lines, min, max).and_then(|own| own.with_acts(acts));
+        let own = own.map_err(|error| error.to_string())?;
         folder.add(title, &own).map_err(|error| error.to_string())?;
         cx.request(Request::ShowPatterns);
         self.chosen = None;

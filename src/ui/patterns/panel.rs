@@ -33,14 +33,20 @@ impl Patterns {
         ui.label(RichText::new("Layouts of fibres to start from, each with what it does to a soft solid.").weak());
         ui.add_space(GRID);
         let mut chosen = None;
-        for pattern in &PATTERNS {
-            let (place, tile) = tile(ui, pattern.title, pattern.does);
-            if let Some(place) = place {
-                let plays = strips_play || tile.hovered() || tile.has_focus();
-                paint_strip(ui, &mut self.strips, pattern, place, plays);
+        for acting in [false, true] {
+            if acting {
+                ui.add_space(2.0 * GRID);
+                ui.heading("That act by themselves");
             }
-            if tile.on_hover_text("Shows its fibres in the views and what can be changed about them").clicked() {
-                chosen = Some(Chosen::Shipped(pattern.id));
+            for pattern in PATTERNS.iter().filter(|pattern| pattern.is_acting() == acting) {
+                let (place, tile) = tile(ui, pattern.title, pattern.does);
+                if let Some(place) = place {
+                    let plays = strips_play || tile.hovered() || tile.has_focus();
+                    paint_strip(ui, &mut self.strips, pattern, place, plays);
+                }
+                if tile.on_hover_text("Shows its fibres in the views and what can be changed about them").clicked() {
+                    chosen = Some(Chosen::Shipped(pattern.id));
+                }
             }
         }
         ui.add_space(2.0 * GRID);

@@ -2,9 +2,9 @@
 
 use super::own::OwnPatterns;
 use crate::edit::Command;
-use crate::edit::fibre_ops::{BENDING, Called, laid};
+use crate::edit::fibre_ops::{BENDING, Called, laid, made_to_act};
 use crate::scene::Fibre;
-use crate::sketch::pattern::{Pattern, Polyline};
+use crate::sketch::pattern::{Act, Pattern, Polyline};
 use crate::ui::clipboard::copied_pattern;
 use crate::ui::context::{Context, PatternPreview, Severity, Step};
 use crate::ui::thumbs::Thumbs;
@@ -110,6 +110,17 @@ impl Patterns {
         }
     }
 
+    /// What each of so many fibres of the chosen pattern does by itself; empty where they only resist.
+    fn acts(&self, fibres: usize) -> Vec<Option<Act>> {
+        match &self.chosen {
+            Some(Chosen::Shipped(id)) => {
+                Pattern::by_id(id).map_or_else(Vec::new, |pattern| pattern.acts(&self.values_of(pattern), fibres))
+            }
+            Some(Chosen::Own(path)) => self.own.get(path).map_or_else(Vec::new, |own| own.acts().to_vec()),
+            None => Vec::new(),
+        }
+    }
+
     /// Name of the chosen pattern, how the identifiers of its fibres begin, and how they bend.
     fn called(&self) -> Option<(String, String, f64)> {
         match self.chosen.as_ref()? {
@@ -131,7 +142,8 @@ impl Patterns {
             Some(Chosen::Own(path)) => self.own.get(path).map_or("", |own| own.does()),
             None => "",
         };
-        if let Some(text) = copied_pattern(&title, does, bending, cx) {
+        let acts = self.acts(cx.pattern.lines.len());
+        if let Some(text) = copied_pattern(&title, does, acts, bending, cx) {
             ctx.copy_text(text);
         }
     }
@@ -143,10 +155,11 @@ impl Patterns {
         let spacing = cx.sampling().spacing;
         let gone: &[Fibre] = if self.replaces { &body.fibres } else { &[] };
         let stay: &[Fibre] = if self.replaces { &[] } else { &body.fibres };
-        let fibres = laid(Called { id: &id, title: &title, bending, spacing }, &lines, &body.material, stay);
+        let mut fibres = laid(Called { id: &id, title: &title, bending, spacing }, &lines, &body.material, stay);
+        let drives = made_to_act(&mut fibres, &self.acts(lines.len()), &id, &body.drives);
         let added: Vec<String> = fibres.iter().map(|fibre| fibre.id.clone()).collect();
         let remove = gone.iter().map(|old| Command::RemoveFibre { body: body.id.clone(), fibre: old.id.clone() });
-        let add = fibres.into_iter().map(|fibre| Command::AddFibre { body: body.id.clone(), fibre });
+        let add = Command::additions(&body.id, drives, fibres);
         let name = match gone.len() {
             0 => format!("Add pattern {title}"),
             _ => format!("Replace fibres by pattern {title}"),

@@ -3,7 +3,7 @@
 use crate::draw::Theme;
 use crate::sketch::pattern::{OwnPattern, Pattern};
 use crate::ui::theme::{self, GRID};
-use crate::ui::thumbs::Thumbs;
+use crate::ui::thumbs::{Runs, Thumbs};
 use egui::{Align2, CornerRadius, FontId, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui};
 use glam::DVec3;
 
@@ -30,14 +30,23 @@ strips!(
     "radial",
     "vein",
     "spiral",
-    "short_fibres"
+    "short_fibres",
+    "worm",
+    "tail",
+    "finger",
+    "rings",
+    "starfish",
+    "tentacle",
+    "trunk",
+    "spokes"
 );
 
 /// Paints what a pattern does into a place.
 pub(super) fn paint_strip(ui: &Ui, strips: &mut Thumbs, pattern: &Pattern, place: Rect, plays: bool) {
     ui.painter().rect_filled(place, CornerRadius::same(4), theme::color(Theme::gallery().background_top));
     if let Some((name, png)) = STRIPS.iter().find(|(id, _)| *id == pattern.id) {
-        strips.paint_strip(ui, name, png, place, plays);
+        let runs = if pattern.is_acting() { Runs::Round } else { Runs::ForthAndBack };
+        strips.paint_strip(ui, name, png, place, runs, plays);
     }
 }
 
@@ -111,6 +120,6 @@ mod tests {
         }
         assert_eq!(STRIPS.len(), PATTERNS.len());
         let bytes: usize = STRIPS.iter().map(|(_, png)| png.len()).sum();
-        assert!(bytes < 1_500_000, "{bytes}");
+        assert!(bytes < 2_500_000, "{bytes}");
     }
 }

@@ -201,11 +201,10 @@ fn what_fibres_do_is_kept_with_a_pattern_and_comes_back() {
     set(&mut window, "Contraction", "0.3");
     set(&mut window, "Period", "2");
     click(&mut window, "Add fibres");
-    click(&mut window, "Fibre");
-    click(&mut window, "Save selection as pattern…");
+    pick(&mut window, "Save selection as pattern…");
     type_text(&mut window, "Slow worm");
     click(&mut window, "Save pattern");
-    choose(&mut window, "Slow worm");
+    pick(&mut window, "Slow worm");
     click(&mut window, "Add fibres");
     let all = fibres(&window);
     assert_eq!(all.len(), before + 8);

@@ -1,7 +1,7 @@
 //! Drives of a scene for the solver.
 
 use crate::scene::{self, AfterLast, DriveKeys, Interpolation, SharedDrive};
-use crate::solver::drive::{After, Between, Drive, Wave};
+use crate::solver::drive::{After, Between, Drive, Key, Wave};
 use crate::solver::forces::{Flow, FlowSurface};
 use crate::solver::shared_drive;
 use glam::DVec3;
@@ -57,7 +57,7 @@ pub(super) fn wind(scene: &scene::Scene, surface: FlowSurface) -> Option<Flow> {
 
 fn keyframes(keys: &DriveKeys) -> Drive {
     Drive::Keys {
-        keys: keys.keys.iter().map(|key| (key.time, key.value)).collect(),
+        keys: keys.keys.iter().map(|key| Key { time: key.time, value: key.value, slope: key.slope }).collect(),
         between: match keys.between {
             Interpolation::Stepped => Between::Stepped,
             Interpolation::Linear => Between::Linear,

@@ -2,7 +2,7 @@
 
 use super::drives::drive;
 use crate::scene::{PanelMotion, Scene, Sticking};
-use crate::solver::drive::{After, Between, Drive};
+use crate::solver::drive::{After, Between, Drive, Key};
 use crate::solver::forces::Plane;
 use crate::solver::panel::{DrivenHeight, Panel};
 use glam::{DVec2, DVec3};
@@ -47,7 +47,7 @@ fn panel(panel: &crate::scene::Panel, floor: Option<f64>) -> Panel {
         driven: match &panel.motion {
             PanelMotion::Falls => None,
             PanelMotion::Driven(keys) => {
-                let keys = keys.iter().map(|key| (key.time, key.height)).collect();
+                let keys = keys.iter().map(|key| Key::at_rest((key.time, key.height))).collect();
                 let drive = Drive::Keys { keys, between: Between::Smooth, after: After::Hold };
                 Some(DrivenHeight { drive, height: 0.0, travel: 1.0 })
             }

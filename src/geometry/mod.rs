@@ -13,6 +13,7 @@ pub(crate) mod edges;
 pub(crate) mod file_mesh;
 pub(crate) mod fill;
 pub(crate) mod fineness;
+pub(crate) mod hermite;
 pub(crate) mod holes;
 pub(crate) mod hollows;
 pub(crate) mod inside;

@@ -1,6 +1,8 @@
 //! Drives: numbers that change in time.
 
 use super::Extra;
+use super::extra::is_zero;
+use crate::geometry::hermite::Hermite;
 pub(super) use crate::sketch::pattern::CONTRACTION;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -51,10 +53,7 @@ impl Drive {
     pub fn range(&self) -> Option<[f64; 2]> {
         match self {
             Self::Constant(value) => Some([*value; 2]),
-            Self::Keyframes(keys) => {
-                let values = keys.keys.iter().map(|key| key.value);
-                Some(values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], value| [a.min(value), b.max(value)]))
-            }
+            Self::Keyframes(keys) => Some(keys.range()),
             // It rises from zero.
             Self::Wave(Wave { mean, amplitude, .. }) => {
                 let reach = amplitude.abs();
@@ -106,8 +105,25 @@ pub struct DriveKeys {
 impl DriveKeys {
     /// Values at times [s], smoothly from one to the next, the last one held.
     pub fn new(keys: impl IntoIterator<Item = (f64, f64)>) -> Self {
-        let keys = keys.into_iter().map(|(time, value)| DriveKey { time, value, extra: Extra::new() }).collect();
+        let keys = keys.into_iter().map(|(time, value)| DriveKey::new(time, value)).collect();
         Self { keys, between: Interpolation::default(), after: AfterLast::default(), extra: Extra::new() }
+    }
+
+    /// The least and the greatest value that is reached.
+    pub fn range(&self) -> [f64; 2] {
+        let at_keys = self.keys.iter().map(|key| [key.value; 2]);
+        let smooth = self.keys.windows(2).filter(|_| self.between == Interpolation::Smooth);
+        let between = smooth.map(|pair| {
+            let ends = [&pair[0], &pair[1]];
+            let cubic = Hermite {
+                span: ends[1].time - ends[0].time,
+                values: ends.map(|key| key.value),
+                slopes: ends.map(|key| key.slope),
+            };
+            cubic.range()
+        });
+        let ranges = at_keys.chain(between);
+        ranges.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], [a, b]| [least.min(a), most.max(b)])
     }
 }
 
@@ -118,9 +134,19 @@ pub struct DriveKey {
     pub time: f64,
     /// Value.
     pub value: f64,
+    /// Rate with which a smooth course goes through it [1/s]; others take no notice of it.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub slope: f64,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
+}
+
+impl DriveKey {
+    /// A value at a time [s] at which a smooth course comes to rest.
+    pub fn new(time: f64, value: f64) -> Self {
+        Self { time, value, slope: 0.0, extra: Extra::new() }
+    }
 }
 
 /// How a drive goes from one key to the next.
@@ -131,7 +157,7 @@ pub enum Interpolation {
     Stepped,
     /// At a steady rate.
     Linear,
-    /// From rest to rest (3 s² - 2 s³).
+    /// By a cubic from slope to slope: from rest to rest (3 s² - 2 s³) where none is given.
     #[default]
     Smooth,
 }

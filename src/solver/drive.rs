@@ -1,6 +1,7 @@
 //! Numbers that change in time.
 
 use super::hand::Hand;
+use crate::geometry::hermite::Hermite;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -9,10 +10,10 @@ use std::sync::Arc;
 pub(crate) enum Drive {
     /// The same at all times.
     Constant(f64),
-    /// Values at ascending times [s].
+    /// From key to key.
     Keys {
-        /// Times [s] and values, one at least.
-        keys: Vec<(f64, f64)>,
+        /// At ascending times, one at least.
+        keys: Vec<Key>,
         /// How it goes from one to the next.
         between: Between,
         /// What it does from the last one on.
@@ -31,6 +32,23 @@ pub(crate) enum Drive {
     },
 }
 
+/// A value at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Key {
+    /// [s]
+    pub time: f64,
+    pub value: f64,
+    /// Rate with which a smooth course goes through it [1/s].
+    pub slope: f64,
+}
+
+impl Key {
+    /// A value at a time [s] at which it comes to rest.
+    pub(crate) fn at_rest((time, value): (f64, f64)) -> Self {
+        Self { time, value, slope: 0.0 }
+    }
+}
+
 /// How a drive goes from one key to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Between {
@@ -38,7 +56,7 @@ pub(crate) enum Between {
     Stepped,
     /// At a steady rate.
     Linear,
-    /// From rest to rest.
+    /// By a cubic from slope to slope.
     Smooth,
 }
 
@@ -109,9 +127,10 @@ impl Drive {
     pub(crate) fn moments(&self) -> Vec<f64> {
         match self {
             Self::Constant(_) => vec![0.0],
-            Self::Keys { keys, .. } => {
-                let middles = keys.windows(2).map(|pair| 0.5 * (pair[0].0 + pair[1].0));
-                let mut times: Vec<f64> = keys.iter().map(|key| key.0).chain(middles).collect();
+            Self::Keys { keys, between, .. } => {
+                let middles = keys.windows(2).map(|pair| 0.5 * (pair[0].time + pair[1].time));
+                let turns = spans(keys, *between).flat_map(|(start, span)| span.turns().map(move |way| start + way));
+                let mut times: Vec<f64> = keys.iter().map(|key| key.time).chain(middles).chain(turns).collect();
                 times.sort_by(f64::total_cmp);
                 times
             }
@@ -124,7 +143,7 @@ impl Drive {
     pub(crate) fn greatest(&self) -> f64 {
         match self {
             Self::Constant(value) => *value,
-            Self::Keys { keys, .. } => keys.iter().map(|key| key.1).fold(f64::NEG_INFINITY, f64::max),
+            Self::Keys { keys, between, .. } => extremes(keys, *between)[1],
             Self::Wave(wave) => (wave.mean + wave.amplitude.abs()).max(0.0),
             Self::Shared { own, .. } => own.greatest(),
         }
@@ -134,7 +153,7 @@ impl Drive {
     pub(crate) fn least(&self) -> f64 {
         match self {
             Self::Constant(value) => *value,
-            Self::Keys { keys, .. } => keys.iter().map(|key| key.1).fold(f64::INFINITY, f64::min),
+            Self::Keys { keys, between, .. } => extremes(keys, *between)[0],
             Self::Wave(wave) => (wave.mean - wave.amplitude.abs()).min(0.0),
             Self::Shared { own, .. } => own.least(),
         }
@@ -148,7 +167,7 @@ impl Drive {
     /// Until when [s] it changes.
     pub(crate) fn until(&self) -> f64 {
         match self {
-            Self::Keys { keys, after: After::Hold, .. } => keys.last().map_or(0.0, |key| key.0),
+            Self::Keys { keys, after: After::Hold, .. } => keys.last().map_or(0.0, |key| key.time),
             Self::Constant(_) => 0.0,
             Self::Wave(Wave { amplitude: 0.0, start, period, .. }) => start + period,
             Self::Shared { own, hand, .. } => hand.map_or(own.until(), |hand| hand.until(own.until())),
@@ -184,35 +203,54 @@ impl Drive {
     }
 }
 
-fn keyed(keys: &[(f64, f64)], between: Between, after: After, time: f64) -> (f64, f64) {
+/// The cubics of a smooth course with the times at which they start [s]; none of another.
+fn spans(keys: &[Key], between: Between) -> impl Iterator<Item = (f64, Hermite)> + '_ {
+    let pairs = keys.windows(2).filter(move |_| between == Between::Smooth);
+    pairs.map(|pair| (pair[0].time, span(pair[0], pair[1])))
+}
+
+fn span(from: Key, to: Key) -> Hermite {
+    Hermite { span: to.time - from.time, values: [from.value, to.value], slopes: [from.slope, to.slope] }
+}
+
+/// The least and the greatest value.
+fn extremes(keys: &[Key], between: Between) -> [f64; 2] {
+    let at_keys = keys.iter().map(|key| [key.value; 2]);
+    let ranges = at_keys.chain(spans(keys, between).map(|(_, span)| span.range()));
+    ranges.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], [a, b]| [least.min(a), most.max(b)])
+}
+
+fn keyed(keys: &[Key], between: Between, after: After, time: f64) -> (f64, f64) {
     let (Some(&first), Some(&last)) = (keys.first(), keys.last()) else { return (0.0, 0.0) };
-    let span = last.0 - first.0;
-    let since = time - first.0;
+    let whole = last.time - first.time;
+    let since = time - first.time;
     let (mut time, mut way) = (time, 1.0);
-    if since >= span && span > 0.0 {
+    if since >= whole && whole > 0.0 {
         match after {
             After::Hold => {}
-            After::Repeat => time = first.0 + since % span,
+            After::Repeat => time = first.time + since % whole,
             After::Mirror => {
-                let turned = since % (2.0 * span);
-                way = if turned < span { 1.0 } else { -1.0 };
-                time = first.0 + if turned < span { turned } else { 2.0 * span - turned };
+                let turned = since % (2.0 * whole);
+                way = if turned < whole { 1.0 } else { -1.0 };
+                time = first.time + if turned < whole { turned } else { 2.0 * whole - turned };
             }
         }
     }
-    let next = keys.partition_point(|key| key.0 <= time);
+    let next = keys.partition_point(|key| key.time <= time);
     match (next.checked_sub(1).map(|k| keys[k]), keys.get(next)) {
-        (Some((t0, a)), Some(&(t1, b))) => {
-            let s = (time - t0) / (t1 - t0);
-            let rise = way * (b - a);
-            match between {
-                Between::Stepped => (a, 0.0),
-                Between::Linear => (a + (b - a) * s, rise / (t1 - t0)),
-                Between::Smooth => (a + (b - a) * s * s * (3.0 - 2.0 * s), rise * 6.0 * s * (1.0 - s) / (t1 - t0)),
+        (Some(from), Some(&to)) => match between {
+            Between::Stepped => (from.value, 0.0),
+            Between::Linear => {
+                let (long, higher) = (to.time - from.time, to.value - from.value);
+                (from.value + higher * ((time - from.time) / long), way * higher / long)
             }
-        }
-        (Some((_, last)), None) => (last, 0.0),
-        (None, _) => (first.1, 0.0),
+            Between::Smooth => {
+                let (value, slope) = span(from, to).at(time - from.time);
+                (value, way * slope)
+            }
+        },
+        (Some(last), None) => (last.value, 0.0),
+        (None, _) => (first.value, 0.0),
     }
 }
 
@@ -283,7 +321,8 @@ mod tests {
     use super::*;
 
     fn keys(between: Between, after: After) -> Drive {
-        Drive::Keys { keys: vec![(0.5, 1.0), (1.5, 3.0), (2.5, -1.0)], between, after }
+        let keys = [(0.5, 1.0), (1.5, 3.0), (2.5, -1.0)].map(Key::at_rest).to_vec();
+        Drive::Keys { keys, between, after }
     }
 
     fn wave(wavelength: Option<f64>) -> Wave {

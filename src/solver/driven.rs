@@ -80,12 +80,12 @@ impl Driven {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solver::drive::{After, Between};
+    use crate::solver::drive::{After, Between, Key};
 
     #[test]
     fn energies_that_are_no_number_are_no_work() {
         let mut driven = Driven::by(Some(Drive::Keys {
-            keys: vec![(0.5, 1.0), (1.5, 3.0), (2.5, -1.0)],
+            keys: [(0.5, 1.0), (1.5, 3.0), (2.5, -1.0)].map(Key::at_rest).to_vec(),
             between: Between::Linear,
             after: After::Hold,
         }));

@@ -5,8 +5,8 @@ use crate::fibres::{rod, upright};
 use serde_json::{Value, json};
 use sinew::io::scene_from_json;
 use sinew::scene::{
-    Activation, Assets, Drive, IntegratorKind, Motion, Region, Rigidity, Scene, Selector, SharedDrive, TwoLayer, Wave,
-    Wind,
+    Activation, Assets, Drive, DriveKeys, IntegratorKind, Interpolation, Motion, Region, Rigidity, Scene, Selector,
+    SharedDrive, TwoLayer, Wave, Wind,
 };
 
 /// A scene of a body with two shared drives and fibres that follow them.
@@ -114,4 +114,28 @@ fn it_is_said_of_what_no_wind_pushes_on() {
         baked(&scene).notes.into_iter().filter(|note| note.text.contains("wind")).count()
     };
     assert_eq!([notes(TwoLayer::ring("ring")), notes(TwoLayer::ball("ball"))], [1, 0]);
+}
+
+#[test]
+fn a_smooth_course_counts_where_its_slopes_lead_it() {
+    let keys = |slope: f64, between: Interpolation| {
+        let mut keys = DriveKeys { between, ..DriveKeys::new([(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]) };
+        keys.keys[1].slope = slope;
+        keys
+    };
+    assert_eq!(keys(0.0, Interpolation::Smooth).range(), [0.0, 1.0]);
+    let [least, greatest] = keys(1.5, Interpolation::Smooth).range();
+    assert!(least == 0.0 && greatest > 1.1, "{least} to {greatest}");
+    assert_eq!(keys(1.5, Interpolation::Linear).range(), [0.0, 1.0]);
+    let scene = |slope: f64| {
+        let mut body = rod([3, 7, 3]);
+        let drive = keys(slope, Interpolation::Smooth);
+        body.fibres.push(upright(7, 0.0, 1.0, Activation::contracting(0.75, drive)));
+        in_space(body)
+    };
+    scene(0.0).validate().expect("a sound scene");
+    let refused = scene(1.5).validate().expect_err("shorter than can be").to_string();
+    assert!(refused.contains("activation/contract") && refused.contains("makes the fibre shorter"), "{refused}");
+    let refused = scene(f64::NAN).validate().expect_err("no number").to_string();
+    assert!(refused.contains("keys/1/slope"), "{refused}");
 }

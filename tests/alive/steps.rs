@@ -3,8 +3,8 @@
 use crate::common::*;
 use crate::fibres::{E, F, rod, upright};
 use sinew::scene::{
-    Activation, Body, Drive, DriveKeys, DrivenMotion, IntegratorChoice, IntegratorKind, Motion, Scene, Side, TimeStep,
-    TwoLayer, Wave, Wind,
+    Activation, Body, Drive, DriveKeys, DrivenMotion, Fibre, IntegratorChoice, IntegratorKind, Motion, Rigidity, Scene,
+    Side, Stiffness, TimeStep, TwoLayer, Wave, Wind,
 };
 use sinew::sim::Runner;
 use sinew::solver::BodyParts;
@@ -147,4 +147,78 @@ fn what_acts_moves_to_the_same_bits_on_any_number_of_threads() {
     };
     let one = run(1);
     assert!(run(2) == one && run(5) == one);
+}
+
+/// The greatest kinetic energy [J] that a scene comes to in so many steps of a share of its stable one, all driven up to 1
+/// within the first of them.
+fn greatest_energy(mut scene: Scene, share: f64) -> f64 {
+    scene.time.step = TimeStep::manual(share * parts(&scene).stable_dt, 50);
+    let mut runner = runner(&scene);
+    let mut greatest = 0.0_f64;
+    for _ in 0..16 {
+        runner.advance_frame();
+        if runner.world().divergence().is_some() {
+            return f64::INFINITY;
+        }
+        greatest = greatest.max(runner.world().bodies()[0].state().kinetic_energy());
+    }
+    greatest
+}
+
+/// Ten ways to act, each in a rod of its own.
+fn ten_that_act() -> Vec<(&'static str, Scene)> {
+    let drive = || Drive::from(DriveKeys::new([(0.0, 0.0), (0.01, 1.0)]));
+    let fibre = |x: f64, ea: f64, activation: Activation| upright(7, x, ea * F, activation);
+    let bending = |ei: f64, gj: f64, activation: Activation| {
+        let mut fibre = fibre(0.5 * D, 20.0, activation);
+        let mut stiffness = Rigidity::new(20.0 * F, ei * F * D * D);
+        stiffness.gj = gj * F * D * D;
+        fibre.stiffness = Stiffness::Rigidity(stiffness);
+        fibre
+    };
+    let scene = |layers: [u32; 3], fibres: Vec<Fibre>| {
+        let mut body = rod(layers);
+        body.fibres = fibres;
+        in_space(body)
+    };
+    let contract = |share: f64| Activation::contracting(share, drive());
+    let wave = Activation::contracting(0.6, Wave::new(0.01).with_wavelength(4.0 * D));
+    let named = |id: &str, fibre: Fibre| Fibre { id: id.to_owned(), ..fibre };
+    let zigzag: Vec<[f64; 3]> =
+        (0..7).map(|k| [if k % 2 == 0 { 0.4 * D } else { -0.4 * D }, (f64::from(k) - 3.0) * 0.95 * D, 0.0]).collect();
+    vec![
+        ("shorter", scene([3, 7, 3], vec![fibre(0.5 * D, 40.0, contract(0.5))])),
+        ("much shorter", scene([3, 7, 3], vec![fibre(0.0, 120.0, contract(0.8))])),
+        ("longer", scene([3, 7, 3], vec![fibre(0.5 * D, 40.0, contract(-0.5))])),
+        ("a wave", scene([3, 7, 3], vec![fibre(0.5 * D, 60.0, wave)])),
+        (
+            "two that cross the section",
+            scene(
+                [4, 7, 3],
+                vec![fibre(0.9 * D, 40.0, contract(0.3)), named("other", fibre(-0.9 * D, 80.0, contract(0.6)))],
+            ),
+        ),
+        ("a muscle", scene([3, 7, 3], vec![fibre(0.5 * D, 60.0, Activation::pulling(6.0 * F, drive()))])),
+        ("a curl", scene([3, 7, 3], vec![bending(20.0, 0.0, Activation::curling(600.0, [0.0, 0.0, 1.0], drive()))])),
+        ("a twist", scene([3, 7, 3], vec![bending(1.0, 100.0, Activation::twisting(900.0, drive()))])),
+        (
+            "a zigzag",
+            scene(
+                [3, 7, 3],
+                vec![Fibre { source: sinew::scene::FibreSource::Vertices(zigzag), ..fibre(0.0, 60.0, contract(0.4)) }],
+            ),
+        ),
+        ("a thick rod", scene([5, 7, 5], vec![fibre(1.5 * D, 300.0, contract(0.5))])),
+    ]
+}
+
+#[test]
+fn the_stable_step_is_no_longer_than_the_true_limit_and_no_shorter_than_four_fifths_of_it() {
+    for (name, scene) in ten_that_act() {
+        let [bounded, beyond] = [0.99, 1.25].map(|share| greatest_energy(scene.clone(), share));
+        let small = greatest_energy(scene.clone(), 0.3);
+        println!("{name}: {small:.3e} J in small steps, {bounded:.3e} J at the bound, {beyond:.3e} J beyond");
+        assert!(bounded < 3.0 * small, "{name}: {bounded} J at the bound, {small} J in small steps");
+        assert!(beyond > 30.0 * small, "{name}: {beyond} J beyond the limit, {small} J in small steps");
+    }
 }

@@ -115,8 +115,13 @@ fn drive() -> impl Strategy<Value = Drive> {
     let between = prop_oneof![Just(Interpolation::Stepped), Just(Interpolation::Linear), Just(Interpolation::Smooth)];
     let after = prop_oneof![Just(AfterLast::Hold), Just(AfterLast::Repeat), Just(AfterLast::Mirror)];
     let keys = (vec((0.0..=1.0, extra()), 2..4), between, after, extra()).prop_map(|(keys, between, after, extra)| {
-        let keys = keys.into_iter().enumerate();
-        let keys = keys.map(|(time, (value, extra))| DriveKey { time: time as f64 / 3.0, value, extra }).collect();
+        // What a smooth course overshoots is for other tests.
+        let slope = if between == Interpolation::Smooth { 0.0 } else { 0.1 };
+        let key = |(number, (value, extra)): (usize, (f64, _))| {
+            let number = number as f64;
+            DriveKey { slope: slope * number, extra, ..DriveKey::new(number / 3.0, value) }
+        };
+        let keys = keys.into_iter().enumerate().map(key).collect();
         Drive::Keyframes(DriveKeys { keys, between, after, extra })
     });
     let wave = (above_zero(), number(), proptest::option::of(1e-6..1e6), above_zero(), extra()).prop_map(

@@ -322,3 +322,34 @@ fn the_selected_key_is_typed_as_numbers() {
     type_into(&mut window, "is 1", "3/4");
     is_near(&pairs(&window, &pull()), &[(0.0, 0.0), (1.25, 0.75), (2.0, 0.5)], 1e-12);
 }
+
+#[test]
+fn a_handle_sets_how_steeply_the_course_goes_through_a_key() {
+    let mut window = lanes();
+    let name = "pull, Bar";
+    let key = at(&window, name, 1.0, 1.0);
+    let slope = |window: &Window| keys_of(window.state().scene(), &pull()).keys[1].slope;
+    let end = key + Vec2::new(26.0, 0.0);
+    // Where no key is selected, no handle is: a box is drawn.
+    drag(&mut window, &[end, end + Vec2::new(0.0, 20.0)]);
+    assert_eq!((slope(&window), window.state().undo_name()), (0.0, None));
+    click_at(&mut window, key);
+    let down = end + Vec2::new(0.0, 20.0);
+    one_step(&mut window, "Turn handle", |window| drag(window, &[end, end.lerp(down, 0.5), down]));
+    let lane = lane(&window, name);
+    let expected = -(20.0 * 1.32 / f64::from(lane.height() - 4.0)) / (26.0 * 5.0 / f64::from(lane.width()));
+    let found = slope(&window);
+    assert!((found / expected - 1.0).abs() < 0.06, "{found}, not {expected} a second");
+    assert_eq!(pairs(&window, &pull()), [(0.0, 0.0), (1.0, 1.0), (2.0, 0.5)], "the key stays");
+    chosen(&window, &[(name, 1)]);
+    // The other end turns it the same way; nearly level is level.
+    let way = (down - key).normalized() * 26.0;
+    drag(&mut window, &[key - way, key - Vec2::new(30.0, 2.0)]);
+    assert_eq!(slope(&window), 0.0);
+    one_step(&mut window, "Change drive", |window| type_into(window, "slope 0", "-0.5"));
+    assert_eq!(slope(&window), -0.5);
+    // A steady course has none.
+    choose(&mut window, name, "Smooth", "Linear");
+    drag(&mut window, &[end, down]);
+    assert_eq!(slope(&window), -0.5);
+}

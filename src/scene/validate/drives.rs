@@ -46,7 +46,9 @@ fn keyframes(at: &At<'_>, DriveKeys { keys, after, .. }: &DriveKeys) -> Checked 
     let list = at.field("keys");
     increasing(&list, keys.iter().map(|key| key.time))?;
     for (index, key) in keys.iter().enumerate() {
-        finite(&list.item(index).field("value"), key.value, "")?;
+        let at = list.item(index);
+        finite(&at.field("value"), key.value, "")?;
+        finite(&at.field("slope"), key.slope, "1/s")?;
     }
     let comes_again = *after == AfterLast::Hold || keys.len() > 1;
     require(&at.field("after"), after, comes_again, "has one key only to come again to", || "give two keys or more")

@@ -134,7 +134,7 @@ fn share(of: &Drivable, drive: &Drive, scene: &Scene) -> Command {
 fn key_choices(ui: &mut Ui, keys: &mut DriveKeys) -> bool {
     let before = (keys.between, keys.after);
     let between = [
-        (Interpolation::Smooth, "Smooth", "From rest to rest"),
+        (Interpolation::Smooth, "Smooth", "From rest to rest, or as the handles of its keys say"),
         (Interpolation::Linear, "Linear", "At a steady rate"),
         (Interpolation::Stepped, "Stepped", "Keeps its value up to the next key"),
     ];
@@ -181,6 +181,10 @@ fn key_values(ui: &mut Ui, cx: &Context, of: &Drivable, keys: &mut DriveKeys) ->
         number(ui, &mut key.time, "key at ", " s", span, "Time of the selected key, between its neighbours");
     }
     number(ui, &mut key.value, "is ", "", of.limits(cx.scene()), "Value of the selected key");
+    if keys.between == Interpolation::Smooth && keys.keys.len() > 1 {
+        let any = [f64::NEG_INFINITY, f64::INFINITY];
+        number(ui, &mut key.slope, "slope ", "/s", any, "How steeply the course goes through it, as its handle shows");
+    }
     keys.keys[index] = key;
     Some(index)
 }

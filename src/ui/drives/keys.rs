@@ -21,7 +21,7 @@ pub(super) fn first_key(time: f64, value: f64) -> DriveKeys {
 /// With a key at a time, in place of the one that is there in the same frame; tells which it is.
 pub(super) fn with_key(keys: &DriveKeys, time: f64, value: f64, frame: f64) -> (DriveKeys, usize) {
     let mut keys = keys.clone();
-    let key = DriveKey { time, value, extra: crate::scene::Extra::new() };
+    let key = DriveKey::new(time, value);
     let index = key_at(&keys, time, frame).unwrap_or_else(|| {
         let index = keys.keys.partition_point(|key| key.time < time);
         keys.keys.insert(index, key.clone());

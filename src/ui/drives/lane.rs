@@ -1,5 +1,6 @@
 //! One lane: the course of a drive over the time that the timeline shows, with its keys.
 
+use super::handle::handles;
 use super::key_button::diamond;
 use super::keys::value_of;
 use crate::bake::solver_drive;
@@ -104,6 +105,9 @@ pub(super) fn paint_lane(
         Drive::Keyframes(keys) => {
             // Those at the ends are whole.
             let painter = ui.painter_at(place.expand2([KEY + 1.0, 0.0].into()));
+            for handle in handles(keys, &cx.keys.of(of), scale, values) {
+                handle.paint(&painter, accent);
+            }
             for (index, at) in key_places(keys, scale, values).into_iter().enumerate() {
                 let chosen = cx.keys.contains(of, index);
                 let fill = if chosen { accent } else { visuals.text_color() };

@@ -3,6 +3,7 @@
 use super::actions::{counted, named, playhead};
 use super::drag::{KeyBox, KeyDrag};
 use super::fields::{add_menu, lane_fields};
+use super::handle::{Handle, HandleDrag, handles};
 use super::key_button::{key_button, point_at};
 use super::keys::{first_key, on_frame, with_key};
 use super::lane::{LOW, REACH, TALL, ValueScale, faint, key_places, paint_lane, round, words_at};
@@ -31,6 +32,7 @@ pub(crate) struct Columns {
 #[derive(Default)]
 pub(crate) struct Lanes {
     drag: Option<KeyDrag>,
+    turned: Option<HandleDrag>,
     boxed: Option<KeyBox>,
 }
 
@@ -39,6 +41,7 @@ struct Shown {
     of: Drivable,
     values: ValueScale,
     keys: Vec<(f64, Pos2)>,
+    handles: Vec<Handle>,
     response: Response,
 }
 
@@ -64,7 +67,7 @@ impl Lanes {
 
     /// The scale of time to be shown, where what is dragged has set one.
     pub(crate) fn held_scale(&self) -> Option<TimeScale> {
-        self.drag.as_ref().map(KeyDrag::scale)
+        self.drag.as_ref().map(KeyDrag::scale).or(self.turned.as_ref().map(HandleDrag::scale))
     }
 
     /// Shows the lanes over what is left of the panel.
@@ -92,11 +95,13 @@ impl Lanes {
         let follows = matches!(of.drive(cx.scene()), Some(Drive::Shared(_)));
         let height = if follows { LOW } else { TALL };
         let (row, _) = ui.allocate_exact_size([ui.available_width(), height].into(), Sense::hover());
-        if !ui.is_rect_visible(row) && self.drag.is_none() && self.boxed.is_none() {
+        let is_idle = self.drag.is_none() && self.turned.is_none() && self.boxed.is_none();
+        if !ui.is_rect_visible(row) && is_idle {
             return None;
         }
         let place = Rect::from_x_y_ranges(columns.courses, row.y_range());
         let values = self.drag.as_ref().and_then(|drag| drag.values(&of));
+        let values = values.or_else(|| self.turned.as_ref().and_then(|turned| turned.values(&of)));
         let values = values.unwrap_or_else(|| ValueScale::of(&drive, place.shrink2([0.0, 2.0].into()).y_range()));
         let title = of.title(cx.scene());
         let part = |columns: Rangef| UiBuilder::new().max_rect(Rect::from_x_y_ranges(columns, row.y_range()));
@@ -123,13 +128,14 @@ impl Lanes {
             if follows {
                 return None;
             }
-            let keys = match &drive {
+            let (keys, handles) = match &drive {
                 Drive::Keyframes(keys) => {
-                    keys.keys.iter().map(|key| key.time).zip(key_places(keys, scale, &values)).collect()
+                    let places = keys.keys.iter().map(|key| key.time).zip(key_places(keys, scale, &values));
+                    (places.collect(), handles(keys, &cx.keys.of(&of), scale, &values))
                 }
-                _ => Vec::new(),
+                _ => (Vec::new(), Vec::new()),
             };
-            Some(Shown { of, values, keys, response })
+            Some(Shown { of, values, keys, handles, response })
         })
         .inner
     }
@@ -141,14 +147,18 @@ impl Lanes {
         for lane in shown {
             let at = lane.response.hover_pos().or_else(|| lane.response.interact_pointer_pos());
             if let Some(at) = at.filter(|_| lane.response.hovered()) {
-                cx.status.hint =
-                    "Double click: another key. Drag: move keys, on frames but for Shift, or a box. Delete, Ctrl+C, V";
+                cx.status.hint = "Double click: another key. Drag: move keys, on frames but for Shift, handles, or a box. Delete, Ctrl+C, V";
                 cx.pointed = Some(lane.of.clone());
                 hint_at(lane, cx, scale, at);
             }
             if lane.response.drag_started() {
                 let origin = ui.input(|input| input.pointer.press_origin()).or(at).unwrap_or_default();
+                let turned = lane.handles.iter().find_map(|handle| Some((*handle, handle.hit(origin)?)));
                 match hit(lane, origin) {
+                    None if turned.is_some() => {
+                        let with = (scale, &lane.values);
+                        self.turned = turned.and_then(|turned| HandleDrag::begin(cx, &lane.of, turned, with));
+                    }
                     Some(index) => {
                         if !cx.keys.contains(&lane.of, index) {
                             // Shift is for places off the frames here.
@@ -186,8 +196,15 @@ impl Lanes {
             if let Some(drag) = self.drag.take() {
                 drag.abandon(cx);
             }
+            if let Some(turned) = self.turned.take() {
+                turned.abandon(cx);
+            }
             self.boxed = None;
             cx.keys.clear();
+        }
+        if let (Some(turned), Some(pointer)) = (&self.turned, pointer) {
+            turned.follow(cx, pointer, shift);
+            cx.status.gesture = Some("Turning the handle".to_owned());
         }
         if let (Some(drag), Some(pointer)) = (&self.drag, pointer) {
             drag.follow(cx, pointer, shift);
@@ -209,7 +226,7 @@ impl Lanes {
             }
         }
         if !is_down {
-            (self.drag, self.boxed) = (None, None);
+            (self.drag, self.turned, self.boxed) = (None, None, None);
         }
     }
 }

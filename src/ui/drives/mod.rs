@@ -8,6 +8,7 @@
 mod actions;
 mod drag;
 mod fields;
+mod handle;
 mod key_button;
 mod keys;
 mod lane;

@@ -108,6 +108,23 @@ impl Drivable {
         }
     }
 
+    /// The course of its own that a panel, a pin or a collider follows (heights, offsets, a ramp, a turn), as the drive that
+    /// [`Drivable::set`] makes the same motion of; none where it has none, or none that a drive can make.
+    pub fn course(&self, scene: &Scene) -> Option<Drive> {
+        let of_motion = |motion: &Motion| motion.as_driven().map(|of| of.drive);
+        match self {
+            Self::Panel(id) => {
+                let panel = scene.panels.iter().find(|panel| panel.id == *id)?;
+                panel.heights_as_drive().map(|of| of.drive)
+            }
+            Self::Collider(id) => of_motion(&scene.colliders.iter().find(|collider| collider.id == *id)?.motion),
+            Self::Pin { body, pin } => {
+                of_motion(&scene.find_body(body)?.pins().iter().find(|one| one.id == *pin)?.motion)
+            }
+            _ => None,
+        }
+    }
+
     /// The drives that it may name as shared ones.
     pub fn shared<'a>(&self, scene: &'a Scene) -> &'a [SharedDrive] {
         self.body().and_then(|body| scene.find_body(body)).map_or(&[], AnyBody::drives)
@@ -138,8 +155,8 @@ impl Drivable {
     }
 
     /// Puts a drive there, or takes the present one away: a fibre only resists then, what was moved stays where it starts
-    /// and a panel falls. What is new to a drive gets a way to go by it, a pin, a panel or a collider 10 mm upwards; a
-    /// shared drive that is not there is added.
+    /// and a panel falls. What is new to a drive gets a way to go by it, a pin, a panel or a collider as far as the course of
+    /// its own went, or 10 mm upwards; a shared drive that is not there is added.
     ///
     /// # Errors
     /// What is not there, said in a sentence. Whether the scene can be used with the drive is for
@@ -157,7 +174,10 @@ impl Drivable {
                     (None, PanelMotion::Follows(_)) => PanelMotion::Falls,
                     (None, motion) => motion.clone(),
                     (Some(drive), PanelMotion::Follows(of)) => PanelMotion::Follows(PanelDrive { drive, ..of.clone() }),
-                    (Some(drive), _) => PanelMotion::Follows(PanelDrive::new(drive, USUAL_TRAVEL)),
+                    (Some(drive), _) => {
+                        let travel = panel.heights_as_drive().map_or(USUAL_TRAVEL, |heights| heights.travel);
+                        PanelMotion::Follows(PanelDrive::new(drive, travel))
+                    }
                 };
             }),
             Self::Collider(id) => {
@@ -244,6 +264,9 @@ fn set_motion(motion: &mut Motion, drive: Option<Drive>) {
         (None, Motion::Driven(_)) => Motion::Fixed,
         (None, motion) => motion.clone(),
         (Some(drive), Motion::Driven(of)) => DrivenMotion { drive, ..of.clone() }.into(),
-        (Some(drive), _) => DrivenMotion::new(drive, [0.0, USUAL_TRAVEL, 0.0]).into(),
+        (Some(drive), motion) => match motion.as_driven() {
+            Some(of) => DrivenMotion { drive, ..of }.into(),
+            None => DrivenMotion::new(drive, [0.0, USUAL_TRAVEL, 0.0]).into(),
+        },
     };
 }

@@ -21,6 +21,7 @@ mod drive;
 mod extra;
 mod fibre;
 mod integrator;
+mod keyed;
 mod layer_shape;
 mod material;
 mod measure;

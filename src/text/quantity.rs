@@ -52,12 +52,12 @@ const UNITS: [(&str, f64, Dimension); 30] = [
 /// What was typed, in `unit`; none where it is no number or another kind of quantity.
 pub(crate) fn typed(text: &str, unit: &str) -> Option<f64> {
     let typed = Reader::new(text).all()?;
-    let unit = if unit.trim().is_empty() { Quantity { value: 1.0, of: NONE } } else { Reader::new(unit).unit()? };
-    let value = match typed.of {
-        // A plain number is taken as it stands, whatever the unit.
-        NONE => typed.value,
-        of if of == unit.of => typed.value / unit.value,
-        _ => return None,
+    // A plain number is taken as it stands, whatever the unit.
+    let value = if typed.of == NONE {
+        typed.value
+    } else {
+        let unit = Reader::new(unit).unit().filter(|unit| unit.of == typed.of)?;
+        typed.value / unit.value
     };
     value.is_finite().then_some(value)
 }
@@ -77,9 +77,10 @@ impl<'a> Reader<'a> {
         self.rest.trim().is_empty().then_some(found)
     }
 
-    /// A unit alone, with products, quotients and powers: `kg/m³`, `N m²`.
+    /// A unit alone, with products, quotients and powers: `kg/m³`, `N m²`, `1/s`.
     fn unit(mut self) -> Option<Quantity> {
-        let mut found = self.one_unit()?;
+        let is_rate = self.rest.trim_start().starts_with("1/") && self.take("1");
+        let mut found = if is_rate { Quantity { value: 1.0, of: NONE } } else { self.one_unit()? };
         loop {
             if self.take("/") {
                 found = divided(found, self.one_unit()?);
@@ -238,6 +239,10 @@ mod tests {
             ("45°", "°", 45.0),
             ("2^3", "", 8.0),
             (" -(2 - 5) ", "mm", 3.0),
+            ("-0.5", "1/s", -0.5),
+            ("3/ms", "1/s", 3000.0),
+            ("20 Hz", "1/s", 20.0),
+            ("1/2", "turns", 0.5),
         ] {
             let found = typed(text, unit).unwrap_or_else(|| panic!("{text} is taken for {unit}"));
             assert!((found / expected - 1.0).abs() < 1e-12, "{text} in {unit}: {found}");

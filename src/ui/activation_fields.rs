@@ -1,10 +1,12 @@
-//! What a fibre does by itself, as numbers that can be changed.
+//! What a fibre or a sheet does by itself, as numbers that can be changed.
 
 use super::context::Context;
 use super::drives::{key_button, keyed_field, point_at};
 use super::field::{NumberField, vector};
 use super::motion_fields::drive_words;
-use crate::scene::{Activation, Curl, Drivable, Extra, Fibre, MusclePull, Stiffness, TwistRate};
+use crate::scene::{
+    Activation, Curl, Drivable, Drive, Extra, Fibre, MusclePull, Sheet, SheetActivation, Stiffness, TwistRate,
+};
 use egui::{CollapsingHeader, RichText, Ui};
 
 const CONTRACT: NumberField = NumberField::new(
@@ -68,7 +70,7 @@ pub(super) fn activation_fields(ui: &mut Ui, cx: &mut Context, fibre: &mut Fibre
         }
         muscle(ui, cx, &mut acts, &of);
         if let Some(before) = &before {
-            driven_by(ui, cx, before, &of);
+            driven_by(ui, cx, &before.drive, &of);
             if ui.button("Acts no more").on_hover_text("It only resists again; its drive goes with it").clicked() {
                 fibre.activation = None;
                 return;
@@ -77,6 +79,39 @@ pub(super) fn activation_fields(ui: &mut Ui, cx: &mut Context, fibre: &mut Fibre
             return;
         }
         fibre.activation = Some(acts);
+    });
+}
+
+/// Shows what a sheet does by itself; folded away where it does nothing.
+pub(super) fn sheet_activation_fields(ui: &mut Ui, cx: &mut Context, sheet: &mut Sheet, body: &str) {
+    const ALONG: NumberField = NumberField { label: "Contracts along by", ..CONTRACT };
+    const ACROSS: NumberField = NumberField { label: "across by", ..CONTRACT };
+    const CURL_ALONG: NumberField = NumberField { label: "Curls along by", tooltip: SHEET_CURL, ..CURL };
+    const CURL_ACROSS: NumberField = NumberField { label: "curls across by", tooltip: SHEET_CURL, ..CURL };
+    const SHEET_CURL: &str = "Curvature that it wants to have beside that of its rest shape, where its drive is 1; above 0 it curls \
+                              to the side to which its first direction turned into its second one looks";
+    let of = Drivable::Sheet { body: body.to_owned(), sheet: sheet.id.clone() };
+    let header = CollapsingHeader::new("Activation").default_open(sheet.activation.is_some());
+    header.show(ui, |ui| {
+        let before = sheet.activation.clone();
+        let still = || SheetActivation::contracting([0.0; 2], 1.0);
+        let mut acts = before.clone().unwrap_or_else(still);
+        for (field, value) in [&ALONG, &ACROSS].into_iter().zip(&mut acts.contract) {
+            keyed_field(ui, cx, field, value, &of);
+        }
+        for (field, value) in [&CURL_ALONG, &CURL_ACROSS].into_iter().zip(&mut acts.curl_degrees_per_metre) {
+            keyed_field(ui, cx, field, value, &of);
+        }
+        if let Some(before) = &before {
+            driven_by(ui, cx, &before.drive, &of);
+            if ui.button("Acts no more").on_hover_text("It only resists again; its drive goes with it").clicked() {
+                sheet.activation = None;
+                return;
+            }
+        } else if acts == still() {
+            return;
+        }
+        sheet.activation = Some(acts);
     });
 }
 
@@ -111,8 +146,8 @@ fn muscle(ui: &mut Ui, cx: &mut Context, acts: &mut Activation, of: &Drivable) {
 }
 
 /// What all of it is multiplied by, in a word.
-fn driven_by(ui: &mut Ui, cx: &mut Context, acts: &Activation, of: &Drivable) {
-    let words = format!("times {}", drive_words(&acts.drive));
+fn driven_by(ui: &mut Ui, cx: &mut Context, drive: &Drive, of: &Drivable) {
+    let words = format!("times {}", drive_words(drive));
     let row = ui.horizontal(|ui| {
         ui.label(RichText::new(words).weak().small()).on_hover_text("Its lane is below the timeline, under Drives");
         key_button(ui, cx, of);

@@ -1,6 +1,7 @@
 //! The sheets of the active body by name, and what the selected one is like.
 
 use super::action::Action;
+use super::activation_fields::sheet_activation_fields;
 use super::context::{Context, Step};
 use super::controls::button;
 use super::field::{NumberField, vector};
@@ -97,6 +98,7 @@ fn inspector(ui: &mut Ui, cx: &mut Context) {
         ui.selectable_value(&mut edited.rest_shape, SheetRestShape::Flat, "Flat")
             .on_hover_text("A sheet drawn curved pulls the solid flat, as far as it resists bending");
     });
+    sheet_activation_fields(ui, cx, &mut edited, &body);
     if edited != sheet {
         cx.edit(&Command::SetSheet { verb: "Change".to_owned(), body, sheet: edited }, Step::Present);
     }

@@ -3,8 +3,9 @@
 use crate::common::*;
 use glam::DVec3;
 use sinew::scene::{
-    AfterLast, Drive, DriveKeys, DrivenMotion, DrivenTurn, Interpolation, Panel, PanelDrive, PanelMotion, Region,
-    Scene, Selector, SharedDrive, TimeStep, TwoLayer, Wave, Wind,
+    AfterLast, Axis, Distance, Drive, DriveKeys, DrivenMotion, DrivenTurn, Easing, HeightKey, Interpolation, Keyframe,
+    Motion, Panel, PanelDrive, PanelMotion, Ramp, Region, Scene, Selector, SharedDrive, Side, TimeStep, Turn, TwoLayer,
+    Wave, Wind,
 };
 use sinew::sim::Runner;
 
@@ -58,6 +59,46 @@ fn a_panel_follows_its_drive() {
         let runner = advanced(&scene, seconds);
         assert!((runner.world().panels()[0].height - height).abs() < 1e-12, "{seconds} s");
     }
+}
+
+#[test]
+fn a_course_becomes_a_drive_that_moves_the_same() {
+    let ways: [Motion; 4] = [
+        Ramp { easing: Easing::Linear, ..Ramp::new([0.0, 2.0, 0.0], Distance::Metres(0.004), 0.1) }.into(),
+        Turn { start: 0.02, ..Turn::new([0.0, 1.0, 1.0], 40.0, 0.1) }.into(),
+        Motion::Keyframes(
+            [(0.0, 0.0), (0.05, -0.004), (0.12, 0.002)]
+                .map(|(time, way)| Keyframe::new(time, [way, 0.0, 2.0 * way]))
+                .to_vec(),
+        ),
+        Motion::Keyframes([0.0, 0.1].map(|time| Keyframe::new(time, [0.0; 3])).to_vec()),
+    ];
+    let heights = [(0.02, 0.2), (0.1, 0.17), (0.2, 0.25)].map(|(time, height)| HeightKey::new(time, height));
+    let panel = Panel { motion: PanelMotion::Driven(heights.to_vec()), ..Panel::falling("lid", 0.2, [0.1, 0.1]) };
+    for motion in ways {
+        let mut body = block([3, 5, 3], 1e5);
+        body.regions = vec![layers("foot", Axis::Y, Side::Min, 1)];
+        body.pins = vec![pin("foot", &ALL, motion)];
+        let before = in_space(body).with_panel(panel.clone());
+        let mut after = before.clone();
+        let courses: Vec<_> = before.drivables().into_iter().filter_map(|of| Some((of.course(&before)?, of))).collect();
+        assert_eq!(courses.len(), 2);
+        for (drive, of) in courses {
+            of.set(&mut after, Some(drive.clone())).expect("it is there");
+            assert_eq!((of.drive(&after), of.course(&after)), (Some(&drive), None));
+        }
+        after.validate().expect("a sound scene");
+        let found = [&before, &after].map(|scene| advanced(scene, 0.15));
+        let [one, other] = found.each_ref().map(|runner| &runner.world().bodies()[0].state().positions);
+        let farthest = one.iter().zip(other).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+        assert!(farthest < 1e-10, "{farthest} m apart");
+        let [one, other] = found.each_ref().map(|runner| runner.world().panels()[0].height);
+        assert!((one - other).abs() < 1e-15 && one != 0.2, "{one} and {other} m");
+    }
+    // What goes round a corner is no single number, nor is a share of a body's extent.
+    let corner = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]].map(|offset| Keyframe::new(0.0, offset));
+    assert!(Motion::Keyframes(corner.to_vec()).as_driven().is_none());
+    assert!(Motion::from(Ramp::new([1.0, 0.0, 0.0], Distance::Fraction(0.1), 1.0)).as_driven().is_none());
 }
 
 /// What is left of a balance that should stay as it was, and the work of its drives [J], with so many steps a frame.

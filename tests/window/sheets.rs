@@ -2,10 +2,10 @@
 
 use super::editing::set;
 use super::{Window, button, click, draw, is_settled, press_key, still, stroke, until, view};
-use egui::{Event, Key, Modifiers, PointerButton, Pos2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
-use sinew::scene::{GrainAlong, Sheet, SheetRestShape, SheetSource, SweptStrokes};
+use sinew::scene::{Drive, GrainAlong, Sheet, SheetRestShape, SheetSource, SweptStrokes};
 use sinew::sketch::View;
 use sinew::test_support::ui::App;
 
@@ -123,6 +123,17 @@ fn what_a_sheet_is_like_is_changed_beside_the_views() {
     assert!(!window.state().published().at_rest.bodies[0].sheets[0].threads.is_empty());
     press_key(&mut window, Modifiers::COMMAND, Key::Z);
     assert_eq!(sheets(window.state())[0].rest_shape, SheetRestShape::AsDrawn);
+    window.set_size(Vec2::new(1280.0, 1000.0));
+    window.run_steps(3);
+    click(&mut window, "Activation");
+    window.run_steps(20);
+    set(&mut window, "across by", "0.2");
+    set(&mut window, "Curls along by", "300");
+    let acts = sheets(window.state())[0].activation.clone().expect("it acts");
+    assert_eq!((acts.contract, acts.curl_degrees_per_metre), ([0.0, 0.2], [300.0, 0.0]));
+    assert_eq!(acts.drive, Drive::Constant(1.0));
+    click(&mut window, "Acts no more");
+    assert_eq!(sheets(window.state())[0].activation, None);
 }
 
 #[test]

@@ -59,8 +59,15 @@ pub(crate) fn toggle_key(of: &Drivable, cx: &mut Context) {
                 ("Set key", keys.into(), Some(index))
             }
         }
-        // What nothing drives yet is all there, or where it starts.
-        None => ("Set key", first_key(time, undriven(&source)).into(), Some(0)),
+        None => match source.course(&scene) {
+            Some(Drive::Keyframes(course)) => {
+                let value = value_of(&Drive::Keyframes(course.clone()), &[], time);
+                let (keys, index) = with_key(&course, time, value, frame);
+                ("Set key", keys.into(), Some(index))
+            }
+            // What nothing drives yet is all there, or where it starts.
+            _ => ("Set key", first_key(time, undriven(&source)).into(), Some(0)),
+        },
         still => ("Set key", as_keys(still, &[], time, frame).into(), Some(0)),
     };
     let said = match (&drive, chosen) {

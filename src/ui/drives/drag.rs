@@ -2,7 +2,7 @@
 
 use super::actions::{counted, named};
 use super::keys::{moved_keys, on_frame};
-use super::lane::{ValueScale, round};
+use super::value_scale::{ValueScale, round};
 use crate::scene::{Drivable, Drive, DriveKeys};
 use crate::ui::context::{Context, Step};
 use crate::ui::timescale::TimeScale;

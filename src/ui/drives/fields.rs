@@ -183,7 +183,14 @@ fn key_values(ui: &mut Ui, cx: &Context, of: &Drivable, keys: &mut DriveKeys) ->
     number(ui, &mut key.value, "is ", "", of.limits(cx.scene()), "Value of the selected key");
     if keys.between == Interpolation::Smooth && keys.keys.len() > 1 {
         let any = [f64::NEG_INFINITY, f64::INFINITY];
-        number(ui, &mut key.slope, "slope ", "/s", any, "How steeply the course goes through it, as its handle shows");
+        number(
+            ui,
+            &mut key.slope,
+            "slope ",
+            " 1/s",
+            any,
+            "How steeply the course goes through it, as its handle shows",
+        );
     }
     keys.keys[index] = key;
     Some(index)
@@ -260,5 +267,23 @@ fn first_drive(of: &Drivable, cx: &Context) -> Command {
         let sheet = Sheet { activation: Some(acts), ..one.clone() };
         return Command::SetSheet { verb: "Let act".to_owned(), body: body.clone(), sheet };
     }
-    Command::SetDrive { of: of.clone(), drive: Some(key(undriven(of))) }
+    of_course(of, scene).unwrap_or_else(|| Command::SetDrive { of: of.clone(), drive: Some(key(undriven(of))) })
+}
+
+/// Makes keys of the course of its own that something follows, which stays as it is.
+fn of_course(of: &Drivable, scene: &Scene) -> Option<Command> {
+    Some(named("Make keys of its course", vec![(of.clone(), Some(of.course(scene)?))]))
+}
+
+/// Offers keys for everything that follows a course of its own.
+pub(super) fn course_buttons(ui: &mut Ui, cx: &mut Context) {
+    let scene = cx.scene().clone();
+    for of in scene.drivables() {
+        let Some(command) = of_course(&of, &scene) else { continue };
+        let title = format!("{} as keys", of.title(&scene));
+        let tooltip = "It moves by numbers of its own now, and in the same way after: they become keys in a lane";
+        if ui.small_button(title).on_hover_text(tooltip).clicked() {
+            cx.edit(&command, Step::Own);
+        }
+    }
 }

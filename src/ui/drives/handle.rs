@@ -1,7 +1,7 @@
 //! The handles of selected keys: how steeply a smooth course goes through them.
 
 use super::actions::named;
-use super::lane::{REACH, ValueScale, round};
+use super::value_scale::{REACH, ValueScale, round};
 use crate::scene::{Drivable, Drive, DriveKeys, Interpolation};
 use crate::ui::context::{Context, Step};
 use crate::ui::timescale::TimeScale;

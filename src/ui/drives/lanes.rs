@@ -2,11 +2,12 @@
 
 use super::actions::{counted, named, playhead};
 use super::drag::{KeyBox, KeyDrag};
-use super::fields::{add_menu, lane_fields};
+use super::fields::{add_menu, course_buttons, lane_fields};
 use super::handle::{Handle, HandleDrag, handles};
 use super::key_button::{key_button, point_at};
 use super::keys::{first_key, on_frame, with_key};
-use super::lane::{LOW, REACH, TALL, ValueScale, faint, key_places, paint_lane, round, words_at};
+use super::lane::{LOW, TALL, faint, key_places, paint_lane, words_at};
+use super::value_scale::{REACH, ValueScale, round};
 use crate::scene::{Drivable, Drive, Scene};
 use crate::text::number::{compact, moment};
 use crate::ui::context::{Context, Severity, Step};
@@ -81,8 +82,9 @@ impl Lanes {
             ui.horizontal(|ui| {
                 ui.add_space((columns.names.min - ui.min_rect().left()).max(0.0));
                 add_menu(ui, cx);
+                course_buttons(ui, cx);
                 if shown.is_empty() {
-                    ui.weak("Nothing changes in time yet: a key beside a field, or this menu, lets it");
+                    ui.weak("Nothing is driven yet: a key beside a field, or this menu, lets it change in time");
                 }
             });
             self.take(ui, cx, scale, &shown);
@@ -96,7 +98,8 @@ impl Lanes {
         let height = if follows { LOW } else { TALL };
         let (row, _) = ui.allocate_exact_size([ui.available_width(), height].into(), Sense::hover());
         let is_idle = self.drag.is_none() && self.turned.is_none() && self.boxed.is_none();
-        if !ui.is_rect_visible(row) && is_idle {
+        // Passes that are not drawn take hold of keys, too.
+        if !ui.clip_rect().intersects(row) && is_idle {
             return None;
         }
         let place = Rect::from_x_y_ranges(columns.courses, row.y_range());

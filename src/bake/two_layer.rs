@@ -9,18 +9,24 @@ use super::pins::{Following, note_pins};
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::{drives, limits, room, self_contact, supports};
-use crate::scene::{Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, TwoLayer};
+use crate::scene::{
+    Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, SpringChoice, TwoLayer,
+};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::collider::Collider;
 use crate::solver::constraint::{Constraint, PrescribedMotion};
 use crate::solver::embedding::EmbeddingWeights;
 use crate::solver::forces::pressure::Surface;
-use crate::solver::forces::{AirDrag, Contact, ContactLaw, FlowSurface, Force, Grab, Gravity, Pressure};
+use crate::solver::forces::springs::SpringKind;
+use crate::solver::forces::{
+    ActiveSprings, AirDrag, Contact, ContactLaw, FlowSurface, Force, Grab, Gravity, Pressure, Springs,
+};
 use crate::solver::integrators::LeapFrog;
 use crate::solver::layers::Layers;
 use crate::solver::modes::fastest_modes;
 use crate::solver::state::ParticleState;
 use glam::{BVec3, DVec3};
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Net force below which a particle counts as at rest, in units of KS times the radius.
@@ -54,7 +60,8 @@ pub(super) fn draft(
             return Err(BakeError::InsideOut { path: format!("{path}/initial/deformation"), volume });
         }
     }
-    let mut forces = own_forces(scene, body, &model, &layers, &state);
+    let active = active_springs(body, &layers.springs, &regions, path)?;
+    let mut forces = own_forces(scene, body, (&model, &active), &layers, &state);
 
     let kind = match body.integrator {
         IntegratorChoice::Automatic => IntegratorKind::LeapFrog,
@@ -66,7 +73,7 @@ pub(super) fn draft(
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
     let probed = |body: &TwoLayer| {
-        let own = own_forces(scene, body, &model, &layers, &state);
+        let own = own_forces(scene, body, (&model, &active), &layers, &state);
         let mut forces: Vec<_> = own.iter().map(|force| force.clone_at_extreme(true)).collect();
         if touches {
             forces.push(Box::new(touched(&at_rest, model.outer, &contact_law(scene, body))));
@@ -139,11 +146,12 @@ pub(super) fn draft(
 fn own_forces(
     scene: &Scene,
     body: &TwoLayer,
-    model: &LayerModel,
+    (model, active): (&LayerModel, &[ActiveSprings]),
     layers: &Layers,
     start: &ParticleState,
 ) -> Vec<Box<dyn Force>> {
-    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(model.springs(body))];
+    let springs = model.springs(body).with_active(active.to_vec());
+    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(springs)];
     forces.extend(gas(body, layers).into_iter().map(|gas| Box::new(gas) as Box<dyn Force>));
     let gravity = DVec3::from_array(scene.gravity);
     if gravity != DVec3::ZERO {
@@ -202,6 +210,36 @@ fn layers(scene: &Scene, body: &TwoLayer, model: &LayerModel, rest: &[DVec3]) ->
             ContactKind::PaperReset => room::planes(scene),
         },
     }
+}
+
+/// The springs that act, each with both ends in its region.
+fn active_springs(
+    body: &TwoLayer,
+    springs: &Springs,
+    regions: &supports::Regions,
+    path: &str,
+) -> Result<Vec<ActiveSprings>, BakeError> {
+    let mut all = Vec::new();
+    // Of springs that two of them have, the later one counts.
+    let mut taken = HashSet::new();
+    for (k, of) in body.active_springs.iter().enumerate().rev() {
+        let region = supports::find(regions, &of.region, &format!("{path}/active_springs/{k}/region"))?;
+        let is_within: HashSet<u32> = region.iter().copied().collect();
+        let kinds: &[SpringKind] = match of.springs {
+            SpringChoice::All => {
+                &[SpringKind::Structural, SpringKind::Radius, SpringKind::ShearLeft, SpringKind::ShearRight]
+            }
+            SpringChoice::Structural => &[SpringKind::Structural],
+            SpringChoice::Radius => &[SpringKind::Radius],
+            SpringChoice::Shear => &[SpringKind::ShearLeft, SpringKind::ShearRight],
+        };
+        let groups = springs.groups().iter().filter(|group| kinds.contains(&group.kind));
+        let chosen = groups.flat_map(|group| group.springs.clone());
+        let chosen = chosen.filter(|&spring| springs.ends()[spring].iter().all(|end| is_within.contains(end)));
+        let chosen = chosen.map(|spring| spring as u32).filter(|&spring| taken.insert(spring)).collect();
+        all.push(ActiveSprings::new(&of.id, chosen, of.contract, drives::drive(&of.drive, &body.drives)));
+    }
+    Ok(all)
 }
 
 /// The gas, where there is any. A body without an inner layer has all its gas in the outer one.

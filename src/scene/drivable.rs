@@ -46,6 +46,13 @@ pub enum Drivable {
     },
     /// The gas of a two-layer body.
     Pressure(String),
+    /// Active springs of a two-layer body.
+    Springs {
+        /// Identifier of the body.
+        body: String,
+        /// Of the springs.
+        springs: String,
+    },
 }
 
 /// How far a panel, a pin or a collider goes where the drive that it is given is 1, before a person says how far [m].
@@ -65,6 +72,8 @@ impl Scene {
             all.extend(of.sheets().iter().map(|sheet| Drivable::Sheet { body: body(), sheet: sheet.id.clone() }));
             all.extend(of.pins().iter().map(|pin| Drivable::Pin { body: body(), pin: pin.id.clone() }));
             all.extend(of.two_layer().map(|_| Drivable::Pressure(body())));
+            let active = of.two_layer().map_or(&[][..], |of| &of.active_springs);
+            all.extend(active.iter().map(|one| Drivable::Springs { body: body(), springs: one.id.clone() }));
         }
         all
     }
@@ -79,6 +88,7 @@ impl Drivable {
             | Self::Fibre { body, .. }
             | Self::Sheet { body, .. }
             | Self::Pin { body, .. }
+            | Self::Springs { body, .. }
             | Self::Pressure(body) => Some(body),
         }
     }
@@ -105,6 +115,9 @@ impl Drivable {
             }
             Self::Pin { pin, .. } => driven(&body()?.pins().iter().find(|one| one.id == *pin)?.motion),
             Self::Pressure(_) => body()?.two_layer()?.pressure_drive.as_ref(),
+            Self::Springs { springs, .. } => {
+                Some(&body()?.two_layer()?.active_springs.iter().find(|one| one.id == *springs)?.drive)
+            }
         }
     }
 
@@ -154,7 +167,7 @@ impl Drivable {
         scene.drivables().into_iter().filter(follows).collect()
     }
 
-    /// Puts a drive there, or takes the present one away: a fibre only resists then, what was moved stays where it starts
+    /// Puts a drive there, or takes the present one away: a fibre or springs only resist then, what was moved stays where it starts
     /// and a panel falls. What is new to a drive gets a way to go by it, a pin, a panel or a collider as far as the course of
     /// its own went, or 10 mm upwards; a shared drive that is not there is added.
     ///
@@ -188,6 +201,7 @@ impl Drivable {
             | Self::Fibre { body, .. }
             | Self::Sheet { body, .. }
             | Self::Pin { body, .. }
+            | Self::Springs { body, .. }
             | Self::Pressure(body) => scene.find_body_mut(body).and_then(|body| self.set_of_body(body, drive)),
         };
         found.ok_or_else(missing)
@@ -231,6 +245,15 @@ impl Drivable {
                 let AnyBodyMut::TwoLayer(body) = of else { return None };
                 body.pressure_drive = drive;
             }
+            (Self::Springs { springs, .. }, drive) => {
+                let AnyBodyMut::TwoLayer(body) = of else { return None };
+                let index = body.active_springs.iter().position(|one| one.id == *springs)?;
+                match drive {
+                    Some(drive) => body.active_springs[index].drive = drive,
+                    // They only resist then.
+                    None => drop(body.active_springs.remove(index)),
+                }
+            }
             _ => return None,
         }
         Some(())
@@ -248,6 +271,7 @@ impl Drivable {
             Self::Sheet { body, sheet } => format!("a sheet \"{sheet}\" of \"{body}\""),
             Self::Pin { body, pin } => format!("a pin \"{pin}\" of \"{body}\""),
             Self::Pressure(body) => format!("gas in \"{body}\""),
+            Self::Springs { body, springs } => format!("active springs \"{springs}\" of \"{body}\""),
         }
     }
 }

@@ -45,6 +45,11 @@ impl Drivable {
                 let (at, body) = body()?;
                 body.two_layer().map(|_| format!("{at}/pressure_drive"))?
             }
+            Self::Springs { springs, .. } => {
+                let (at, body) = body()?;
+                let index = body.two_layer()?.active_springs.iter().position(|one| one.id == *springs)?;
+                format!("{at}/active_springs/{index}/drive")
+            }
         })
     }
 
@@ -81,6 +86,7 @@ impl Drivable {
                 of(one.map_or(sheet.as_str(), |one| one.title()))
             }
             Self::Pin { pin, .. } => of(&format!("Pin {pin}")),
+            Self::Springs { springs, .. } => of(&format!("Springs {springs}")),
             Self::Pressure(id) => format!("Gas in {}", of_body().map_or(id.as_str(), AnyBody::title)),
         }
     }
@@ -101,6 +107,7 @@ impl Drivable {
             Self::Sheet { .. } => bend(self.sheet_activation(scene)?),
             Self::Pin { pin, .. } => way(&body()?.pins().iter().find(|one| one.id == *pin)?.motion),
             Self::Pressure(_) => Some((body()?.two_layer()?.pressure, "J")),
+            Self::Springs { .. } => Some((100.0 * self.springs_contract(scene)?, "%")),
         }
     }
 
@@ -116,6 +123,7 @@ impl Drivable {
                 let [along, across] = of.contract.map(shortening);
                 both(along, across)
             }),
+            Self::Springs { .. } => self.springs_contract(scene).map_or(ANY, shortening),
             Self::Shared { .. } => self.followers(scene).iter().map(|one| one.limits(scene)).fold(ANY, both),
             Self::Gravity | Self::Wind | Self::Panel(_) | Self::Collider(_) | Self::Pin { .. } => ANY,
         }
@@ -133,6 +141,12 @@ impl Drivable {
     fn activation<'a>(&self, scene: &'a Scene) -> Option<&'a Activation> {
         let Self::Fibre { body, fibre } = self else { return None };
         scene.body(body)?.fibres.iter().find(|one| one.id == *fibre)?.activation.as_ref()
+    }
+
+    fn springs_contract(&self, scene: &Scene) -> Option<f64> {
+        let Self::Springs { body, springs } = self else { return None };
+        let active = &scene.find_body(body)?.two_layer()?.active_springs;
+        Some(active.iter().find(|one| one.id == *springs)?.contract)
     }
 
     fn sheet_activation<'a>(&self, scene: &'a Scene) -> Option<&'a SheetActivation> {

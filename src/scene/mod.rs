@@ -35,6 +35,7 @@ mod room;
 mod round_shape;
 mod shape;
 mod sheet;
+mod spring_act;
 mod start;
 mod time;
 mod two_layer;
@@ -79,6 +80,7 @@ pub use sheet::{
     Grain, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, Sheet, SheetActivation, SheetRestShape, SheetSource,
     SheetStiffness, SheetTriangles, SweptStrokes,
 };
+pub use spring_act::{ActiveSprings, SpringChoice};
 pub use start::{Impulse, Initial};
 pub use time::{Automatic, Manual, Time, TimeStep};
 pub use two_layer::{ContactKind, Drag, PressureIn, RegionMass, TwoLayer, TwoLayerContact};

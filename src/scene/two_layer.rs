@@ -3,8 +3,8 @@
 
 use super::extra::is_false;
 use super::{
-    Ball, ClosedMesh, Drive, Extra, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Ring, Segment,
-    SharedDrive, TwoLayerShape,
+    ActiveSprings, Ball, ClosedMesh, Drive, Extra, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Ring,
+    Segment, SharedDrive, TwoLayerShape,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -88,6 +88,9 @@ pub struct TwoLayer {
     /// Numbers that change in time, for several of its parts to follow.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<SharedDrive>,
+    /// Springs whose rest lengths a drive changes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub active_springs: Vec<ActiveSprings>,
     /// Named sets of particles.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub regions: Vec<Region>,
@@ -132,6 +135,7 @@ impl TwoLayer {
             initial: Initial::default(),
             impulses: Vec::new(),
             drives: Vec::new(),
+            active_springs: Vec::new(),
             regions: Vec::new(),
             pins: Vec::new(),
             drags: Vec::new(),

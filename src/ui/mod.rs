@@ -6,6 +6,7 @@
 
 pub(crate) mod action;
 mod activation_fields;
+mod active_springs_section;
 pub(crate) mod app;
 mod autosave;
 mod bodies;

@@ -1,5 +1,6 @@
 //! What a two-layer body is made of, as numbers that can be changed.
 
+use super::active_springs_section::active_springs_section;
 use super::context::Context;
 use super::drives::keyed_field;
 use super::field::NumberField;
@@ -64,6 +65,7 @@ pub(super) fn two_layer_fields(ui: &mut Ui, cx: &mut Context, body: &mut TwoLaye
         INNER_MASS.show(ui, mass);
     }
     AIR_DRAG.show(ui, &mut body.air_drag);
+    active_springs_section(ui, cx, body);
     ui.add_space(GRID);
     ui.heading("Drag");
     MKS.show(ui, &mut body.mks);

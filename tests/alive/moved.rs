@@ -3,9 +3,9 @@
 use crate::common::*;
 use glam::DVec3;
 use sinew::scene::{
-    AfterLast, Axis, Distance, Drive, DriveKeys, DrivenMotion, DrivenTurn, Easing, HeightKey, Interpolation, Keyframe,
-    Motion, Panel, PanelDrive, PanelMotion, Ramp, Region, Scene, Selector, SharedDrive, Side, TimeStep, Turn, TwoLayer,
-    Wave, Wind,
+    ActiveSprings, AfterLast, Axis, Distance, Drive, DriveKeys, DrivenMotion, DrivenTurn, Easing, HeightKey,
+    Interpolation, Keyframe, Motion, Panel, PanelDrive, PanelMotion, Ramp, Region, Scene, Selector, SharedDrive, Side,
+    SpringChoice, TimeStep, Turn, TwoLayer, Wave, Wind,
 };
 use sinew::sim::Runner;
 
@@ -170,4 +170,68 @@ fn wind_pushes_a_box_as_a_plate_of_its_face_and_slides_along_the_others() {
     let back = push(Wind::new([3.0, 0.0, 0.0]).with_drive(-1.0), [0.0; 3]);
     assert!((back + found).length() < 1e-9 * plate, "{back} N");
     assert!(push(Wind::default(), [-3.0, 0.0, 0.0]).distance(found) < 1e-9 * plate);
+}
+
+#[test]
+fn springs_that_act_have_the_lengths_that_their_drive_says() {
+    let drive = DriveKeys::new([(0.0, 0.0), (0.4, 1.0)]);
+    let mut segment = TwoLayer::segment("wire");
+    (segment.kd, segment.air_drag) = (20.0, 0.0);
+    segment.active_springs = vec![ActiveSprings::new("pull", "everything", 0.25, drive)];
+    let runner = advanced(&Scene::new("wire").with_gravity([0.0; 3]).with_two_layer(segment), 3.0);
+    let positions = &runner.world().bodies()[0].state().positions;
+    let length = positions[0].distance(positions[1]);
+    assert!((length / (0.75 * 2.0) - 1.0).abs() < 1e-6, "{length} m");
+    let momentum: DVec3 = runner.world().bodies()[0].state().velocities.iter().copied().sum();
+    assert!(momentum.length() < 1e-12, "{momentum}");
+}
+
+#[test]
+fn the_work_of_springs_is_booked_and_only_theirs_that_are_chosen_change() {
+    let mut ball = TwoLayer { pressure: 0.0, ..TwoLayer::ball("ball") };
+    (ball.kd, ball.rkd) = (0.0, 0.0);
+    let wave = || Drive::from(Wave::new(0.3));
+    ball.active_springs = vec![
+        ActiveSprings::new("all", "everything", 0.2, wave()),
+        ActiveSprings::new("later", "outer", -0.3, wave()).only(SpringChoice::Structural),
+    ];
+    let scene = Scene::new("springs").with_gravity([0.0; 3]).with_two_layer(ball);
+    let stable = baked(&scene).world.bodies()[0].parts().stable_dt;
+    let found = [0, 1].map(|halvings| balance(&scene, 0.3 * stable, halvings));
+    println!("{found:?}");
+    assert!(found[0].1.abs() > 0.1 && found[0].0.abs() < 1e-3 * found[0].1.abs(), "{found:?}");
+    assert!((found[1].0 / found[0].0).abs() < 0.35, "{found:?}");
+    // Those of the outer layer are longer, the others shorter.
+    let outer = |count: usize| {
+        let mut still = scene.clone();
+        let ball = &mut still.two_layer[0];
+        (ball.kd, ball.rkd) = (30.0, 30.0);
+        ball.active_springs.truncate(count);
+        ball.active_springs.iter_mut().for_each(|springs| springs.drive = 1.0.into());
+        let runner = advanced(&still, 3.0);
+        let positions = &runner.world().bodies()[0].state().positions;
+        positions[..18].iter().map(|place| place.length()).sum::<f64>() / 18.0
+    };
+    let found = [0, 1, 2].map(outer);
+    println!("radius {found:?} m");
+    assert!((found[0] - 2.0).abs() < 1e-9 && (found[1] - 1.6).abs() < 1e-3, "{found:?}");
+    assert!(found[2] > found[1] + 0.2, "{found:?}");
+}
+
+#[test]
+fn springs_that_cannot_act_are_refused_where_they_stand() {
+    let refused = |springs: ActiveSprings| {
+        let ball = TwoLayer { active_springs: vec![springs], ..TwoLayer::ball("ball") };
+        Scene::new("ball").with_two_layer(ball).validate().expect_err("it is refused").to_string()
+    };
+    let springs = |region: &str, contract: f64, drive: Drive| ActiveSprings::new("pull", region, contract, drive);
+    for (said, with) in [
+        (refused(springs("elsewhere", 0.2, 1.0.into())), "/two_layer/0/active_springs/0/region"),
+        (refused(springs("outer", 0.9, 1.0.into())), "/two_layer/0/active_springs/0/contract"),
+        (refused(springs("outer", f64::NAN, 1.0.into())), "/two_layer/0/active_springs/0/contract"),
+        (refused(springs("outer", 0.2, Wave::new(1.0).with_wavelength(0.1).into())), "runs along fibres"),
+        (refused(springs("outer", 0.2, Drive::Shared("none".to_owned()))), "is no drive of this body"),
+    ] {
+        assert!(said.contains(with), "{said}");
+    }
 }

@@ -2,7 +2,7 @@
 
 use sinew::bake::bake;
 use sinew::io::{apply_sets, load_scene};
-use sinew::scene::{Assets, Scene};
+use sinew::scene::{Assets, Drive, Scene};
 use sinew::sim::Runner;
 use sinew::solver::MeasureValue;
 use std::path::Path;
@@ -76,4 +76,20 @@ fn the_fish_swims_ahead_in_water_and_nowhere_without() {
     let dry = apply_sets(&scene("fish"), [("/wind/density", "0")]).expect("a place that is there");
     let stayed = values(&dry, "swim", &[1.0])[0];
     assert!(stayed.abs() < 1e-6, "{stayed} mm");
+}
+
+#[test]
+fn the_ball_rolls_by_its_springs_and_back_where_they_go_round_the_other_way() {
+    let rolled = values(&scene("ball"), "way", &[3.0])[0];
+    assert!(rolled > 300.0, "{rolled} mm");
+    let mut other = scene("ball");
+    for springs in &mut other.two_layer[0].active_springs {
+        let Drive::Wave(wave) = &mut springs.drive else { panic!("a wave") };
+        wave.phase_degrees = 180.0 - wave.phase_degrees;
+    }
+    let back = values(&other, "way", &[3.0])[0];
+    assert!(back < -100.0, "{back} mm");
+    let smooth = apply_sets(&scene("ball"), [("/room/friction", "0")]).expect("a place that is there");
+    let slipped = values(&smooth, "way", &[3.0])[0];
+    assert!(slipped.abs() < 1e-6, "{slipped} mm on ice");
 }

@@ -103,7 +103,7 @@ pub(super) fn not_below_zero(at: &At<'_>, of: &Drive, shared: &[SharedDrive]) ->
 /// Checks how a fibre of this stiffness acts.
 pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness), shared: &[SharedDrive]) -> Checked {
     drive(&at.field("drive"), &of.drive, shared)?;
-    contraction(&at.field("contract"), of, shared)?;
+    contraction(&at.field("contract"), "the fibre", (of.contract, &of.drive), shared)?;
     if let Some(curl) = &of.curl {
         let at = at.field("curl");
         finite(&at.field("degrees_per_metre"), curl.degrees_per_metre, "degrees/m")?;
@@ -133,16 +133,22 @@ pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness)
     )
 }
 
-fn contraction(at: &At<'_>, of: &Activation, shared: &[SharedDrive]) -> Checked {
-    finite(at, of.contract, "")?;
-    let [least, greatest] = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+/// Checks the share by which a drive makes something shorter.
+pub(super) fn contraction(
+    at: &At<'_>,
+    what: &str,
+    (contract, drive): (f64, &Drive),
+    shared: &[SharedDrive],
+) -> Checked {
+    finite(at, contract, "")?;
+    let [least, greatest] = drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
     let [low, high] = CONTRACTION;
     for value in [least, greatest] {
-        let share = of.contract * value;
+        let share = contract * value;
         let holds = (low..=high).contains(&share);
-        let problem =
-            format!("makes the fibre shorter by {} of its length, where its drive is {}", number(share), number(value));
-        require(at, &of.contract, holds, &problem, || {
+        let (by, at_value) = (number(share), number(value));
+        let problem = format!("makes {what} shorter by {by} of its length, where its drive is {at_value}");
+        require(at, &contract, holds, &problem, || {
             format!("keep contraction times drive from {} to {}", number(low), number(high))
         })?;
     }

@@ -26,6 +26,15 @@ pub(super) fn two_layer(at: &At<'_>, body: &TwoLayer) -> Checked {
     }
     impulses(at, &body.impulses, &known)?;
     drives::shared(at, &body.drives)?;
+    let mut ids = Ids::of("active spring");
+    for (index, of) in body.active_springs.iter().enumerate() {
+        let at = at.field("active_springs");
+        let at = at.item(index);
+        ids.add(&at.field("id"), &of.id)?;
+        known.resolve(&at.field("region"), &of.region)?;
+        drives::still(&at.field("drive"), &of.drive, &body.drives)?;
+        drives::contraction(&at.field("contract"), "a spring", (of.contract, &of.drive), &body.drives)?;
+    }
     pins(at, &body.pins, &known, &body.drives)?;
     for (index, drag) in body.drags.iter().enumerate() {
         let at = at.field("drags");

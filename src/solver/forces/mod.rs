@@ -1,5 +1,6 @@
 //! Forces: one file a force. A body is a [`ParticleState`](super::state::ParticleState) with a list of these.
 
+mod active_springs;
 mod air_drag;
 mod bricks;
 mod collider_contact;
@@ -17,6 +18,7 @@ mod self_contact;
 pub(crate) mod sheet;
 pub(crate) mod springs;
 
+pub(crate) use active_springs::ActiveSprings;
 pub(crate) use air_drag::AirDrag;
 pub(crate) use collider_contact::ColliderContact;
 pub(crate) use contact::{Contact, ContactLaw, Plane};

@@ -112,10 +112,7 @@ pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness)
         not_negative(&place.field("force"), muscle.force, "N")?;
         positive(&place.field("width"), muscle.width, "")?;
         fraction(&place.field("width"), muscle.width)?;
-        let [least, greatest] = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
-        let problem = format!("excites a muscle from {} to {}", number(least), number(greatest));
-        let holds = least >= 0.0 && greatest <= 1.0;
-        require(&at.field("drive"), &of.drive, holds, &problem, || "keep it from 0 to 1")?;
+        excitation(&at.field("drive"), &of.drive, shared)?;
     }
     let Some(twist) = &of.twist else { return Ok(()) };
     let at = at.field("twist");
@@ -131,16 +128,29 @@ pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness)
     )
 }
 
+/// Checks a drive that excites a muscle.
+pub(super) fn excitation(at: &At<'_>, of: &Drive, shared: &[SharedDrive]) -> Checked {
+    let [least, greatest] = of.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+    let problem = format!("excites a muscle from {} to {}", number(least), number(greatest));
+    require(at, of, least >= 0.0 && greatest <= 1.0, &problem, || "keep it from 0 to 1")
+}
+
 fn contraction(at: &At<'_>, of: &Activation, shared: &[SharedDrive]) -> Checked {
-    finite(at, of.contract, "")?;
-    let [least, greatest] = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+    let range = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+    share(at, of.contract, "fibre shorter by {} of its length", range)
+}
+
+/// Checks a share by which something wants to be smaller, times a drive of this range; `what` it makes of what, with `{}` for
+/// the share.
+pub(super) fn share(at: &At<'_>, contract: f64, what: &str, range: [f64; 2]) -> Checked {
+    finite(at, contract, "")?;
     let [low, high] = CONTRACTION;
-    for value in [least, greatest] {
-        let share = of.contract * value;
+    for value in range {
+        let share = contract * value;
         let holds = (low..=high).contains(&share);
-        let problem =
-            format!("makes the fibre shorter by {} of its length, where its drive is {}", number(share), number(value));
-        require(at, &of.contract, holds, &problem, || {
+        let made = what.replace("{}", &number(share));
+        let problem = format!("makes the {made}, where its drive is {}", number(value));
+        require(at, &contract, holds, &problem, || {
             format!("keep contraction times drive from {} to {}", number(low), number(high))
         })?;
     }

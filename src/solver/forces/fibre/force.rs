@@ -3,9 +3,8 @@
 use super::activity::{Activity, Now};
 use super::break_limits::furthest;
 use super::breaking::{Breakage, FibreBreak};
-use super::corner::{Corner, straight_energy};
 use super::fibre_embedding::FibreEmbedding;
-use super::material_turn::{material_spin, polar, turn_of_material};
+use super::material_turn::{material_spin, polar};
 use super::packed_rods::PackedRods;
 use super::rest::FibreRest;
 use super::soa::{SoaVectors, put, zeros};
@@ -104,6 +103,11 @@ impl FibreForce {
             workspace: Scratch::default(),
             fibres,
         }
+    }
+
+    /// The fibres at rest.
+    pub fn rests(&self) -> &[FibreRest] {
+        &self.fibres
     }
 
     /// Whether any of them is driven.
@@ -233,44 +237,8 @@ impl Force for FibreForce {
     }
 
     fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
-        let mut turns = self.turns.iter().zip(&self.broken.bends);
-        let mut edges_broken = self.broken.edges.iter();
         energies.activation -= self.drive_work();
-        let (mut first_edge, mut first_bend) = (0, 0);
-        for fibre in self.fibres.iter() {
-            let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)).collect();
-            let rest_length = fibre.lengths_at(time);
-            let muscle = fibre.activation.as_ref().and_then(|activation| activation.excitations(time));
-            let binormal = fibre.binormals_at(time);
-            for (k, (&(stiffness, drawn), &broken)) in fibre.edges.iter().zip(edges_broken.by_ref()).enumerate() {
-                if broken {
-                    continue;
-                }
-                let length = x[k + 1].distance(x[k]);
-                let stretch = length - rest_length(k) - self.yielded.stretch(first_edge + k);
-                energies.stretching += 0.5 * stiffness * stretch * stretch;
-                if let Some((muscle, excited)) = &muscle {
-                    energies.stretching += muscle.energy(excited(k), length / drawn, drawn);
-                }
-            }
-            for (k, (bend, (turn, &broken))) in fibre.bends.iter().zip(turns.by_ref()).enumerate() {
-                if broken {
-                    continue;
-                }
-                let Some(corner) = Corner::at(&x, k) else { continue };
-                energies.bending += match &bend.curved {
-                    None => 4.0 * bend.stiffness * straight_energy(corner.cosine),
-                    Some(curved) => {
-                        let (r, _) = turn_of_material(&curved.turn, &state.positions, &mut turn.clone());
-                        let rest = binormal(k) + self.yielded.binormal(first_bend + k);
-                        bend.stiffness * (corner.binormal() - r * rest).length_squared()
-                    }
-                };
-            }
-            first_edge += fibre.edges.len();
-            first_bend += fibre.bends.len();
-        }
-        energies.twisting += self.twisting_energy(time, &state.positions);
+        self.add_stored(time, &state.positions, energies);
     }
 
     fn is_internal(&self) -> bool {

@@ -11,6 +11,9 @@ pub const MAX_ELEMENTS: usize = 10_000;
 /// Most points of a law's table.
 pub const MAX_TABLE_POINTS: usize = 1000;
 
+/// Greatest angle by which one may want to be larger or smaller [degrees].
+pub(super) const MOST_TURNED: f64 = 170.0;
+
 /// One element of a body: an energy of what a few points that ride on the material measure.
 ///
 /// It takes no share of the material, as fibres do, and no room: several may lie on each other.
@@ -97,6 +100,16 @@ impl ElementMeasure {
         matches!(self, Self::Turn | Self::Dihedral | Self::Twist)
     }
 
+    /// Unit of the force by which it is resisted.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Length => "N",
+            Self::Area => "N/m",
+            Self::Volume => "Pa",
+            Self::Turn | Self::Dihedral | Self::Twist => "N m",
+        }
+    }
+
     /// Its word in scene files.
     pub fn word(self) -> &'static str {
         match self {
@@ -164,7 +177,7 @@ pub struct ElementActivation {
     /// Share by which a length, an area or a volume wants to be smaller than it was drawn; with the drive from -0.5 to 0.8.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub contract: f64,
-    /// By what an angle wants to be larger than it was drawn [degrees]; with the drive below 180 either way.
+    /// By what an angle wants to be larger than it was drawn [degrees]; with the drive from -170 to 170.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub turn_degrees: f64,
     /// Unknown fields, kept.

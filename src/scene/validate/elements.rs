@@ -2,6 +2,7 @@
 
 use super::check::{At, Checked, Ids, finite, fraction, not_negative, number, positive, require, vector};
 use super::drives::{excitation, share, still};
+use crate::scene::element::MOST_TURNED;
 use crate::scene::{
     Drive, Element, ElementActivation, ElementLaw, ElementMeasure, MAX_ELEMENTS, MAX_TABLE_POINTS, SharedDrive,
 };
@@ -9,9 +10,6 @@ use glam::DVec3;
 
 /// Length, area and volume, over those of the points' extent, below which there is nothing to measure.
 const LEAST: f64 = 1e-6;
-
-/// Greatest angle by which one may want to be larger [degrees].
-const MOST_TURNED: f64 = 180.0;
 
 pub(super) fn elements(at: &At<'_>, elements: &[Element], shared: &[SharedDrive]) -> Checked {
     require(at, &[(); 0], elements.len() <= MAX_ELEMENTS, &format!("has {} elements", elements.len()), || {
@@ -54,12 +52,7 @@ fn points(at: &At<'_>, element: &Element) -> Checked {
 }
 
 fn law(at: &At<'_>, element: &Element) -> Checked {
-    let unit = match element.measure {
-        ElementMeasure::Length => "N",
-        ElementMeasure::Area => "N/m",
-        ElementMeasure::Volume => "Pa",
-        ElementMeasure::Turn | ElementMeasure::Dihedral | ElementMeasure::Twist => "N m",
-    };
+    let unit = element.measure.unit();
     match &element.law {
         ElementLaw::Spring(of) => not_negative(&at.field("spring").field("stiffness"), of.stiffness, unit),
         ElementLaw::TensionOnly(of) => not_negative(&at.field("tension_only").field("stiffness"), of.stiffness, unit),
@@ -103,7 +96,9 @@ fn activation(at: &At<'_>, of: &ElementActivation, element: &Element, shared: &[
     let range = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
     let farthest = range.map(|value| (value * of.turn_degrees).abs()).into_iter().fold(0.0, f64::max);
     let problem = format!("is to turn by {} degrees", number(farthest));
-    require(&place, &of.turn_degrees, farthest < MOST_TURNED, &problem, || "keep it below 180 times its drive")?;
+    require(&place, &of.turn_degrees, farthest <= MOST_TURNED, &problem, || {
+        format!("keep it from -{MOST_TURNED} to {MOST_TURNED}, times its drive")
+    })?;
     let angle = element.measure.is_angle();
     let problem = format!("is of a measure of {}, which is no angle", element.measure.word());
     require(&place, &of.turn_degrees, angle || of.turn_degrees == 0.0, &problem, || "give `contract`")?;

@@ -3,11 +3,10 @@
 use super::activity::{Activity, Now};
 use super::break_limits::furthest;
 use super::breaking::{Breakage, FibreBreak};
+use super::curved_bends::CurvedBends;
 use super::fibre_embedding::FibreEmbedding;
-use super::material_turn::{material_spin, polar};
 use super::packed_rods::PackedRods;
 use super::rest::FibreRest;
-use super::soa::{SoaVectors, put, zeros};
 use super::strip::BlockVectors;
 use super::yielding::Yielded;
 use crate::solver::energy::Energies;
@@ -17,7 +16,7 @@ use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
 use crate::solver::wide::Vec3x;
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DQuat, DVec3};
 use std::sync::Arc;
 
 /// Stretching and bending of all fibres of a body.
@@ -44,10 +43,7 @@ struct Workspace {
     rods: PackedRods,
     /// Positions of the strip's particles [m].
     positions: Vec<BlockVectors>,
-    /// Curvature binormal at rest of every curved bend, model frame.
-    binormals: Vec<DVec3>,
-    /// What turns every curved bend's particles, by the components of `om_k Z_k` [N m].
-    spins: [SoaVectors; 3],
+    curved: CurvedBends,
 }
 
 impl Workspace {
@@ -62,9 +58,8 @@ impl Workspace {
             first_bend += bends;
             first_edge += edges;
         }
-        let spins = [0, 1, 2].map(|_| zeros(embedding.curved.len()));
-        let binormals = embedding.curved.iter().map(|bend| bend.binormal).collect();
-        let mut this = Self { rods, positions: vec![BlockVectors::default(); embedding.strip.len()], binormals, spins };
+        let curved = CurvedBends::new(embedding, &broken.bends);
+        let mut this = Self { rods, positions: vec![BlockVectors::default(); embedding.strip.len()], curved };
         this.rest_as(fibres, embedding, yielded);
         this
     }
@@ -82,8 +77,8 @@ impl Workspace {
             first += fibre.vertices.len();
             first_edge += fibre.edges.len();
         }
-        for (binormal, bend) in self.binormals.iter_mut().zip(&embedding.curved) {
-            *binormal = bend.binormal + yielded.binormal(bend.bend);
+        for (k, bend) in embedding.curved.iter().enumerate() {
+            self.curved.rest_at(k, bend.binormal + yielded.binormal(bend.bend));
         }
     }
 }
@@ -132,7 +127,7 @@ impl FibreForce {
         activity.begin(self.now(time, positions));
         self.activity = activity;
         let Self { fibres, embedding, broken, yielded, workspace, .. } = self;
-        let Workspace { rods, binormals, .. } =
+        let Workspace { rods, curved: packed, .. } =
             workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, (broken, yielded)));
         let (mut first, mut curved) = (0, 0);
         for fibre in fibres.iter() {
@@ -142,7 +137,7 @@ impl FibreForce {
                 (0..fibre.edges.len()).for_each(|k| rods.rest_at(first + k, length(k)));
                 if activation.curls() {
                     let binormal = fibre.binormals_at(time);
-                    bends.clone().zip(&mut binormals[curved..]).for_each(|(k, rest)| *rest = binormal(k));
+                    bends.clone().zip(curved..).for_each(|(k, bend)| packed.rest_at(bend, binormal(k)));
                 }
             }
             first += fibre.vertices.len();
@@ -184,9 +179,9 @@ impl FibreForce {
     #[inline(always)]
     fn evaluate<S: Simd>(&mut self, simd: S, driven: Option<f64>, positions: &[DVec3], forces: &mut [DVec3]) {
         let Self { fibres, embedding, broken, yielded, turns, workspace, .. } = self;
-        let Workspace { rods, positions: blocks, binormals, spins } =
+        let Workspace { rods, positions: blocks, curved } =
             workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, (broken, yielded)));
-        let FibreEmbedding { strip, vertices, turns: turning, curved } = &**embedding;
+        let FibreEmbedding { strip, vertices, turns: turning, .. } = &**embedding;
         strip.fill(simd, positions, blocks);
         for vertex in 0..rods.len() {
             let [at] = vertices.gather(simd, vertex, blocks);
@@ -196,26 +191,12 @@ impl FibreForce {
         if let Some(time) = driven {
             Self::pull(fibres, broken, time, rods);
         }
-        for (k, (rest, &binormal)) in curved.iter().zip(&*binormals).enumerate() {
-            let corner = if broken.bends[rest.bend] { None } else { rods.corner(rest.corner) };
-            let by_axis = if let Some(corner) = corner {
-                let [x, y, z] = turning.gather(simd, k, blocks);
-                let (r, stretch) = polar(DMat3::from_cols(x, y, z), &mut turns[rest.bend]);
-                let gradient = 2.0 * rest.stiffness * (corner.binormal() - r * binormal);
-                rods.add(rest.corner, corner.curved_gradients(gradient));
-                material_spin(r, stretch, binormal, gradient)
-            } else {
-                [DVec3::ZERO; 3]
-            };
-            for (spin, value) in spins.iter_mut().zip(by_axis) {
-                put(spin, k, value);
-            }
-        }
+        let spins = curved.bend(simd, embedding, blocks, (turns, rods));
         let pulls = std::array::from_ref(rods.forces(simd));
         for block in 0..strip.len() {
             let mut sums = Vec3x::splat(f64x8::splat(simd, 0.0));
             vertices.scatter(simd, block, pulls, &mut sums);
-            if !curved.is_empty() {
+            if !embedding.curved.is_empty() {
                 turning.scatter(simd, block, spins, &mut sums);
             }
             strip.pass_on(block, sums, forces);
@@ -292,7 +273,11 @@ impl Force for FibreForce {
             first_bend += fibre.bends.len();
             first_edge += fibre.edges.len();
         }
-        yields || self.broken.breaks.len() > before
+        let breaks = self.broken.breaks.len() > before;
+        if let Some(workspace) = self.workspace.as_mut().filter(|_| breaks) {
+            workspace.curved.release(&self.embedding, &self.broken.bends);
+        }
+        yields || breaks
     }
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {

@@ -22,6 +22,7 @@ pub(in crate::solver::forces) mod between;
 mod break_limits;
 pub(crate) mod breaking;
 mod corner;
+mod curved_bends;
 pub(in crate::solver::forces) mod elements;
 mod energies;
 mod fibre_embedding;

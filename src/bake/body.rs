@@ -27,7 +27,7 @@ use crate::solver::forces::{
 use crate::solver::integrators::LeapFrog;
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::state::ParticleState;
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -107,14 +107,9 @@ pub(super) fn draft(
     );
     let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)));
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(in_precision(matrix, material.precision))];
-    let mut softer = Softer::default();
     let lines = elements.iter().map(Structure::drawn).collect();
-    if !elements.is_empty() {
-        softer.without_elements = Some(forces.clone());
-        forces.push(Box::new(ElementForce::new(elements, &state.positions, orientation)));
-    }
-    let strongest =
-        add_structures(body, (&embedder, volume, orientation), (&placed, &surfaces), path, (&mut forces, &mut softer))?;
+    let structures = (elements, placed.as_slice(), surfaces.as_slice());
+    let (softer, strongest) = add_structures(body, (&embedder, volume, &state), structures, path, &mut forces)?;
     forces.extend(inelastic.map(|inelastic| inelastic as Box<dyn Force>));
     forces.extend(weight_and_damping(scene, body, &neighbourhood, varied.damping.as_deref()));
     let flow = scene.wind.as_ref().and(skin.as_deref()).and_then(|skin| drives::wind(scene, skin.flow_surface()));
@@ -198,27 +193,32 @@ impl Strongest {
     }
 }
 
-/// Adds the forces of sheets and fibres; puts those that there were without them aside, and gives what of them is the
-/// stiffest.
+/// Adds the forces of elements, sheets and fibres; gives those that there were without them, and what of them is the stiffest.
 fn add_structures(
     body: &Body,
-    (embedder, volume, orientation): (&Embedder<'_>, f64, DQuat),
-    (fibres, sheets): (&[PlacedFibre], &[PlacedSheet]),
+    (embedder, volume, state): (&Embedder<'_>, f64, &ParticleState),
+    (elements, fibres, sheets): (Vec<Structure>, &[PlacedFibre], &[PlacedSheet]),
     path: &str,
-    (forces, softer): (&mut Vec<Box<dyn Force>>, &mut Softer),
-) -> Result<Strongest, BakeError> {
+    forces: &mut Vec<Box<dyn Force>>,
+) -> Result<(Softer, Strongest), BakeError> {
+    let orientation = body.placement.rotation.quaternion();
     let rods = fibres::rods(body, embedder, volume, fibres, path)?;
     let rests = sheets::rests(body, sheets);
     let strongest = Strongest { fibre: fibres::strongest(body, fibres, &rods), sheet: sheets::strongest(body, sheets) };
+    let mut softer = Softer::default();
+    if !elements.is_empty() {
+        softer.matrix = Some(forces.clone());
+        forces.push(Box::new(ElementForce::new(elements, &state.positions, orientation)));
+    }
     if !rests.is_empty() {
-        softer.without_sheets = Some(forces.clone());
+        softer.unsheeted = Some(forces.clone());
         forces.push(Box::new(SheetForce::new(rests.into())));
     }
     if !rods.is_empty() {
-        softer.without_fibres = Some(forces.clone());
+        softer.unthreaded = Some(forces.clone());
         forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
     }
-    Ok(strongest)
+    Ok((softer, strongest))
 }
 
 /// A matrix that computes its forces as exactly as is asked for.

@@ -151,11 +151,11 @@ impl SolidParameter {
 #[derive(Default)]
 pub(super) struct Softer {
     /// Matrix, elements and sheets, where there are fibres.
-    pub(super) without_fibres: Option<Vec<Box<dyn Force>>>,
+    pub(super) unthreaded: Option<Vec<Box<dyn Force>>>,
     /// Matrix and elements, where there are sheets.
-    pub(super) without_sheets: Option<Vec<Box<dyn Force>>>,
+    pub(super) unsheeted: Option<Vec<Box<dyn Force>>>,
     /// The matrix alone, where there are elements.
-    pub(super) without_elements: Option<Vec<Box<dyn Force>>>,
+    pub(super) matrix: Option<Vec<Box<dyn Force>>>,
 }
 
 /// What resists the stiffest motion of a fibre solid: squares of angular frequencies [1/s²] and rates of damping [1/s], by
@@ -208,15 +208,15 @@ impl Resistance {
         };
         let fibres = forces.iter().find_map(|force| force.downcast_ref::<FibreForce>());
         let all = highest(forces)?;
-        let unthreaded = match softer.without_fibres {
+        let unthreaded = match softer.unthreaded {
             Some(forces) => highest(&forces)?.min(all),
             None => all,
         };
-        let unsheeted = match softer.without_sheets {
+        let unsheeted = match softer.unsheeted {
             Some(forces) => highest(&forces)?.min(unthreaded),
             None => unthreaded,
         };
-        let matrix = match softer.without_elements {
+        let matrix = match softer.matrix {
             Some(forces) => highest(&forces)?.min(unsheeted),
             None => unsheeted,
         };

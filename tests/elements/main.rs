@@ -17,16 +17,16 @@ use sinew::scene::{Element, ElementLaw, ElementMeasure, MusclePull};
 use sinew::solver::{Energies, Force, ParticleState};
 
 /// Young's modulus of the bodies [Pa].
-pub const E: f64 = 1e5;
+const E: f64 = 1e5;
 
 /// The one force of elements of a body that was put together.
-pub fn element_force(body: &sinew::solver::Body) -> Box<dyn Force> {
+fn element_force(body: &sinew::solver::Body) -> Box<dyn Force> {
     let force = body.parts().forces.iter().find(|force| force.name() == "elements");
     force.expect("a body with elements").clone()
 }
 
 /// What a force stores [J] with particles at `x` [m].
-pub fn stored(force: &dyn Force, time: f64, x: &[glam::DVec3]) -> Energies {
+fn stored(force: &dyn Force, time: f64, x: &[glam::DVec3]) -> Energies {
     let mut energies = Energies::default();
     let state = ParticleState {
         positions: x.to_vec(),
@@ -38,7 +38,7 @@ pub fn stored(force: &dyn Force, time: f64, x: &[glam::DVec3]) -> Energies {
 }
 
 /// Four points in a block of 4 x 5 x 4 layers, no three of them on a line.
-pub fn points(measure: ElementMeasure) -> Vec<[f64; 3]> {
+fn points(measure: ElementMeasure) -> Vec<[f64; 3]> {
     use crate::common::D;
     let all =
         [[-1.2, 0.9, -1.1], [1.1, 3.8, -0.9], [0.9, 1.2, 1.3], [-1.3, 3.6, 1.1]].map(|x: [f64; 3]| x.map(|x| x * D));
@@ -50,7 +50,7 @@ pub fn points(measure: ElementMeasure) -> Vec<[f64; 3]> {
 }
 
 /// Laws of every kind, as stiff as a good part of the matrix.
-pub fn laws(measure: ElementMeasure) -> Vec<(&'static str, ElementLaw)> {
+fn laws(measure: ElementMeasure) -> Vec<(&'static str, ElementLaw)> {
     use crate::common::D;
     let force = match measure {
         ElementMeasure::Length => E * D * D,
@@ -73,6 +73,6 @@ pub fn laws(measure: ElementMeasure) -> Vec<(&'static str, ElementLaw)> {
 }
 
 /// An element of a measure and a law in a block of 4 x 5 x 4 layers.
-pub fn element(measure: ElementMeasure, law: ElementLaw) -> Element {
+fn element(measure: ElementMeasure, law: ElementLaw) -> Element {
     Element::new("e", measure, points(measure), law)
 }

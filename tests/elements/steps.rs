@@ -7,6 +7,7 @@ use sinew::scene::{
     Wave,
 };
 use sinew::sim::{Report, Runner};
+use sinew::solver::World;
 
 fn step(mut body: Body) -> f64 {
     body.integrator = IntegratorKind::LeapFrog.into();
@@ -148,4 +149,20 @@ fn implicit_integrators_step_elements_too() {
     runner.advance_frame();
     let body = &runner.world().bodies()[0];
     assert!(body.divergence().is_none() && body.energies(runner.world().time()).elements != 0.0);
+}
+
+#[test]
+fn a_checkpoint_has_all_that_elements_go_on_from() {
+    let mut world = baked(&lively()).world;
+    world.advance_frame();
+    let at = world.checkpoint();
+    let on = |world: &mut World| {
+        world.advance_frame();
+        let body = &world.bodies()[0];
+        (body.state().positions.clone(), body.energies(world.time()))
+    };
+    let once = on(&mut world);
+    world.advance_frame();
+    world.go_back(&at);
+    assert_eq!(on(&mut world), once);
 }

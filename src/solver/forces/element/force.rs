@@ -2,6 +2,7 @@
 
 use super::contract::{Change, Element};
 use super::structure::{Places, Structure};
+use crate::solver::drive::Drive;
 use crate::solver::energy::Energies;
 use crate::solver::forces::force::Force;
 use crate::solver::hand::Hand;
@@ -88,7 +89,7 @@ impl Force for ElementForce {
     }
 
     fn changes_until(&self) -> f64 {
-        self.structures.iter().filter_map(|of| of.drive.as_ref()).map(|drive| drive.until()).fold(0.0, f64::max)
+        self.structures.iter().filter_map(|of| of.drive.as_ref()).map(Drive::until).fold(0.0, f64::max)
     }
 
     fn driven_until(&self) -> f64 {

@@ -31,7 +31,7 @@ pub(super) struct Excited<'a> {
     pub(super) law: &'a Law,
     pub(super) rest: f64,
     /// a of a muscle.
-    pub(super) excited: f64,
+    pub(super) by: f64,
 }
 
 impl Excited<'_> {
@@ -43,7 +43,7 @@ impl Excited<'_> {
             Law::TensionOnly(k) => 0.5 * k * from.max(0.0).powi(2),
             Law::Muscle { force, width } => {
                 let q = (from / width).clamp(-1.0, 1.0);
-                force * self.excited * width * (q - q * q * q / 3.0)
+                force * self.by * width * (q - q * q * q / 3.0)
             }
             Law::Table(points) => integral(points, self.rest, x),
         }
@@ -57,7 +57,7 @@ impl Excited<'_> {
             Law::TensionOnly(k) => k * from.max(0.0),
             Law::Muscle { force, width } => {
                 let q = from / width;
-                force * self.excited * (1.0 - q * q).max(0.0)
+                force * self.by * (1.0 - q * q).max(0.0)
             }
             Law::Table(points) => value(points, x),
         }
@@ -70,7 +70,7 @@ impl Law {
         match self {
             Self::Spring(k) | Self::TensionOnly(k) => *k,
             Self::Muscle { force, width } => STEEPEST * force / width,
-            Self::Table(points) => points.windows(2).map(|of| rise(of)).fold(0.0, f64::max),
+            Self::Table(points) => points.windows(2).map(rise).fold(0.0, f64::max),
         }
     }
 
@@ -80,10 +80,9 @@ impl Law {
         match self {
             // As `k (x - 1) / (x - c)`, whose bound is that of ever longer ones for c up to 1.
             Self::Spring(k) | Self::TensionOnly(k) if most <= 1.0 => *k,
-            Self::Spring(_) | Self::TensionOnly(_) => f64::INFINITY,
             // Up to `1 - w` it does not pull; beyond it is below a line through there of its greatest slope.
             Self::Muscle { width, .. } if most <= 1.0 - width => self.steepest(),
-            Self::Muscle { .. } => f64::INFINITY,
+            Self::Spring(_) | Self::TensionOnly(_) | Self::Muscle { .. } => f64::INFINITY,
             // Over a straight piece this is monotone: the greatest is at an end of one.
             Self::Table(points) => [least, most].map(|c| greatest_quotient(points, c)).into_iter().fold(0.0, f64::max),
         }

@@ -45,7 +45,7 @@ impl MeasuredElement {
 
     fn law(&self) -> Excited<'_> {
         let rest = if self.measure.is_angle() { 0.0 } else { 1.0 };
-        Excited { law: &self.law, rest, excited: self.value }
+        Excited { law: &self.law, rest, by: self.value }
     }
 
     fn measured(&self, at: &Local<'_>) -> f64 {
@@ -91,7 +91,7 @@ impl Element for MeasuredElement {
         }
         let Slopes { points, turns } = out;
         self.measure.slopes(at, &mut |k, slope| points[k] += by_measure * slope, &mut |k, slope| {
-            turns[k] += by_measure * slope
+            turns[k] += by_measure * slope;
         });
     }
 

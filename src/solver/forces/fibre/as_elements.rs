@@ -22,13 +22,10 @@ impl FibreRest {
     pub(super) fn bend(&self, k: usize, rest: DVec3) -> Kind {
         let points = [k as u32, k as u32 + 1, k as u32 + 2];
         let stiffness = self.bends[k].stiffness;
-        match &self.bends[k].curved {
-            None => Kind::StraightBend(StraightBend { points, stiffness }),
-            Some(_) => {
-                let at = [points[1]];
-                Kind::CurvedBend(CurvedBend { points, at, stiffness, drawn: rest, curl: None, rest })
-            }
+        if self.bends[k].curved.is_none() {
+            return Kind::StraightBend(StraightBend { points, stiffness });
         }
+        Kind::CurvedBend(CurvedBend { points, at: [points[1]], stiffness, drawn: rest, curl: None, rest })
     }
 
     /// All elements of the fibre as its drive has them at a time [s].

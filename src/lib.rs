@@ -25,18 +25,19 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Three examples of a page each go on from there; they lie in `tests/examples` and check what they say:
+//! Four examples of a page each go on from there; they lie in `tests/examples` and check what they say:
 //!
 //! - `cargo run --example box_drop`: a scene step by step, and where its particles are;
+//! - `cargo run --example own_element`: a structure of your own, tied to points of a body;
 //! - `cargo run --example own_force`: a force of your own on a body of the crate;
 //! - `cargo run --example parameter_study`: a table of how a result hangs on a parameter, beside theory.
 //!
 //! | to | see |
 //! | --- | --- |
-//! | build a scene | [`scene::Scene`], [`scene::Body`], [`scene::Material`], [`scene::Fibre`], [`scene::Sheet`], [`scene::TwoLayer`] |
+//! | build a scene | [`scene::Scene`], [`scene::Body`], [`scene::Material`], [`scene::Fibre`], [`scene::Sheet`], [`scene::Element`], [`scene::TwoLayer`] |
 //! | read one from a file, write one | [`io::load_scene`], [`io::save_scene`], [`io::load_assets`]; scenes that ship lie in `scenes` |
 //! | fill a mesh, from a file or from memory | [`scene::Body::from_mesh`], [`scene::Assets::insert_mesh`] |
-//! | put a scene together | [`bake::bake`] |
+//! | put a scene together | [`bake::bake`]; with structures of your own in it: [`bake::bake_with_elements`] |
 //! | run it | [`sim::Runner`]; on a thread of its own, to be paused, pulled and replayed: [`sim::Worker`] |
 //! | make again what was done to it there | [`sim::Journal`], [`sim::Rerun`] |
 //! | read what it shows | [`solver::World`], [`sim::Report`], [`sim::TimeSeries`], [`solver::Snapshot`] |
@@ -111,6 +112,7 @@
 //! | what changes in time, and what it does to fibres | `solver::drive`, `solver::forces::fibre::activation`; from the scene: `bake::drives` |
 //! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
 //! | sheets: the force; where strokes sweep one; how one lies in the matrix | `solver::forces::sheet`; [`sketch::sweep()`]; `bake::sheets` |
+//! | structures behind one contract; what is tried of each; from the scene | `solver::forces::element`; [`solver::check_element`]; `bake::elements` |
 //! | fibres far stiffer than their matrix | `solver::integrators::fibres_implicit`; chosen in `bake::integrator` |
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
 //! | what is taken out of a body | `bake::voids`; `geometry::hollows`, what they leave: `geometry::carve`, the skin: `geometry::clip` |
@@ -124,7 +126,7 @@
 //! | pins that cannot be meant | `bake::pins` |
 //! | the recording, and what asks for it | `sim::recording`; [`sim::SimCommand`] |
 //! | what ends a frame or a bake on the way | `sim::worker::stop`, asked by [`sim::Runner::advance_frame_unless`] |
-//! | where a force or an integrator is added | [below](#a-force-and-an-integrator-of-your-own) |
+//! | where a force, an integrator or an element is added | [below](#a-force-an-integrator-and-an-element-of-your-own) |
 //! | the stable step | `solver::stable_step` of fibre solids, `solver::modes` of two-layer bodies; what sets it: `bake::limits` |
 //! | how a frame is divided into steps | `bake::step_plan`, carried out by [`solver::World::advance_frame`] |
 //! | what a file may hold, and the errors | `scene::validate` |
@@ -160,6 +162,8 @@
 //! - *structure particle*: a vertex of a fibre. It has no mass and no state of its own: material particles carry it.
 //! - *sheet*: a surface in a fibre solid that resists stretch, shear and bending, carried as fibres are. *Membrane*: its stretch and
 //!   shear. *Hinge*: its bending at an edge between two triangles. *Grain*: the direction of its threads. *Rim*: where it ends.
+//! - *element*: an energy of a few points that ride on the particles, and of how the material is turned there. *Measure* (of one)
+//!   and *law*: what one without code looks at, and what it does about it. *Majorant*: the most that it ever resists a move.
 //! - *embedding weights*: by how much each of the material particles around a point carries it (eq. 17, corrected).
 //! - *spacing* D: distance of neighbours in the lattice [m]. *Support radius* h: reach of the smoothing kernel [m]; the
 //!   particles within it are a particle's *neighbours*. D / h is the spacing ratio.
@@ -232,9 +236,9 @@
 //! - *autosave*: the copy of a changed scene that is kept aside. *Recoverable document*: one that is found at the next
 //!   start.
 //!
-//! # A force and an integrator of your own
+//! # A force, an integrator and an element of your own
 //!
-//! Both are traits; implement them and hand them to a body. A world can go back to any checkpoint of it and moves on from
+//! All are traits. Implement the first two and hand them to a body. A world can go back to any checkpoint of it and moves on from
 //! there bit for bit: what a force or an integrator remembers goes along by its `clone_box`.
 //!
 //! ```
@@ -290,8 +294,56 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Neither changes the step that was measured when the scene was put together; [`bake::bake`] measures it for what a scene
-//! file names.
+//! A structure in a body, an energy of a few points that ride on its particles, is less work than a force: an
+//! [`solver::Element`] says which points, its energy and the slopes of that. [`bake::bake_with_elements`] tries it (the slopes against
+//! differences of the energy, the sums of forces and torques), refuses it with the figure, passes its forces on by the points'
+//! weights, and measures the stable step with it:
+//!
+//! ```
+//! use glam::DVec3;
+//! use sinew::bake::{OwnElements, bake_with_elements};
+//! use sinew::scene::{Assets, Body, Scene};
+//! use sinew::solver::{Element, Local, Slopes};
+//!
+//! /// Holds three points apart by an energy in inverse proportion to the area between them [J m²].
+//! #[derive(Clone)]
+//! struct Strut(f64);
+//!
+//! impl Element for Strut {
+//!     fn points(&self) -> &[u32] {
+//!         &[0, 1, 2]
+//!     }
+//!     fn energy(&self, at: &Local<'_>) -> f64 {
+//!         let [a, b, c] = [at.points[0], at.points[1], at.points[2]];
+//!         self.0 / (0.5 * (b - a).cross(c - a).length())
+//!     }
+//!     fn slopes(&self, at: &Local<'_>, out: &mut Slopes<'_>) {
+//!         let [a, b, c] = [at.points[0], at.points[1], at.points[2]];
+//!         let twice = (b - a).cross(c - a);
+//!         let by_area = -self.0 / (0.25 * twice.length_squared());
+//!         let normal = 0.5 * by_area * twice.normalize();
+//!         let [by_b, by_c] = [(c - a).cross(normal), normal.cross(b - a)];
+//!         out.points[0] -= by_b + by_c;
+//!         out.points[1] += by_b;
+//!         out.points[2] += by_c;
+//!     }
+//!     fn clone_box(&self) -> Box<dyn Element> {
+//!         Box::new(self.clone())
+//!     }
+//! }
+//!
+//! let scene = Scene::new("Strut").with_gravity([0.0; 3]).with_body(Body::cuboid("cube", [0.03; 3]));
+//! let points = [DVec3::new(-0.01, 0.0, 0.0), DVec3::new(0.01, 0.0, 0.0), DVec3::new(0.0, 0.01, 0.0)];
+//! let strut = OwnElements::new("cube", "strut", points, vec![Box::new(Strut(1e-8))]);
+//! let mut world = bake_with_elements(&scene, &Assets::default(), &[strut])?.world;
+//! let before = world.bodies()[0].energies(0.0).elements;
+//! world.advance_frame();
+//! assert!(world.bodies()[0].energies(world.time()).elements < before, "it has pushed its points apart");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A force that is added and an integrator that is set do not change the step that was measured when the scene was put together;
+//! [`bake::bake`] measures it for what a scene file names.
 //!
 //! To make one part of the crate, so that scene files can ask for it:
 //!

@@ -12,6 +12,7 @@ pub mod geometry {
 
 /// Forces one by one, and what they are made of.
 pub mod solver {
+    pub use crate::solver::forces::element::ElementForce;
     pub use crate::solver::forces::fibre::breaking::BreakLimits;
     pub use crate::solver::forces::fibre::{FibreForce, FibreRest};
     pub use crate::solver::forces::sheet::{SheetForce, SheetLaw, SheetRest};

@@ -1,6 +1,7 @@
 //! One body of the scene: particles, forces, start, stable step.
 
 use super::draft::Draft;
+use super::elements::{self, OwnElements};
 use super::error::BakeError;
 use super::fibres::PlacedFibre;
 use super::integrator::{integrator, stable_steps, step_parameter, stepping};
@@ -18,14 +19,15 @@ use crate::scene::{Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Sc
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::collider::Collider;
 use crate::solver::embedding::Embedder;
+use crate::solver::forces::element::Structure;
 use crate::solver::forces::{
-    AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, InelasticLaw, MatrixForce, PairDamping,
-    Plasticity, SheetForce, StepLimit, Viscosity,
+    AirDrag, Contact, ContactLaw, Elasticity, ElementForce, FibreForce, Force, Gravity, InelasticLaw, MatrixForce,
+    PairDamping, Plasticity, SheetForce, StepLimit, Viscosity,
 };
 use crate::solver::integrators::LeapFrog;
 use crate::solver::neighbourhood::Neighbourhood;
 use crate::solver::state::ParticleState;
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -62,7 +64,7 @@ fn surroundings<'a>(
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
-    (sampling, colliders): (&ParticleSampling<'_>, &Arc<[Collider]>),
+    (sampling, colliders, own): (&ParticleSampling<'_>, &Arc<[Collider]>, &[OwnElements]),
     path: &str,
     notes: &mut Vec<Note>,
     progress: &mut Tell<'_>,
@@ -78,6 +80,7 @@ pub(super) fn draft(
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let surfaces = sheets::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
+    let elements = elements::Placing { body, embedder: &embedder, path, notes }.place(own)?;
     let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);
 
     let mass = match material.mass {
@@ -104,8 +107,9 @@ pub(super) fn draft(
     );
     let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)));
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(in_precision(matrix, material.precision))];
-    let (softer, strongest) =
-        add_structures(body, (&embedder, volume, orientation), (&placed, &surfaces), path, &mut forces)?;
+    let lines = elements.iter().map(Structure::drawn).collect();
+    let structures = (elements, placed.as_slice(), surfaces.as_slice());
+    let (softer, strongest) = add_structures(body, (&embedder, volume, &state), structures, path, &mut forces)?;
     forces.extend(inelastic.map(|inelastic| inelastic as Box<dyn Force>));
     forces.extend(weight_and_damping(scene, body, &neighbourhood, varied.damping.as_deref()));
     let flow = scene.wind.as_ref().and(skin.as_deref()).and_then(|skin| drives::wind(scene, skin.flow_surface()));
@@ -153,6 +157,7 @@ pub(super) fn draft(
         contact: law,
         fibres: placed.iter().map(PlacedFibre::line).collect(),
         sheets: surfaces.iter().map(|of| of.surface(body)).collect(),
+        elements: lines,
         layers: None,
         skin,
         reach: material.support_radius,
@@ -188,24 +193,29 @@ impl Strongest {
     }
 }
 
-/// Adds the forces of sheets and fibres; gives those that there were without them, and what of them is the stiffest.
+/// Adds the forces of elements, sheets and fibres; gives those that there were without them, and what of them is the stiffest.
 fn add_structures(
     body: &Body,
-    (embedder, volume, orientation): (&Embedder<'_>, f64, DQuat),
-    (fibres, sheets): (&[PlacedFibre], &[PlacedSheet]),
+    (embedder, volume, state): (&Embedder<'_>, f64, &ParticleState),
+    (elements, fibres, sheets): (Vec<Structure>, &[PlacedFibre], &[PlacedSheet]),
     path: &str,
     forces: &mut Vec<Box<dyn Force>>,
 ) -> Result<(Softer, Strongest), BakeError> {
+    let orientation = body.placement.rotation.quaternion();
     let rods = fibres::rods(body, embedder, volume, fibres, path)?;
     let rests = sheets::rests(body, sheets);
     let strongest = Strongest { fibre: fibres::strongest(body, fibres, &rods), sheet: sheets::strongest(body, sheets) };
     let mut softer = Softer::default();
+    if !elements.is_empty() {
+        softer.matrix = Some(forces.clone());
+        forces.push(Box::new(ElementForce::new(elements, &state.positions, orientation)));
+    }
     if !rests.is_empty() {
-        softer.without_sheets = Some(forces.clone());
+        softer.unsheeted = Some(forces.clone());
         forces.push(Box::new(SheetForce::new(rests.into())));
     }
     if !rods.is_empty() {
-        softer.without_fibres = Some(forces.clone());
+        softer.unthreaded = Some(forces.clone());
         forces.push(Box::new(FibreForce::new(rods.into(), orientation)));
     }
     Ok((softer, strongest))

@@ -23,6 +23,24 @@ pub enum BakeError {
         /// Particle spacing [m].
         spacing: f64,
     },
+    /// An element of a program's own that is none.
+    #[error("{path}: {element} is refused: {why}")]
+    ElementRefused {
+        /// Pointer to the body.
+        path: String,
+        /// Which.
+        element: String,
+        /// What is wrong with it, with its figure.
+        why: String,
+    },
+    /// Elements of a program's own for a body that is not there.
+    #[error("elements {id:?} are of a body {body:?}, which is no fibre solid of the scene")]
+    NoBodyOfElements {
+        /// What they are called.
+        id: String,
+        /// The body.
+        body: String,
+    },
     /// The shape's model was not loaded.
     #[error("{path}: the model was not loaded; load the scene's assets first")]
     NotLoaded {

@@ -3,6 +3,7 @@
 use super::drives::drive;
 use super::error::BakeError;
 use super::note::Note;
+use super::slide::{holds, slide_in};
 use crate::scene::{Body, Fibre, FibreSource, RestShape};
 use crate::sketch::{Placed, SketchError, SketchNote, structure_particles, trim};
 use crate::solver::body::FibreLine;
@@ -41,9 +42,6 @@ impl PlacedFibre {
         FibreLine { id: self.id.clone(), vertices: self.embedding.clone() }
     }
 }
-
-/// Greatest `sum phi²` of a structure particle that carries force: beyond it the particle shrinks the stable step.
-pub(super) const GREATEST_SQUARE_SUM: f64 = 1.0;
 
 /// Structure particles nearer to each other than this share of the spacing D are warned of.
 pub(super) const CROWDED: f64 = 0.75;
@@ -119,13 +117,13 @@ impl Placing<'_> {
     /// Embeds one run: ends too far outside the particles carry no force, inner vertices there slide inwards.
     fn embed(&mut self, fibre: usize, (start, mut vertices): (f64, Vec<DVec3>), path: &str) -> Option<PlacedFibre> {
         let total = vertices.len();
-        let holds = |at: DVec3| self.embedder.vertex_weights(at).is_some_and(|w| w.square_sum() <= GREATEST_SQUARE_SUM);
+        let holds = |at: DVec3| holds(self.embedder, at);
         // A fibre that runs along the outside all its length has no end worth keeping: all of it slides.
         let first = vertices.iter().position(|&at| holds(at)).unwrap_or(0);
         let last = vertices.iter().rposition(|&at| holds(at)).unwrap_or(total - 1);
         let mut slid = 0;
         for vertex in &mut vertices[first..=last] {
-            if let Some(inside) = self.slide_in(*vertex) {
+            if let Some(inside) = slide_in(self.embedder, *vertex) {
                 *vertex = inside;
                 slid += 1;
             }
@@ -160,30 +158,6 @@ impl Placing<'_> {
         let embedding = vertices.iter().map(|&at| self.embedder.vertex_weights(at).unwrap_or_default()).collect();
         let id = self.body.fibres[fibre].id.clone();
         Some(PlacedFibre { fibre, id, start, vertices, embedding, active: first..last + 1 })
-    }
-
-    /// The nearest point on the way to the centroid of the particles around a vertex at which it may carry force; none
-    /// where it already may.
-    fn slide_in(&self, vertex: DVec3) -> Option<DVec3> {
-        let holds = |at: DVec3| self.embedder.vertex_weights(at).is_some_and(|w| w.square_sum() <= GREATEST_SQUARE_SUM);
-        if holds(vertex) {
-            return None;
-        }
-        let inwards = self.embedder.centroid(vertex) - vertex;
-        let (mut outside, mut inside) = (0.0, 1.0);
-        while !holds(vertex + inside * inwards) && inside < 8.0 {
-            outside = inside;
-            inside *= 2.0;
-        }
-        for _ in 0..30 {
-            let middle = 0.5 * (outside + inside);
-            if holds(vertex + middle * inwards) {
-                inside = middle;
-            } else {
-                outside = middle;
-            }
-        }
-        Some(vertex + inside * inwards)
     }
 
     /// Where a fibre turns back on itself, bending has no meaning: as drawn it holds next to nothing, and straight it is

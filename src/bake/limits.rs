@@ -6,7 +6,7 @@
 //! fibres.
 
 use crate::scene::TwoLayer;
-use crate::solver::forces::{FibreForce, Flow, Force, Inelastic, SheetForce, StepLimit};
+use crate::solver::forces::{ElementForce, FibreForce, Flow, Force, Inelastic, SheetForce, StepLimit};
 use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
 use crate::solver::stable_step::highest_frequency_squared;
@@ -99,7 +99,9 @@ fn greatest<T>(present: f64, raised: impl Iterator<Item = (T, f64)>) -> Option<T
 
 /// Whether a drive changes how stiff a force is.
 fn is_driven(force: &dyn Force) -> bool {
-    force.downcast_ref().is_some_and(FibreForce::is_driven) || force.downcast_ref().is_some_and(SheetForce::is_driven)
+    force.downcast_ref().is_some_and(FibreForce::is_driven)
+        || force.downcast_ref().is_some_and(SheetForce::is_driven)
+        || force.downcast_ref().is_some_and(ElementForce::is_driven)
 }
 
 /// Share of the bound of a damping rate that the stiffest mode is sure to see.
@@ -111,6 +113,7 @@ pub(super) enum SolidParameter {
     YoungModulus,
     Fibres,
     Sheets,
+    Elements,
     PairDamping,
     Viscosity,
     AirDrag,
@@ -118,8 +121,16 @@ pub(super) enum SolidParameter {
 }
 
 impl SolidParameter {
-    const ALL: [Self; 7] =
-        [Self::YoungModulus, Self::Fibres, Self::Sheets, Self::PairDamping, Self::Viscosity, Self::AirDrag, Self::Wind];
+    const ALL: [Self; 8] = [
+        Self::YoungModulus,
+        Self::Fibres,
+        Self::Sheets,
+        Self::Elements,
+        Self::PairDamping,
+        Self::Viscosity,
+        Self::AirDrag,
+        Self::Wind,
+    ];
 
     /// Its pointer, of a body by the pointer to that.
     pub(super) fn pointer(self, body: &str) -> String {
@@ -127,6 +138,7 @@ impl SolidParameter {
             Self::YoungModulus => format!("{body}/material/young_modulus"),
             Self::Fibres => format!("{body}/fibres"),
             Self::Sheets => format!("{body}/sheets"),
+            Self::Elements => format!("{body}/elements"),
             Self::PairDamping => format!("{body}/material/damping/pair"),
             Self::Viscosity => format!("{body}/material/viscosity"),
             Self::AirDrag => format!("{body}/material/damping/air"),
@@ -138,20 +150,24 @@ impl SolidParameter {
 /// Forces of a fibre solid without some that stiffen it.
 #[derive(Default)]
 pub(super) struct Softer {
-    /// Matrix and sheets, where there are fibres.
-    pub(super) without_fibres: Option<Vec<Box<dyn Force>>>,
-    /// The matrix alone, where there are sheets.
-    pub(super) without_sheets: Option<Vec<Box<dyn Force>>>,
+    /// Matrix, elements and sheets, where there are fibres.
+    pub(super) unthreaded: Option<Vec<Box<dyn Force>>>,
+    /// Matrix and elements, where there are sheets.
+    pub(super) unsheeted: Option<Vec<Box<dyn Force>>>,
+    /// The matrix alone, where there are elements.
+    pub(super) matrix: Option<Vec<Box<dyn Force>>>,
 }
 
 /// What resists the stiffest motion of a fibre solid: squares of angular frequencies [1/s²] and rates of damping [1/s], by
 /// what they come from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Resistance {
-    /// Matrix, sheets and fibres.
+    /// Matrix, elements, sheets and fibres.
     all: f64,
-    /// Matrix and sheets.
+    /// Matrix, elements and sheets.
     unthreaded: f64,
+    /// Matrix and elements.
+    unsheeted: f64,
     /// The matrix alone.
     matrix: f64,
     contact: StepLimit,
@@ -192,13 +208,17 @@ impl Resistance {
         };
         let fibres = forces.iter().find_map(|force| force.downcast_ref::<FibreForce>());
         let all = highest(forces)?;
-        let unthreaded = match softer.without_fibres {
+        let unthreaded = match softer.unthreaded {
             Some(forces) => highest(&forces)?.min(all),
             None => all,
         };
-        let matrix = match softer.without_sheets {
+        let unsheeted = match softer.unsheeted {
             Some(forces) => highest(&forces)?.min(unthreaded),
             None => unthreaded,
+        };
+        let matrix = match softer.matrix {
+            Some(forces) => highest(&forces)?.min(unsheeted),
+            None => unsheeted,
         };
         let wind = wind_rate(forces, state);
         let viscous: f64 = forces
@@ -211,7 +231,7 @@ impl Resistance {
             .filter(|force| force.downcast_ref::<Flow>().is_none() && force.downcast_ref::<Inelastic>().is_none());
         let damping: f64 = of_the_body.map(|force| force.step_limit(state).damping_rate).sum();
         let implicit = fibres.is_none_or(FibreForce::takes_implicit_steps);
-        Some(Self { all, unthreaded, matrix, contact, pair: damping - air, viscous, air, wind, implicit })
+        Some(Self { all, unthreaded, unsheeted, matrix, contact, pair: damping - air, viscous, air, wind, implicit })
     }
 
     /// Greatest stable step [s].
@@ -236,6 +256,7 @@ impl Resistance {
             SolidParameter::YoungModulus => {
                 self.all -= 0.5 * self.matrix;
                 self.unthreaded -= 0.5 * self.matrix;
+                self.unsheeted -= 0.5 * self.matrix;
                 self.matrix *= 0.5;
                 // Contact is as stiff as the material, and damped in proportion to the root of that.
                 self.contact.frequency_squared *= 0.5;
@@ -243,7 +264,12 @@ impl Resistance {
             }
             SolidParameter::Fibres => self.all -= 0.5 * (self.all - self.unthreaded),
             SolidParameter::Sheets => {
-                let by = 0.5 * (self.unthreaded - self.matrix);
+                let by = 0.5 * (self.unthreaded - self.unsheeted);
+                self.all -= by;
+                self.unthreaded -= by;
+            }
+            SolidParameter::Elements => {
+                let by = 0.5 * (self.unsheeted - self.matrix);
                 self.all -= by;
                 self.unthreaded -= by;
             }

@@ -5,6 +5,7 @@ mod body;
 mod colliders;
 mod draft;
 mod drives;
+mod elements;
 mod error;
 mod falloff;
 mod fibres;
@@ -24,6 +25,7 @@ mod room;
 mod self_contact;
 mod sheet_shape;
 mod sheets;
+mod slide;
 mod spans;
 mod stage;
 mod start;
@@ -34,6 +36,7 @@ mod voids;
 
 #[cfg(feature = "gui")]
 pub(crate) use drives::drive as solver_drive;
+pub use elements::OwnElements;
 pub use error::BakeError;
 pub use fibres::PlacedFibre;
 pub use note::Note;
@@ -107,6 +110,18 @@ pub fn bake(scene: &Scene, assets: &Assets) -> Result<Baked, BakeError> {
     bake_with_progress(scene, assets, &mut |_, _| ControlFlow::Continue(()))
 }
 
+/// [`bake`], with elements of a program's own in its bodies. Each is tried first ([`crate::solver::check_element`]), and the
+/// stable step is measured with them.
+///
+/// # Errors
+/// [`BakeError`] with the pointer to what cannot be put together; [`BakeError::ElementRefused`] with the figure of what is wrong
+/// with an element.
+pub fn bake_with_elements(scene: &Scene, assets: &Assets, own: &[OwnElements]) -> Result<Baked, BakeError> {
+    elements::have_bodies(own, scene)?;
+    let progress = &mut |_: &str, _| ControlFlow::Continue(());
+    spans::within(progress, |progress| put_together(scene, (assets, own), progress))
+}
+
 /// [`bake`], and `progress` hears what is being worked on: the name of a body and the stage. It is not asked again once it
 /// breaks off.
 ///
@@ -117,10 +132,14 @@ pub fn bake_with_progress(
     assets: &Assets,
     progress: &mut dyn FnMut(&str, BakeStage) -> ControlFlow<()>,
 ) -> Result<Baked, BakeError> {
-    spans::within(progress, |progress| put_together(scene, assets, progress))
+    spans::within(progress, |progress| put_together(scene, (assets, &[]), progress))
 }
 
-fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Result<Baked, BakeError> {
+fn put_together(
+    scene: &Scene,
+    (assets, own): (&Assets, &[OwnElements]),
+    progress: &mut Tell<'_>,
+) -> Result<Baked, BakeError> {
     let mut notes = Vec::new();
     let mut drafts = Vec::new();
     let colliders = colliders::colliders(scene, assets)?;
@@ -130,7 +149,7 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Resu
             AnyBody::Solid(body) => {
                 let sampling = particle_sampling::sample_particles(body, assets, &path, &mut notes, progress)?;
                 let body = sampling.effective(body);
-                body::draft(scene, &body, (&sampling, &colliders), &path, &mut notes, progress)?
+                body::draft(scene, &body, (&sampling, &colliders, own), &path, &mut notes, progress)?
             }
             AnyBody::TwoLayer(body) => {
                 two_layer::draft(scene, body, (assets, &colliders), &path, &mut notes, progress)?

@@ -2,9 +2,10 @@
 
 use super::drives::drive;
 use super::falloff::curve;
-use super::fibres::{CROWDED, GREATEST_SQUARE_SUM, MOST_CURLED};
+use super::fibres::{CROWDED, MOST_CURLED};
 use super::note::Note;
 use super::sheet_shape::SheetShape;
+use super::slide::GREATEST_SQUARE_SUM;
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, GrainAlong, Sheet, SheetRestShape};
 use crate::solver::body::SheetSurface;

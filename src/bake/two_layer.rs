@@ -118,6 +118,7 @@ pub(super) fn draft(
         contact: law,
         fibres: Vec::new(),
         sheets: Vec::new(),
+        elements: Vec::new(),
         skin: model.skin,
         reach: model.radius,
         rest_scale: RestScale {

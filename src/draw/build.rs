@@ -166,6 +166,9 @@ impl BodyDrawer<'_> {
                 self.sheet(index as u32, sheet, colour, [has_skin, clear], list);
             }
         }
+        for element in &body.elements {
+            self.element(element, [has_skin, clear], list);
+        }
         self.particles(body, has_skin, field, list);
     }
 }

@@ -10,6 +10,7 @@ mod build;
 mod colour;
 pub(crate) mod colour_map;
 mod cut_face;
+mod element;
 mod fibre;
 mod list;
 mod options;

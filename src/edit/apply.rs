@@ -70,6 +70,7 @@ impl Command {
                 }
             }
             Self::SetPaint { body, paint } => body_of(scene, body)?.paint.clone_from(paint),
+            Self::SetElements { body, elements } => body_of(scene, body)?.elements.clone_from(elements),
             Self::SetVoids { body, voids } => body_of(scene, body)?.voids.clone_from(voids),
             Self::SetRegionMaterials { body, materials } => {
                 body_of(scene, body)?.region_materials.clone_from(materials);

@@ -1,8 +1,8 @@
 //! Changes of the document.
 
 use crate::scene::{
-    Collider, Dab, Drivable, Drive, Fibre, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement, Region,
-    RegionMaterial, Room, SharedDrive, Sheet, Time, TwoLayer, Void, Wind,
+    Collider, Dab, Drivable, Drive, Element, Fibre, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement,
+    Region, RegionMaterial, Room, SharedDrive, Sheet, Time, TwoLayer, Void, Wind,
 };
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
@@ -115,6 +115,13 @@ pub enum Command {
         body: String,
         /// Its voids.
         voids: Vec<Void>,
+    },
+    /// Changes the elements of a body.
+    SetElements {
+        /// Identifier of the body.
+        body: String,
+        /// Its elements.
+        elements: Vec<Element>,
     },
     /// Changes which regions of a body have a matrix of their own.
     SetRegionMaterials {
@@ -242,6 +249,7 @@ impl Command {
             Self::SetPaint { paint, .. } if paint.is_empty() => "Clear painted fraction".to_owned(),
             Self::SetPaint { .. } => "Paint volume fraction".to_owned(),
             Self::SetVoids { .. } => "Change voids".to_owned(),
+            Self::SetElements { .. } => "Change elements".to_owned(),
             Self::SetRegionMaterials { .. } => "Change materials of regions".to_owned(),
             Self::SetMaterial { .. } => "Change material".to_owned(),
             Self::SetIntegrator { .. } => "Change integrator".to_owned(),

@@ -2,8 +2,8 @@
 
 use super::extra::is_false;
 use super::{
-    BoxShape, Dab, Extra, Fibre, Impulse, Initial, IntegratorChoice, Material, MeshShape, Pin, Placement, Region,
-    RegionMaterial, Shape, SharedDrive, Sheet, Void, add_dab,
+    BoxShape, Dab, Element, Extra, Fibre, Impulse, Initial, IntegratorChoice, Material, MeshShape, Pin, Placement,
+    Region, RegionMaterial, Shape, SharedDrive, Sheet, Void, add_dab,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -53,6 +53,9 @@ pub struct Body {
     /// Embedded sheets.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sheets: Vec<Sheet>,
+    /// Embedded elements.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub elements: Vec<Element>,
     /// Volume fraction of fibre painted by hand over what the fibres give, one dab after the other.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub paint: Vec<Dab>,
@@ -92,6 +95,7 @@ impl Body {
             drives: Vec::new(),
             fibres: Vec::new(),
             sheets: Vec::new(),
+            elements: Vec::new(),
             paint: Vec::new(),
             voids: Vec::new(),
             regions: Vec::new(),
@@ -136,6 +140,13 @@ impl Body {
     #[must_use]
     pub fn with_sheet(mut self, sheet: Sheet) -> Self {
         self.sheets.push(sheet);
+        self
+    }
+
+    /// With one element more.
+    #[must_use]
+    pub fn with_element(mut self, element: Element) -> Self {
+        self.elements.push(element);
         self
     }
 

@@ -1,8 +1,8 @@
 //! What a drive can move in a scene: one list of it, and one way to look at a drive and to put another there.
 
 use super::{
-    Activation, AnyBody, AnyBodyMut, Drive, DrivenMotion, Motion, PanelDrive, PanelMotion, Scene, SharedDrive,
-    SheetActivation,
+    Activation, AnyBody, AnyBodyMut, Drive, DrivenMotion, Element, ElementActivation, Motion, PanelDrive, PanelMotion,
+    Scene, SharedDrive, SheetActivation,
 };
 
 /// Something that a drive moves or could move, by identifiers.
@@ -37,6 +37,13 @@ pub enum Drivable {
         /// Of the sheet.
         sheet: String,
     },
+    /// What an element does by itself.
+    Element {
+        /// Identifier of the body.
+        body: String,
+        /// Of the element.
+        element: String,
+    },
     /// The motion of a pinned region.
     Pin {
         /// Identifier of the body.
@@ -70,6 +77,8 @@ impl Scene {
             all.extend(of.drives().iter().map(|one| Drivable::Shared { body: body(), drive: one.id.clone() }));
             all.extend(of.fibres().iter().map(|fibre| Drivable::Fibre { body: body(), fibre: fibre.id.clone() }));
             all.extend(of.sheets().iter().map(|sheet| Drivable::Sheet { body: body(), sheet: sheet.id.clone() }));
+            let elements = of.solid().map_or(&[][..], |body| &body.elements);
+            all.extend(elements.iter().map(|one| Drivable::Element { body: body(), element: one.id.clone() }));
             all.extend(of.pins().iter().map(|pin| Drivable::Pin { body: body(), pin: pin.id.clone() }));
             all.extend(of.two_layer().map(|_| Drivable::Pressure(body())));
             let active = of.two_layer().map_or(&[][..], |of| &of.active_springs);
@@ -87,6 +96,7 @@ impl Drivable {
             Self::Shared { body, .. }
             | Self::Fibre { body, .. }
             | Self::Sheet { body, .. }
+            | Self::Element { body, .. }
             | Self::Pin { body, .. }
             | Self::Springs { body, .. }
             | Self::Pressure(body) => Some(body),
@@ -113,6 +123,7 @@ impl Drivable {
                 let sheet = body()?.sheets().iter().find(|one| one.id == *sheet)?;
                 sheet.activation.as_ref().map(|of| &of.drive)
             }
+            Self::Element { .. } => self.element(scene)?.activation.as_ref().map(|of| &of.drive),
             Self::Pin { pin, .. } => driven(&body()?.pins().iter().find(|one| one.id == *pin)?.motion),
             Self::Pressure(_) => body()?.two_layer()?.pressure_drive.as_ref(),
             Self::Springs { springs, .. } => {
@@ -155,6 +166,12 @@ impl Drivable {
             (Some(Drive::Shared(id)), Some(body)) => Self::Shared { body: body.to_owned(), drive: id.clone() },
             _ => self.clone(),
         }
+    }
+
+    /// The element that it is of, if it is one's.
+    pub(super) fn element<'a>(&self, scene: &'a Scene) -> Option<&'a Element> {
+        let Self::Element { body, element } = self else { return None };
+        scene.body(body)?.elements.iter().find(|one| one.id == *element)
     }
 
     /// What follows it, of a shared drive.
@@ -200,6 +217,7 @@ impl Drivable {
             Self::Shared { body, .. }
             | Self::Fibre { body, .. }
             | Self::Sheet { body, .. }
+            | Self::Element { body, .. }
             | Self::Pin { body, .. }
             | Self::Springs { body, .. }
             | Self::Pressure(body) => scene.find_body_mut(body).and_then(|body| self.set_of_body(body, drive)),
@@ -238,6 +256,14 @@ impl Drivable {
                     None => SheetActivation::contracting([0.0; 2], drive),
                 });
             }
+            (Self::Element { element, .. }, drive) => {
+                let AnyBodyMut::Solid(body) = of else { return None };
+                let element = body.elements.iter_mut().find(|one| one.id == *element)?;
+                element.activation = drive.map(|drive| match &element.activation {
+                    Some(of) => ElementActivation { drive, ..of.clone() },
+                    None => ElementActivation::contracting(0.0, drive),
+                });
+            }
             (Self::Pin { pin, .. }, drive) => {
                 set_motion(&mut of.pins_mut().iter_mut().find(|one| one.id == *pin)?.motion, drive);
             }
@@ -269,6 +295,7 @@ impl Drivable {
             Self::Shared { body, drive } => format!("a drive \"{drive}\" of \"{body}\""),
             Self::Fibre { body, fibre } => format!("a fibre \"{fibre}\" of \"{body}\""),
             Self::Sheet { body, sheet } => format!("a sheet \"{sheet}\" of \"{body}\""),
+            Self::Element { body, element } => format!("an element \"{element}\" of \"{body}\""),
             Self::Pin { body, pin } => format!("a pin \"{pin}\" of \"{body}\""),
             Self::Pressure(body) => format!("gas in \"{body}\""),
             Self::Springs { body, springs } => format!("active springs \"{springs}\" of \"{body}\""),

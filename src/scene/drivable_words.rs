@@ -2,7 +2,8 @@
 //! there, and between which numbers that may lie.
 
 use super::drive::CONTRACTION;
-use super::{Activation, AnyBody, Drivable, Drive, Motion, PanelMotion, Scene, SheetActivation};
+use super::element::MOST_TURNED;
+use super::{Activation, AnyBody, Drivable, Drive, Element, ElementLaw, Motion, PanelMotion, Scene, SheetActivation};
 use glam::DVec3;
 
 /// Any number.
@@ -36,6 +37,11 @@ impl Drivable {
             Self::Sheet { sheet, .. } => {
                 let (at, body) = body()?;
                 format!("{at}/sheets/{}/activation/drive", body.sheets().iter().position(|one| one.id == *sheet)?)
+            }
+            Self::Element { element, .. } => {
+                let (at, body) = body()?;
+                let elements = &body.solid()?.elements;
+                format!("{at}/elements/{}/activation/drive", elements.iter().position(|one| one.id == *element)?)
             }
             Self::Pin { pin, .. } => {
                 let (at, body) = body()?;
@@ -85,6 +91,7 @@ impl Drivable {
                 let one = of_body().map_or(&[][..], AnyBody::sheets).iter().find(|one| one.id == *sheet);
                 of(one.map_or(sheet.as_str(), |one| one.title()))
             }
+            Self::Element { element, .. } => of(self.element(scene).map_or(element.as_str(), |one| one.title())),
             Self::Pin { pin, .. } => of(&format!("Pin {pin}")),
             Self::Springs { springs, .. } => of(&format!("Springs {springs}")),
             Self::Pressure(id) => format!("Gas in {}", of_body().map_or(id.as_str(), AnyBody::title)),
@@ -105,6 +112,7 @@ impl Drivable {
             Self::Shared { .. } => None,
             Self::Fibre { .. } => act(self.activation(scene)?),
             Self::Sheet { .. } => bend(self.sheet_activation(scene)?),
+            Self::Element { .. } => pull(self.element(scene)?),
             Self::Pin { pin, .. } => way(&body()?.pins().iter().find(|one| one.id == *pin)?.motion),
             Self::Pressure(_) => Some((body()?.two_layer()?.pressure, "J")),
             Self::Springs { .. } => Some((100.0 * self.springs_contract(scene)?, "%")),
@@ -124,6 +132,7 @@ impl Drivable {
                 both(along, across)
             }),
             Self::Springs { .. } => self.springs_contract(scene).map_or(ANY, shortening),
+            Self::Element { .. } => self.element(scene).map_or(ANY, of_element),
             Self::Shared { .. } => self.followers(scene).iter().map(|one| one.limits(scene)).fold(ANY, both),
             Self::Gravity | Self::Wind | Self::Panel(_) | Self::Collider(_) | Self::Pin { .. } => ANY,
         }
@@ -186,6 +195,25 @@ fn bend(of: &SheetActivation) -> Option<(f64, &'static str)> {
     let (shorter, curls) = (greatest(of.contract), greatest(of.curl_degrees_per_metre));
     let shortens = (shorter != 0.0).then_some((100.0 * shorter, "%"));
     shortens.or((curls != 0.0).then_some((curls, "°/m")))
+}
+
+/// Least and greatest drive of an element.
+fn of_element(element: &Element) -> [f64; 2] {
+    let Some(of) = &element.activation else { return ANY };
+    let pulls = if matches!(element.law, ElementLaw::Muscle(_)) { [0.0, 1.0] } else { ANY };
+    let turns = if of.turn_degrees == 0.0 { f64::INFINITY } else { MOST_TURNED / of.turn_degrees.abs() };
+    both(both(pulls, shortening(of.contract)), [-turns, turns])
+}
+
+/// What an element does most.
+fn pull(element: &Element) -> Option<(f64, &'static str)> {
+    let of = element.activation.as_ref()?;
+    match &element.law {
+        _ if of.contract != 0.0 => Some((100.0 * of.contract, "%")),
+        _ if of.turn_degrees != 0.0 => Some((of.turn_degrees, "°")),
+        ElementLaw::Muscle(muscle) => Some((muscle.force, element.measure.unit())),
+        _ => None,
+    }
 }
 
 /// The greatest of what a fibre does.

@@ -18,6 +18,7 @@ mod document;
 mod drivable;
 mod drivable_words;
 mod drive;
+mod element;
 mod extra;
 mod fibre;
 mod integrator;
@@ -52,6 +53,7 @@ pub use collider::{Collider, ColliderBox, ColliderCapsule, ColliderMesh, Collide
 pub use document::{MAX_PARTICLES, SCENE_VERSION, Scene, Units};
 pub use drivable::Drivable;
 pub use drive::{AfterLast, Drive, DriveKey, DriveKeys, Interpolation, SharedDrive, Wave};
+pub use element::{Element, ElementActivation, ElementLaw, ElementMeasure, MAX_ELEMENTS, MAX_TABLE_POINTS, SpringLaw};
 pub use extra::Extra;
 pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,

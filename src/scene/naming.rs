@@ -1,6 +1,6 @@
 //! What things are called where a person reads of them.
 
-use super::{AnyBody, Body, Collider, Fibre, Panel, Scene, Sheet, TwoLayer, Void};
+use super::{AnyBody, Body, Collider, Element, Fibre, Panel, Scene, Sheet, TwoLayer, Void};
 
 macro_rules! titles {
     ($($thing:ty)*) => {
@@ -13,7 +13,7 @@ macro_rules! titles {
     };
 }
 
-titles! { Body Collider Fibre Panel Sheet TwoLayer Void }
+titles! { Body Collider Element Fibre Panel Sheet TwoLayer Void }
 
 /// What a scene without a name is called.
 pub(crate) const UNTITLED: &str = "Untitled";
@@ -57,6 +57,10 @@ impl Scene {
             && segments.next_if_eq(&"sheets").is_some()
         {
             name = body.sheets.get(segments.next()?.parse::<usize>().ok()?)?.title();
+        } else if let AnyBody::Solid(body) = body
+            && segments.next_if_eq(&"elements").is_some()
+        {
+            name = body.elements.get(segments.next()?.parse::<usize>().ok()?)?.title();
         } else if let AnyBody::Solid(body) = body
             && segments.next_if_eq(&"voids").is_some()
         {

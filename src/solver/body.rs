@@ -13,7 +13,7 @@ mod rest;
 mod touching;
 
 pub use divergence::Divergence;
-pub use parts::{BodyParts, FibreLine, RestScale, SheetSurface, SurfacePoint};
+pub use parts::{BodyParts, ElementLines, FibreLine, RestScale, SheetSurface, SurfacePoint};
 
 use given::Given;
 

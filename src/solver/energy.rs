@@ -53,6 +53,8 @@ energies! {
     membrane,
     /// Energy of the sheets' bending.
     hinges,
+    /// Energy of elements.
+    elements,
 }
 
 impl Energies {

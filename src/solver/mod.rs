@@ -47,13 +47,14 @@ mod way_out;
 mod wide;
 pub(crate) mod world;
 
-pub use body::{Body, BodyParts, Divergence, FibreLine, RestScale, SheetSurface, SurfacePoint};
+pub use body::{Body, BodyParts, Divergence, ElementLines, FibreLine, RestScale, SheetSurface, SurfacePoint};
 pub use collider::{Collider, Pose};
 pub use dynamics::{Dynamics, Fallbacks};
 pub use easing::Easing;
 pub use embedding::EmbeddingWeights;
 pub use energy::Energies;
 pub use field::FieldKind;
+pub use forces::element::{Change, Element, ElementFault, Local, MOST_POINTS, Slopes, check as check_element};
 pub use forces::springs::SpringKind;
 pub use forces::{Force, Grab, StepLimit};
 pub use hand::Hand;

@@ -1,7 +1,7 @@
 //! What the solver shows of itself: plain positions at one time.
 
 pub(crate) use super::body::SurfacePoint;
-use super::body::{Body, SheetSurface};
+use super::body::{Body, ElementLines, SheetSurface};
 use super::collider::{Collider, Pose};
 pub(crate) use super::field::FieldKind;
 pub use super::forces::fibre::breaking::{BreakPlace, FibreBreak};
@@ -133,6 +133,8 @@ pub struct BodySnapshot {
     pub fibres: Vec<FibreSnapshot>,
     /// Sheets.
     pub sheets: Vec<SheetSnapshot>,
+    /// Elements.
+    pub elements: Vec<ElementSnapshot>,
     /// Where fibres are broken: indices into `fibres` and their vertices.
     pub breaks: Vec<FibreBreak>,
     /// Vertices of the skin [m]; empty where only the particles were taken, see [`BodySnapshot::surface`].
@@ -192,7 +194,8 @@ impl BodySnapshot {
         let mut moved = self.clone();
         let fibres = moved.fibres.iter_mut().flat_map(|fibre| &mut fibre.vertices);
         let sheets = moved.sheets.iter_mut().flat_map(|sheet| &mut sheet.vertices);
-        for point in moved.particles.iter_mut().chain(&mut moved.skin).chain(fibres).chain(sheets) {
+        let elements = moved.elements.iter_mut().flat_map(|element| &mut element.points);
+        for point in moved.particles.iter_mut().chain(&mut moved.skin).chain(fibres).chain(sheets).chain(elements) {
             *point += by;
         }
         moved
@@ -236,6 +239,24 @@ pub struct FibreSnapshot {
     pub vertices: Vec<DVec3>,
 }
 
+/// Elements over the same points at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElementSnapshot {
+    /// Identifier of the scene's element, or of who made them.
+    pub id: String,
+    /// Points [m].
+    pub points: Vec<DVec3>,
+    /// Between which of them lines are drawn.
+    pub lines: Arc<[[u32; 2]]>,
+}
+
+impl ElementSnapshot {
+    fn of(lines: &ElementLines, positions: &[DVec3]) -> Self {
+        let points = lines.points.iter().map(|point| point.gather(positions)).collect();
+        Self { id: lines.id.clone(), points, lines: Arc::clone(&lines.lines) }
+    }
+}
+
 /// A sheet at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SheetSnapshot {
@@ -276,7 +297,8 @@ impl Snapshot {
             let fibres = body.fibres.iter().flat_map(|fibre| &fibre.vertices);
             let normals = body.normals.iter().all(|normal| normal.is_finite());
             let sheets = body.sheets.iter().flat_map(|sheet| &sheet.vertices);
-            let points = body.particles.iter().chain(&body.skin).chain(fibres).chain(sheets);
+            let elements = body.elements.iter().flat_map(|element| &element.points);
+            let points = body.particles.iter().chain(&body.skin).chain(fibres).chain(sheets).chain(elements);
             normals && points.into_iter().all(|point| point.is_finite())
         };
         self.bodies.iter().find(|body| !is_whole(body)).map(|body| body.name.as_str())
@@ -319,6 +341,7 @@ impl Snapshot {
                         })
                         .collect(),
                     sheets: parts.sheets.iter().map(|sheet| SheetSnapshot::of(sheet, positions)).collect(),
+                    elements: parts.elements.iter().map(|of| ElementSnapshot::of(of, positions)).collect(),
                     breaks: body.breaks().copied().collect(),
                     normals: moved.map_or_else(Vec::new, |skin| skin.normals(&vertices)),
                     skin: vertices,

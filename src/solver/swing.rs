@@ -69,6 +69,7 @@ fn oscillator(integrator: Box<dyn Integrator>, omega: f64, dt: f64) -> Body {
         contact: ContactLaw { radius: 0.0, stiffness: 0.0, damping: 0.0, friction: 0.0, sticking: 0.0, holding: 0.0 },
         fibres: Vec::new(),
         sheets: Vec::new(),
+        elements: Vec::new(),
         layers: None,
         skin: None,
         reach: 1.0,

@@ -2,6 +2,7 @@
 
 use super::bodies::place_and_shape;
 use super::context::{Context, Step};
+use super::elements_section::elements_section;
 use super::material_fields::material_fields;
 use super::region_material_fields::region_material_fields;
 use super::theme::GRID;
@@ -25,6 +26,7 @@ pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
             cx.edit(&Command::SetBody { verb: "Change".to_owned(), body }, Step::Own);
         }
         region_material_fields(ui, cx, &body);
+        elements_section(ui, cx, &body);
         voids_section(ui, cx, &body);
         integrator(ui, cx, body.id, body.integrator);
     } else if let Some(body) = cx.active_two_layer().cloned() {

@@ -22,6 +22,7 @@ mod dialogs;
 mod document;
 mod drives;
 mod editing;
+mod elements_section;
 mod export;
 mod field;
 pub(crate) mod gallery;

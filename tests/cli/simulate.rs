@@ -93,6 +93,7 @@ fn a_report_has_every_field() {
         "activation",
         "membrane",
         "hinges",
+        "elements",
     ];
     assert_eq!(members(&body["energy"]), BTreeSet::from(energies));
     assert_eq!((&report["scene"], &body["kind"]), (&json!("Pressed block"), &json!("fibre_solid")));

@@ -5,7 +5,7 @@ use crate::shapes::fibre;
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
-use proptest::sample::select;
+use proptest::sample::{select, subsequence};
 use sinew::edit::{Command, Item};
 use sinew::scene::{
     Body, Dab, Drivable, Drive, DriveKeys, Fibre, FibreSource, IntegratorKind, OwnedBody, Placement, Region,
@@ -13,7 +13,7 @@ use sinew::scene::{
 };
 
 /// Number of kinds of commands.
-pub const KINDS: usize = 28;
+pub const KINDS: usize = 29;
 
 /// Which kind a command is. Without a wildcard: a new kind is to be put in here and into [`any_command`].
 pub fn kind(command: &Command) -> usize {
@@ -46,6 +46,7 @@ pub fn kind(command: &Command) -> usize {
         Command::RemoveSheet { .. } => 25,
         Command::SetDrive { .. } => 26,
         Command::SetWind(_) => 27,
+        Command::SetElements { .. } => 28,
     }
 }
 
@@ -124,6 +125,10 @@ fn of_matter() -> impl Strategy<Value = Command> {
         .prop_map(|(center, radius, value)| Dab::new(center, radius, value));
     let body = select(["bar", "ring", "none"].map(str::to_owned).to_vec());
     let integrator = select(vec![IntegratorKind::Rk4, IntegratorKind::Midpoint, IntegratorKind::LeapFrog]);
+    let mut elements = scene.bodies[0].elements.clone();
+    elements[0].activation = None;
+    // Two of one name are refused.
+    elements.push(elements[1].clone());
     let void = ([-0.1..0.1f64, 0.0..0.4, -0.1..0.1], -0.01..0.1f64)
         .prop_map(|(center, radius)| Void::sphere(format!("{radius}"), center, radius));
     prop_oneof![
@@ -132,6 +137,7 @@ fn of_matter() -> impl Strategy<Value = Command> {
             Command::SetRegionMaterials { body, materials: vec![own] }
         }),
         (solid(), vec(void, 0..3)).prop_map(|(body, voids)| Command::SetVoids { body, voids }),
+        (solid(), subsequence(elements, 0..4)).prop_map(|(body, elements)| Command::SetElements { body, elements }),
         (solid(), vec(dab, 0..3)).prop_map(|(body, paint)| Command::SetPaint { body, paint }),
         (solid(), 1e4..1e8f64, 0.0..0.6f64).prop_map(move |(body, young_modulus, poisson_ratio)| {
             let mut material = material.clone();

@@ -116,6 +116,18 @@ fn numbers_out_of_range_are_refused() {
         ("/bodies/0/voids/2/shape/tube/radius", json!(-1), ["is not above zero", "above 0 m"]),
         ("/bodies/0/voids/3/shape/mesh/path", json!(""), ["names no file", "relative to the scene"]),
         ("/bodies/0/voids/3/id", json!("hole"), ["is taken by another void", "name of its own"]),
+        ("/bodies/0/elements/0/law/table/2/0", json!(1), ["after the point before it", "above 1"]),
+        ("/bodies/0/elements/0/law/table/1/1", json!(1e16), ["1e16", "N"]),
+        ("/bodies/0/elements/0/law/table", json!([[1, 0]]), ["has 1 points", "2 to 1000"]),
+        ("/bodies/0/elements/0/points", json!([[0, 0.1, 0]]), ["has 1 points, and length is of 2", "give 2 points"]),
+        ("/bodies/0/elements/0/points/1/1", json!(1e16), ["1e16", "m"]),
+        ("/bodies/0/elements/0/activation/contract", json!(0.9), ["makes the element smaller", "-0.5 to 0.8"]),
+        ("/bodies/0/elements/1/activation/turn_degrees", json!(400), ["is to turn by 200 degrees", "-170 to 170"]),
+        ("/bodies/0/elements/1/law/spring/stiffness", json!(-1), ["-1", "N m"]),
+        ("/bodies/0/elements/2/law/tension_only/stiffness", json!(-1), ["-1", "N/m"]),
+        ("/bodies/0/elements/3/law/muscle/width", json!(0), ["is not above zero", "above 0"]),
+        ("/bodies/0/elements/3/law/muscle/force", json!(-1), ["-1", "Pa"]),
+        ("/bodies/0/elements/5/id", json!("rope"), ["is taken by another element", "name of its own"]),
         ("/bodies/0/region_materials/0/young_modulus", json!(0), ["is not above zero", "Pa"]),
         ("/bodies/0/region_materials/0/transition", json!(-1), ["-1", "from 0"]),
         ("/bodies/0/material/viscosity/shear", json!(-1), ["-1", "Pa s"]),
@@ -143,6 +155,12 @@ fn numbers_out_of_range_are_refused() {
     refused("/bodies/0/fibres/0/source/strokes/first/points", &json!([[0, 0]]), &["no line", "2 points"]);
     refused("/bodies/0/fibres/0/source/strokes/second/view", &json!("front"), &["another view than \"front\""]);
     refused("/bodies/0/pins/1/axes", &json!([]), &["along no axis"]);
+    let (act, share) = ("/bodies/0/elements/0/activation", json!({"drive": {"constant": 1}, "turn_degrees": 9}));
+    refused_at(act, &share, &format!("{act}/turn_degrees"), &["which is no angle", "give `contract`"]);
+    let (act, angle) = ("/bodies/0/elements/1/activation", json!({"drive": {"constant": 1}, "contract": 0.1}));
+    refused_at(act, &angle, &format!("{act}/contract"), &["which is an angle", "give `turn_degrees`"]);
+    let flat = json!([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]);
+    refused("/bodies/0/elements/3/points", &flat, &["leave nothing to measure", "move them apart"]);
     let mut scene = every_field();
     let dab = scene.bodies[0].paint[0].clone();
     scene.bodies[0].paint = vec![dab; 10_001];

@@ -1,5 +1,6 @@
 //! What is loaded is what was saved.
 
+use super::any_element::{above_zero, element, extra, number};
 use super::{EVERY_FIELD, every_field};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -15,6 +16,25 @@ fn every_field_survives() {
     assert_eq!(unknown_fields(&scene), Vec::<String>::new());
 }
 
+/// Members that hold one of several alternatives.
+const CHOICES: [&str; 15] = [
+    "shape",
+    "mass",
+    "source",
+    "stiffness",
+    "along",
+    "select",
+    "motion",
+    "drive",
+    "gravity_drive",
+    "pressure_drive",
+    "distance",
+    "inner_offset",
+    "kind",
+    "step",
+    "law",
+];
+
 /// An object member added to every object of a scene that may hold one is kept and listed.
 #[test]
 fn unknown_fields_are_kept_and_listed_everywhere() {
@@ -22,23 +42,7 @@ fn unknown_fields_are_kept_and_listed_everywhere() {
         match value {
             Value::Object(members) => {
                 for (name, member) in members.iter_mut() {
-                    let choice = matches!(
-                        name.as_str(),
-                        "shape"
-                            | "mass"
-                            | "source"
-                            | "stiffness"
-                            | "along"
-                            | "select"
-                            | "motion"
-                            | "drive"
-                            | "gravity_drive"
-                            | "pressure_drive"
-                            | "distance"
-                            | "inner_offset"
-                            | "kind"
-                            | "step"
-                    );
+                    let choice = CHOICES.contains(&name.as_str());
                     add(member, &format!("{path}/{name}"), added, choice);
                 }
                 // The alternatives of a choice are its only members.
@@ -76,15 +80,6 @@ fn text_is_laid_out_for_people() {
     assert!(text.starts_with("{\n  \"version\": 1,\n") && text.ends_with("}\n"));
 }
 
-/// Numbers in the accepted range, of every exponent and any mantissa.
-fn number() -> impl Strategy<Value = f64> {
-    (any::<i64>(), -15_i32..15).prop_map(|(mantissa, power)| mantissa as f64 / i64::MAX as f64 * 10_f64.powi(power))
-}
-
-fn above_zero() -> impl Strategy<Value = f64> {
-    number().prop_map(|value| value.abs().max(1e-12))
-}
-
 fn vector() -> impl Strategy<Value = [f64; 3]> {
     [number(), number(), number()]
 }
@@ -95,20 +90,6 @@ fn direction() -> impl Strategy<Value = [f64; 3]> {
 
 fn rotation() -> impl Strategy<Value = Rotation> {
     (direction(), number(), extra()).prop_map(|(axis, degrees, extra)| Rotation { axis, degrees, extra })
-}
-
-/// Members of newer programs, with awkward names and values.
-fn extra() -> impl Strategy<Value = Extra> {
-    let value = prop_oneof![
-        Just(Value::Null),
-        any::<bool>().prop_map(Value::from),
-        any::<i64>().prop_map(Value::from),
-        any::<u64>().prop_map(Value::from),
-        number().prop_map(Value::from),
-        any::<String>().prop_map(Value::from),
-        vec(number(), 0..4).prop_map(Value::from),
-    ];
-    proptest::collection::btree_map("x[\\PC]{0,5}", value, 0..2)
 }
 
 fn drive() -> impl Strategy<Value = Drive> {
@@ -304,9 +285,19 @@ fn body() -> impl Strategy<Value = Body> {
     });
     let dab = (vector(), above_zero(), 0.0..=1.0, 0.0..=1.0, extra())
         .prop_map(|(center, radius, value, strength, extra)| Dab { center, radius, value, strength, extra });
-    let parts = (fibre(), vec(dab, 0..3), pin, sheet());
+    let parts = (fibre(), vec(dab, 0..3), pin, sheet(), element());
     (any::<String>(), look(), shape, placement, material, initial, selector(), parts, extra()).prop_map(
-        |(name, (hidden, color), shape, placement, material, initial, select, (fibre, paint, pin, sheet), extra)| {
+        |(
+            name,
+            (hidden, color),
+            shape,
+            placement,
+            material,
+            initial,
+            select,
+            (fibre, paint, pin, sheet, element),
+            extra,
+        )| {
             Body {
                 id: "body \"\\ \u{1F9B4}\n".to_owned(),
                 name,
@@ -323,6 +314,7 @@ fn body() -> impl Strategy<Value = Body> {
                 drives: vec![SharedDrive::new("shared", Wave::new(0.7).with_wavelength(0.1))],
                 fibres: vec![fibre],
                 sheets: vec![sheet],
+                elements: vec![element],
                 paint,
                 regions: vec![Region { id: "region".to_owned(), select, extra: Extra::new() }],
                 region_materials: vec![RegionMaterial::of("region")],

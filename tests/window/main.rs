@@ -9,6 +9,7 @@ mod comparing;
 mod drive_fields;
 mod drives;
 mod editing;
+mod elements;
 mod exporting;
 mod fibres;
 mod first_scene;

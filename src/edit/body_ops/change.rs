@@ -1,5 +1,6 @@
 //! Moving, turning and scaling a body.
 
+use super::of_elements::scale_element;
 use super::of_fibres::{scaled_drives, scaled_fibre, scaled_source};
 use super::of_pins::{carried_pins, scaled_pins};
 use super::of_two_layer::scaled_two_layer;
@@ -96,6 +97,7 @@ fn scale_solid(body: &mut Body, factor: f64) -> Result<(), FibreEditError> {
     for sheet in &mut body.sheets {
         *sheet = sheet_ops::scaled(sheet, factor)?;
     }
+    body.elements.iter_mut().for_each(|element| scale_element(element, factor));
     for dab in &mut body.paint {
         dab.center = dab.center.map(|at| factor * at);
         dab.radius *= factor;

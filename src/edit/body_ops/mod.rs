@@ -11,6 +11,7 @@
 
 mod change;
 mod copy;
+mod of_elements;
 mod of_fibres;
 mod of_pins;
 mod of_two_layer;

@@ -103,7 +103,7 @@ pub(super) fn not_below_zero(at: &At<'_>, of: &Drive, shared: &[SharedDrive]) ->
 /// Checks how a fibre of this stiffness acts.
 pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness), shared: &[SharedDrive]) -> Checked {
     drive(&at.field("drive"), &of.drive, shared)?;
-    contraction(&at.field("contract"), "the fibre", (of.contract, &of.drive), shared)?;
+    contraction(&at.field("contract"), of, shared)?;
     if let Some(curl) = &of.curl {
         let at = at.field("curl");
         finite(&at.field("degrees_per_metre"), curl.degrees_per_metre, "degrees/m")?;
@@ -114,10 +114,7 @@ pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness)
         not_negative(&place.field("force"), muscle.force, "N")?;
         positive(&place.field("width"), muscle.width, "")?;
         fraction(&place.field("width"), muscle.width)?;
-        let [least, greatest] = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
-        let problem = format!("excites a muscle from {} to {}", number(least), number(greatest));
-        let holds = least >= 0.0 && greatest <= 1.0;
-        require(&at.field("drive"), &of.drive, holds, &problem, || "keep it from 0 to 1")?;
+        excitation(&at.field("drive"), &of.drive, shared)?;
     }
     let Some(twist) = &of.twist else { return Ok(()) };
     let at = at.field("twist");
@@ -133,21 +130,28 @@ pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness)
     )
 }
 
-/// Checks the share by which a drive makes something shorter.
-pub(super) fn contraction(
-    at: &At<'_>,
-    what: &str,
-    (contract, drive): (f64, &Drive),
-    shared: &[SharedDrive],
-) -> Checked {
+/// Checks a drive that excites a muscle.
+pub(super) fn excitation(at: &At<'_>, of: &Drive, shared: &[SharedDrive]) -> Checked {
+    let [least, greatest] = of.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+    let problem = format!("excites a muscle from {} to {}", number(least), number(greatest));
+    require(at, of, least >= 0.0 && greatest <= 1.0, &problem, || "keep it from 0 to 1")
+}
+
+fn contraction(at: &At<'_>, of: &Activation, shared: &[SharedDrive]) -> Checked {
+    let range = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+    share(at, of.contract, "fibre shorter by {} of its length", range)
+}
+
+/// Checks a share by which something wants to be smaller, times a drive of this range; `what` it makes of what, with `{}` for
+/// the share.
+pub(super) fn share(at: &At<'_>, contract: f64, what: &str, range: [f64; 2]) -> Checked {
     finite(at, contract, "")?;
-    let [least, greatest] = drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
     let [low, high] = CONTRACTION;
-    for value in [least, greatest] {
+    for value in range {
         let share = contract * value;
         let holds = (low..=high).contains(&share);
-        let (by, at_value) = (number(share), number(value));
-        let problem = format!("makes {what} shorter by {by} of its length, where its drive is {at_value}");
+        let made = what.replace("{}", &number(share));
+        let problem = format!("makes the {made}, where its drive is {}", number(value));
         require(at, &contract, holds, &problem, || {
             format!("keep contraction times drive from {} to {}", number(low), number(high))
         })?;

@@ -7,6 +7,7 @@ mod bodies;
 mod check;
 mod collider;
 mod drives;
+mod elements;
 mod error;
 mod lines;
 mod measure;

@@ -2,6 +2,7 @@
 
 use super::check::{At, Checked, Ids, fraction, not_negative, positive, require, vector, within};
 use super::drives;
+use super::elements::elements;
 use super::lines::source;
 use super::parts::{impulses, initial, model_file, pins, placement, regions, rotation};
 use super::sheets::sheets;
@@ -178,6 +179,7 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
         }
     }
     sheets(&at.field("sheets"), &body.sheets, &body.drives)?;
+    elements(&at.field("elements"), &body.elements, &body.drives)?;
     paint(&at.field("paint"), &body.paint)?;
     voids(&at.field("voids"), &body.voids)?;
     region_materials(&at.field("region_materials"), body, &known)?;

@@ -3,7 +3,7 @@
 use super::check::{At, Checked, Ids, finite, not_negative, number, ordered, positive, require, vector};
 use super::drives;
 use super::parts::{impulses, initial, model_file, pins, placement, regions};
-use crate::scene::{InnerOffset, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
+use crate::scene::{Drive, InnerOffset, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
 
 /// Regions that every two-layer body has.
 const BUILT_IN: [&str; 3] = ["outer", "inner", "everything"];
@@ -33,7 +33,8 @@ pub(super) fn two_layer(at: &At<'_>, body: &TwoLayer) -> Checked {
         ids.add(&at.field("id"), &of.id)?;
         known.resolve(&at.field("region"), &of.region)?;
         drives::still(&at.field("drive"), &of.drive, &body.drives)?;
-        drives::contraction(&at.field("contract"), "a spring", (of.contract, &of.drive), &body.drives)?;
+        let range = of.drive.resolved(&body.drives).and_then(Drive::range).unwrap_or([0.0; 2]);
+        drives::share(&at.field("contract"), of.contract, "springs shorter by {} of their length", range)?;
     }
     pins(at, &body.pins, &known, &body.drives)?;
     for (index, drag) in body.drags.iter().enumerate() {

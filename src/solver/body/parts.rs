@@ -43,6 +43,8 @@ pub struct BodyParts {
     pub fibres: Vec<FibreLine>,
     /// Sheets, for drawing and counting.
     pub sheets: Vec<SheetSurface>,
+    /// Elements, for drawing and counting.
+    pub elements: Vec<ElementLines>,
     /// Build of a two-layer body; none for others.
     pub layers: Option<Arc<Layers>>,
     /// Render surface.
@@ -104,6 +106,17 @@ pub struct SheetSurface {
     pub threads: Arc<[Vec<SurfacePoint>]>,
     /// Lines of vertices where it ends.
     pub rim: Arc<[Vec<u32>]>,
+}
+
+/// What is drawn of elements over the same points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElementLines {
+    /// Identifier of the scene's element, or of who made them.
+    pub id: String,
+    /// Embedded points.
+    pub points: Vec<EmbeddingWeights>,
+    /// Between which of them lines are drawn.
+    pub lines: Arc<[[u32; 2]]>,
 }
 
 /// A point on an edge of a sheet.

@@ -33,6 +33,13 @@ impl<V: Wide> Vec3x<V> {
         a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
     }
 
+    /// `a x b`.
+    #[inline(always)]
+    pub(crate) fn cross(self, Self(b): Self) -> Self {
+        let Self(a) = self;
+        Self([a[1].mul_sub(b[2], a[2] * b[1]), a[2].mul_sub(b[0], a[0] * b[2]), a[0].mul_sub(b[1], a[1] * b[0])])
+    }
+
     /// `s v + w`, rounded once where the machine can.
     #[inline(always)]
     pub(crate) fn mul_add(mut self, s: V, w: Self) -> Self {

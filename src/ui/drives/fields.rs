@@ -4,7 +4,8 @@ use super::actions::{named, playhead, undriven};
 use super::keys::{as_keys, as_wave, first_key, on_frame, value_of};
 use crate::edit::Command;
 use crate::scene::{
-    Activation, AfterLast, Drivable, Drive, DriveKeys, Interpolation, Scene, Sheet, SheetActivation, Wave,
+    Activation, AfterLast, Drivable, Drive, DriveKeys, ElementActivation, Interpolation, Scene, Sheet, SheetActivation,
+    Wave,
 };
 use crate::text::number::compact;
 use crate::text::quantity::typed;
@@ -12,8 +13,10 @@ use crate::ui::context::{Context, Step};
 use crate::ui::theme::GRID;
 use egui::{ComboBox, DragValue, TextStyle, Ui};
 
-/// Share by which a fibre or a sheet that begins to act shortens.
+/// Share by which a fibre, a sheet or an element that begins to act shortens.
 const FIRST_CONTRACTION: f64 = 0.2;
+/// Angle by which an element of one that begins to act turns [degrees].
+const FIRST_TURN: f64 = 20.0;
 /// Width of a choice [points].
 const CHOICE: f32 = 76.0;
 
@@ -266,6 +269,20 @@ fn first_drive(of: &Drivable, cx: &Context) -> Command {
         let acts = SheetActivation::contracting([FIRST_CONTRACTION, 0.0], key(0.0));
         let sheet = Sheet { activation: Some(acts), ..one.clone() };
         return Command::SetSheet { verb: "Let act".to_owned(), body: body.clone(), sheet };
+    }
+    if let Drivable::Element { body, element } = of
+        && let Some(one) = scene.body(body)
+    {
+        let mut elements = one.elements.clone();
+        for one in elements.iter_mut().filter(|one| one.id == *element) {
+            let acts = if one.measure.is_angle() {
+                ElementActivation::turning(FIRST_TURN, key(0.0))
+            } else {
+                ElementActivation::contracting(FIRST_CONTRACTION, key(0.0))
+            };
+            one.activation = Some(acts);
+        }
+        return Command::SetElements { body: body.clone(), elements };
     }
     of_course(of, scene).unwrap_or_else(|| Command::SetDrive { of: of.clone(), drive: Some(key(undriven(of))) })
 }

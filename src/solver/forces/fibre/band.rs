@@ -7,8 +7,8 @@
 
 use super::soa::SoaVectors;
 use super::strip::{BlockVectors, StripIndex, WIDTH};
-use crate::solver::wide::{Lanes8, Vec3x, Wide};
-use fearless_simd::{Simd, f64x8, prelude::*};
+use crate::solver::wide::{LANES, Lanes4, Lanes8, Vec3x, Wide};
+use fearless_simd::{Simd, f64x4, f64x8, prelude::*};
 use glam::DVec3;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -88,6 +88,41 @@ impl<const N: usize> SkylineRows<N> {
 }
 
 impl<const N: usize> BandMatrix<N> {
+    /// [`Self::gather`] of four points from one on, those that there are, by the components of every kind.
+    #[inline(always)]
+    pub(super) fn gather_four<S: Simd>(
+        &self,
+        simd: S,
+        first: usize,
+        blocks: &[BlockVectors],
+        gathered: &mut [[Lanes4; 3]; N],
+    ) {
+        let zero = f64x4::splat(simd, 0.0);
+        let mut halves = [[[zero; LANES]; 3]; N];
+        for lane in 0..LANES.min(self.points.rows.len() - first) {
+            let (columns, weights) = self.points.row(first + lane);
+            let blocks = &blocks[columns];
+            let mut sums = [Vec3x::splat(f64x8::splat(simd, 0.0)); N];
+            for k in 0..weights.len().min(blocks.len()) {
+                for kind in 0..N {
+                    let weights = f64x8::load(simd, &weights[k][kind]);
+                    sums[kind] = Vec3x::load(simd, &blocks[k]).mul_add(weights, sums[kind]);
+                }
+            }
+            for kind in 0..N {
+                for c in 0..3 {
+                    let (low, high) = simd.split_f64x8(sums[kind][c]);
+                    halves[kind][c][lane] = low + high;
+                }
+            }
+        }
+        for kind in 0..N {
+            for c in 0..3 {
+                gathered[kind][c] = totals(simd, halves[kind][c]).store();
+            }
+        }
+    }
+
     /// `sum w x` over the particles around a point, for every kind of weight.
     #[inline(always)]
     pub(super) fn gather<S: Simd>(&self, simd: S, point: usize, blocks: &[BlockVectors]) -> [DVec3; N] {
@@ -122,6 +157,15 @@ impl<const N: usize> BandMatrix<N> {
             }
         }
     }
+}
+
+/// Sums of the lanes of four registers, each in the order of [`total`].
+#[inline(always)]
+fn totals<S: Simd>(simd: S, [a, b, c, d]: [f64x4<S>; LANES]) -> f64x4<S> {
+    let even = [simd.unzip_low_f64x4(a, b), simd.unzip_low_f64x4(c, d)];
+    let odd = [simd.unzip_high_f64x4(a, b), simd.unzip_high_f64x4(c, d)];
+    let first = simd.unzip_low_f64x4(even[0], even[1]) + simd.unzip_high_f64x4(even[0], even[1]);
+    first + (simd.unzip_low_f64x4(odd[0], odd[1]) + simd.unzip_high_f64x4(odd[0], odd[1]))
 }
 
 /// Sum of all lanes.
@@ -181,6 +225,26 @@ mod tests {
             let expected = stencil.gather(&field) - total * origin;
             assert!(sum.distance(expected) < 1e-11, "{point}: {sum}, not {expected}");
             assert!(other.distance(-2.0 * expected) < 1e-11);
+        }
+    }
+
+    #[test]
+    fn four_points_at_once_are_those_one_by_one_to_the_bit() {
+        let stencils = stencils();
+        let (strip, _, band) = two_fibres(&stencils);
+        let field: Vec<DVec3> = (0..30).map(|k| DVec3::new(f64::from(k).sin(), 0.3 * f64::from(k), -1.7)).collect();
+        let mut blocks = vec![BlockVectors::default(); strip.len()];
+        dispatch!(Level::new(), simd => Strip::fill(&strip, simd, &field, &mut blocks));
+        for first in [0, 1, 4] {
+            let mut four = [[Lanes4::default(); 3]; 2];
+            dispatch!(Level::new(), simd => BandMatrix::gather_four(&band, simd, first, &blocks, &mut four));
+            for lane in 0..4 {
+                let one =
+                    |point: usize| dispatch!(Level::new(), simd => BandMatrix::gather(&band, simd, point, &blocks));
+                let expected = if first + lane < stencils.len() { one(first + lane) } else { [DVec3::ZERO; 2] };
+                let found = [0, 1].map(|kind: usize| crate::solver::wide::vector_of(&four[kind], lane));
+                assert_eq!(found, expected, "{first} + {lane}");
+            }
         }
     }
 

@@ -11,6 +11,17 @@ pub(super) fn straight_energy(c: f64) -> f64 {
     if c < FOLD { -1.0 - 8.0 * c } else { (1.0 - c) / (1.0 + c) }
 }
 
+/// Gradients by both edges [N] of `4 S` times that energy, S a stiffness [N m].
+pub(super) fn straight_gradients(corner: &Corner, stiffness: f64) -> [DVec3; 2] {
+    let c = corner.cosine;
+    let slope = -8.0 * stiffness * if c < FOLD { 4.0 } else { (1.0 + c).powi(-2) };
+    let (before, after) = (corner.before, corner.after);
+    [
+        (after.tangent - before.tangent * c) * (slope / before.length),
+        (before.tangent - after.tangent * c) * (slope / after.length),
+    ]
+}
+
 /// `1 / (1 + c)` and its derivative, continued likewise.
 fn inverse_half(c: f64) -> (f64, f64) {
     if c < FOLD { (4.0 - 4.0 * (1.0 + c), -4.0) } else { (1.0 / (1.0 + c), -1.0 / (1.0 + c).powi(2)) }

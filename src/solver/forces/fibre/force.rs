@@ -3,12 +3,10 @@
 use super::activity::{Activity, Now};
 use super::break_limits::furthest;
 use super::breaking::{Breakage, FibreBreak};
-use super::corner::{Corner, straight_energy};
+use super::curved_bends::CurvedBends;
 use super::fibre_embedding::FibreEmbedding;
-use super::material_turn::{material_spin, polar, turn_of_material};
 use super::packed_rods::PackedRods;
 use super::rest::FibreRest;
-use super::soa::{SoaVectors, put, zeros};
 use super::strip::BlockVectors;
 use super::yielding::Yielded;
 use crate::solver::energy::Energies;
@@ -18,7 +16,7 @@ use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
 use crate::solver::wide::Vec3x;
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DQuat, DVec3};
 use std::sync::Arc;
 
 /// Stretching and bending of all fibres of a body.
@@ -45,10 +43,7 @@ struct Workspace {
     rods: PackedRods,
     /// Positions of the strip's particles [m].
     positions: Vec<BlockVectors>,
-    /// Curvature binormal at rest of every curved bend, model frame.
-    binormals: Vec<DVec3>,
-    /// What turns every curved bend's particles, by the components of `om_k Z_k` [N m].
-    spins: [SoaVectors; 3],
+    curved: CurvedBends,
 }
 
 impl Workspace {
@@ -63,9 +58,8 @@ impl Workspace {
             first_bend += bends;
             first_edge += edges;
         }
-        let spins = [0, 1, 2].map(|_| zeros(embedding.curved.len()));
-        let binormals = embedding.curved.iter().map(|bend| bend.binormal).collect();
-        let mut this = Self { rods, positions: vec![BlockVectors::default(); embedding.strip.len()], binormals, spins };
+        let curved = CurvedBends::new(embedding, &broken.bends);
+        let mut this = Self { rods, positions: vec![BlockVectors::default(); embedding.strip.len()], curved };
         this.rest_as(fibres, embedding, yielded);
         this
     }
@@ -83,8 +77,8 @@ impl Workspace {
             first += fibre.vertices.len();
             first_edge += fibre.edges.len();
         }
-        for (binormal, bend) in self.binormals.iter_mut().zip(&embedding.curved) {
-            *binormal = bend.binormal + yielded.binormal(bend.bend);
+        for (k, bend) in embedding.curved.iter().enumerate() {
+            self.curved.rest_at(k, bend.binormal + yielded.binormal(bend.bend));
         }
     }
 }
@@ -104,6 +98,11 @@ impl FibreForce {
             workspace: Scratch::default(),
             fibres,
         }
+    }
+
+    /// The fibres at rest.
+    pub fn rests(&self) -> &[FibreRest] {
+        &self.fibres
     }
 
     /// Whether any of them is driven.
@@ -128,7 +127,7 @@ impl FibreForce {
         activity.begin(self.now(time, positions));
         self.activity = activity;
         let Self { fibres, embedding, broken, yielded, workspace, .. } = self;
-        let Workspace { rods, binormals, .. } =
+        let Workspace { rods, curved: packed, .. } =
             workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, (broken, yielded)));
         let (mut first, mut curved) = (0, 0);
         for fibre in fibres.iter() {
@@ -138,7 +137,7 @@ impl FibreForce {
                 (0..fibre.edges.len()).for_each(|k| rods.rest_at(first + k, length(k)));
                 if activation.curls() {
                     let binormal = fibre.binormals_at(time);
-                    bends.clone().zip(&mut binormals[curved..]).for_each(|(k, rest)| *rest = binormal(k));
+                    bends.clone().zip(curved..).for_each(|(k, bend)| packed.rest_at(bend, binormal(k)));
                 }
             }
             first += fibre.vertices.len();
@@ -180,9 +179,9 @@ impl FibreForce {
     #[inline(always)]
     fn evaluate<S: Simd>(&mut self, simd: S, driven: Option<f64>, positions: &[DVec3], forces: &mut [DVec3]) {
         let Self { fibres, embedding, broken, yielded, turns, workspace, .. } = self;
-        let Workspace { rods, positions: blocks, binormals, spins } =
+        let Workspace { rods, positions: blocks, curved } =
             workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, (broken, yielded)));
-        let FibreEmbedding { strip, vertices, turns: turning, curved } = &**embedding;
+        let FibreEmbedding { strip, vertices, turns: turning, .. } = &**embedding;
         strip.fill(simd, positions, blocks);
         for vertex in 0..rods.len() {
             let [at] = vertices.gather(simd, vertex, blocks);
@@ -192,26 +191,12 @@ impl FibreForce {
         if let Some(time) = driven {
             Self::pull(fibres, broken, time, rods);
         }
-        for (k, (rest, &binormal)) in curved.iter().zip(&*binormals).enumerate() {
-            let corner = if broken.bends[rest.bend] { None } else { rods.corner(rest.corner) };
-            let by_axis = if let Some(corner) = corner {
-                let [x, y, z] = turning.gather(simd, k, blocks);
-                let (r, stretch) = polar(DMat3::from_cols(x, y, z), &mut turns[rest.bend]);
-                let gradient = 2.0 * rest.stiffness * (corner.binormal() - r * binormal);
-                rods.add(rest.corner, corner.curved_gradients(gradient));
-                material_spin(r, stretch, binormal, gradient)
-            } else {
-                [DVec3::ZERO; 3]
-            };
-            for (spin, value) in spins.iter_mut().zip(by_axis) {
-                put(spin, k, value);
-            }
-        }
+        let spins = curved.bend(simd, embedding, blocks, (turns, rods));
         let pulls = std::array::from_ref(rods.forces(simd));
         for block in 0..strip.len() {
             let mut sums = Vec3x::splat(f64x8::splat(simd, 0.0));
             vertices.scatter(simd, block, pulls, &mut sums);
-            if !curved.is_empty() {
+            if !embedding.curved.is_empty() {
                 turning.scatter(simd, block, spins, &mut sums);
             }
             strip.pass_on(block, sums, forces);
@@ -233,44 +218,8 @@ impl Force for FibreForce {
     }
 
     fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
-        let mut turns = self.turns.iter().zip(&self.broken.bends);
-        let mut edges_broken = self.broken.edges.iter();
         energies.activation -= self.drive_work();
-        let (mut first_edge, mut first_bend) = (0, 0);
-        for fibre in self.fibres.iter() {
-            let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(&state.positions)).collect();
-            let rest_length = fibre.lengths_at(time);
-            let muscle = fibre.activation.as_ref().and_then(|activation| activation.excitations(time));
-            let binormal = fibre.binormals_at(time);
-            for (k, (&(stiffness, drawn), &broken)) in fibre.edges.iter().zip(edges_broken.by_ref()).enumerate() {
-                if broken {
-                    continue;
-                }
-                let length = x[k + 1].distance(x[k]);
-                let stretch = length - rest_length(k) - self.yielded.stretch(first_edge + k);
-                energies.stretching += 0.5 * stiffness * stretch * stretch;
-                if let Some((muscle, excited)) = &muscle {
-                    energies.stretching += muscle.energy(excited(k), length / drawn, drawn);
-                }
-            }
-            for (k, (bend, (turn, &broken))) in fibre.bends.iter().zip(turns.by_ref()).enumerate() {
-                if broken {
-                    continue;
-                }
-                let Some(corner) = Corner::at(&x, k) else { continue };
-                energies.bending += match &bend.curved {
-                    None => 4.0 * bend.stiffness * straight_energy(corner.cosine),
-                    Some(curved) => {
-                        let (r, _) = turn_of_material(&curved.turn, &state.positions, &mut turn.clone());
-                        let rest = binormal(k) + self.yielded.binormal(first_bend + k);
-                        bend.stiffness * (corner.binormal() - r * rest).length_squared()
-                    }
-                };
-            }
-            first_edge += fibre.edges.len();
-            first_bend += fibre.bends.len();
-        }
-        energies.twisting += self.twisting_energy(time, &state.positions);
+        self.add_stored(time, &state.positions, energies);
     }
 
     fn is_internal(&self) -> bool {
@@ -324,7 +273,11 @@ impl Force for FibreForce {
             first_bend += fibre.bends.len();
             first_edge += fibre.edges.len();
         }
-        yields || self.broken.breaks.len() > before
+        let breaks = self.broken.breaks.len() > before;
+        if let Some(workspace) = self.workspace.as_mut().filter(|_| breaks) {
+            workspace.curved.release(&self.embedding, &self.broken.bends);
+        }
+        yields || breaks
     }
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {

@@ -6,7 +6,11 @@ use crate::solver::rotation::{nearest_rotation, turn_stiffness};
 use glam::{DMat3, DQuat, DVec3};
 
 /// Turn of the material around a vertex and its stretch `R^T A`.
-pub(super) fn turn_of_material(weights: &TurnWeights, positions: &[DVec3], turn: &mut DQuat) -> (DMat3, DMat3) {
+pub(in crate::solver::forces) fn turn_of_material(
+    weights: &TurnWeights,
+    positions: &[DVec3],
+    turn: &mut DQuat,
+) -> (DMat3, DMat3) {
     // The weights sum to zero: taken against one particle, the sum stays exact far from the origin.
     let origin = weights.weights.first().map_or(DVec3::ZERO, |&(k, _)| positions[k as usize]);
     let mut gradient = DMat3::ZERO;

@@ -8,19 +8,27 @@
 //! A fibre may resist twist (`twist`), and drives may act on it (`activation`): it wants to be shorter, to curl or to be
 //! twisted, or pulls as a muscle does (`muscle`).
 //!
+//! Edge by edge and bend by bend these are `elements`; all fibres of a body together are evaluated in packed loops, which keep the
+//! same contract.
+//!
 //! Eq. 7 is half of Bergou's energy, so that EI is the paper's `K_b / 2`. The energy of eq. 6 is unbounded where a
 //! fibre folds back on itself; below `c = -1/2` it continues linearly in c.
 
 mod activation;
 mod activity;
+mod as_elements;
 mod band;
+pub(in crate::solver::forces) mod between;
 mod break_limits;
 pub(crate) mod breaking;
 mod corner;
+mod curved_bends;
+pub(in crate::solver::forces) mod elements;
+mod energies;
 mod fibre_embedding;
 mod force;
 pub(in crate::solver) mod implicit;
-mod material_turn;
+pub(in crate::solver::forces) mod material_turn;
 mod muscle;
 mod packed_rods;
 mod rest;

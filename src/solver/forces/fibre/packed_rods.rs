@@ -4,7 +4,7 @@
 //! stiffness, as everything that is broken or bends by other rules has none. An energy's gradients by the edges are
 //! what is summed: a vertex is pulled by the edge after it and against the edge before it.
 
-use super::corner::{Corner, Edge, FOLD};
+use super::corner::{Edge, FOLD};
 use super::rest::FibreRest;
 use super::soa::{SoaVectors, zeros};
 use crate::solver::wide::{LANES, Lanes4, Vec3x, Wide, vector_of};
@@ -138,11 +138,6 @@ impl PackedRods {
     pub(super) fn edge(&self, vertex: usize) -> Edge {
         let (pack, lane) = (&self.packs[vertex / LANES], vertex % LANES);
         Edge { tangent: vector_of(&pack.tangents, lane), length: pack.lengths.0[lane] }
-    }
-
-    /// Corner k as it stands; none if one of its edges has no length.
-    pub(super) fn corner(&self, k: usize) -> Option<Corner> {
-        Corner::between(self.edge(k), self.edge(k + 1))
     }
 
     /// Adds gradients [N] by both edges of corner k.

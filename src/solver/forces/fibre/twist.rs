@@ -3,6 +3,7 @@
 //! Per edge `l_f (GJ / 2 l0) (theta - theta0)²`, `theta = 2 atan2(q . T, w)` of `R_a^T R_b = (w, q)`, T the edge's direction
 //! at rest in the model frame and R the turn of the material at both vertices. It needs no frame and no unknown of its own.
 
+use super::between::Between;
 use super::material_turn::turn_of_material;
 use crate::solver::embedding::TurnWeights;
 use crate::solver::rotation::turn_stiffness;
@@ -14,14 +15,14 @@ pub(super) struct EdgeTwist {
     /// `l_f GJ / l0` [N m].
     pub(super) stiffness: f64,
     /// Direction at rest, model frame.
-    axis: DVec3,
+    pub(super) axis: DVec3,
 }
 
 /// Twist of one fibre at rest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct FibreTwist {
     /// How the turn of the material is read at every vertex.
-    turns: Vec<TurnWeights>,
+    pub(super) turns: Vec<TurnWeights>,
     /// Of every edge.
     pub(super) edges: Vec<EdgeTwist>,
 }
@@ -45,7 +46,7 @@ impl FibreTwist {
             warm
         };
         let turns: Vec<DQuat> = self.turns.iter().zip(warm).map(turned).collect();
-        self.edges.iter().zip(turns.windows(2)).map(|(edge, ends)| Between::new(*edge, ends).angle).collect()
+        self.edges.iter().zip(turns.windows(2)).map(|(edge, ends)| Between::new(edge.axis, ends).angle).collect()
     }
 
     /// Adds its forces [N] on particles to `forces`, where edge k wants to be twisted by `at_rest` [rad] of it and carries
@@ -66,7 +67,7 @@ impl FibreTwist {
         let mut moments = vec![DVec3::ZERO; self.turns.len()];
         for (k, edge) in self.edges.iter().enumerate() {
             let Some(at_rest) = at_rest(k) else { continue };
-            let between = Between::new(*edge, &warm[k..k + 2]);
+            let between = Between::new(edge.axis, &warm[k..k + 2]);
             let moment = edge.stiffness * (between.angle - at_rest);
             let [a, b] = between.spins(edge.axis);
             moments[k] += moment * a;
@@ -91,36 +92,5 @@ impl FibreTwist {
     /// Number of its vertices.
     pub(super) fn len(&self) -> usize {
         self.turns.len()
-    }
-}
-
-/// The turn from one end of an edge to the other.
-struct Between {
-    angle: f64,
-    w: f64,
-    q: DVec3,
-    /// q along the edge.
-    along: f64,
-}
-
-impl Between {
-    fn new(edge: EdgeTwist, ends: &[DQuat]) -> Self {
-        let turn = ends[0].conjugate() * ends[1];
-        // The one of its two quaternions that turns by less than half round.
-        let turn = if turn.w < 0.0 { -turn } else { turn };
-        let q = DVec3::new(turn.x, turn.y, turn.z);
-        let along = q.dot(edge.axis);
-        Self { angle: 2.0 * along.atan2(turn.w), w: turn.w, q, along }
-    }
-
-    /// Derivatives of the angle by small turns of the material at both ends, each in its own frame.
-    fn spins(&self, axis: DVec3) -> [DVec3; 2] {
-        let Self { w, q, along, .. } = self;
-        let square = w * w + along * along;
-        if square == 0.0 {
-            return [DVec3::ZERO; 2];
-        }
-        let (straight, across) = (w * w * axis + along * *q, *w * axis.cross(*q));
-        [(across - straight) / square, (across + straight) / square]
     }
 }

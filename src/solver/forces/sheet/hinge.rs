@@ -52,7 +52,7 @@ pub(super) fn hinge_weight(length: f64, areas: [f64; 2], diagonal: bool) -> f64 
 }
 
 /// The angle [rad] at an edge from x0 to x1 with x2 and x3 opposite, from -pi to pi; zero where it is flat.
-pub(super) fn hinge_angle([x0, x1, x2, x3]: [DVec3; 4]) -> f64 {
+pub(in crate::solver::forces) fn hinge_angle([x0, x1, x2, x3]: [DVec3; 4]) -> f64 {
     let edge = x1 - x0;
     let (n1, n2) = (edge.cross(x2 - x0), (x3 - x0).cross(edge));
     let sine = n1.cross(n2).dot(edge) / edge.length();
@@ -65,7 +65,7 @@ pub(super) fn unwound(angle: f64, last: f64) -> f64 {
 }
 
 /// Gradients of the angle by the four points [rad/m]; none where a triangle has no area.
-pub(super) fn hinge_slopes([x0, x1, x2, x3]: [DVec3; 4]) -> Option<[DVec3; 4]> {
+pub(in crate::solver::forces) fn hinge_slopes([x0, x1, x2, x3]: [DVec3; 4]) -> Option<[DVec3; 4]> {
     let edge = x1 - x0;
     let length = edge.length();
     let (n1, n2) = (edge.cross(x2 - x0), (x3 - x0).cross(edge));

@@ -11,8 +11,10 @@
 //! makes it want to curl: theta0 of every hinge is then that of a surface with these curvatures beside the one at rest.
 
 mod activity;
+mod as_elements;
+pub(in crate::solver::forces) mod elements;
 mod force;
-mod hinge;
+pub(in crate::solver::forces) mod hinge;
 mod membrane;
 mod rest;
 

@@ -3,18 +3,19 @@
 use super::draft::Draft;
 use super::error::BakeError;
 use super::fibres::PlacedFibre;
+use super::follows::Followers;
 use super::integrator::{integrator, stable_steps, step_parameter, stepping};
 use super::limits::{Resistance, Softer, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
-use super::pins::{Following, note_pins};
+use super::pins::{Following, holders, note_pins};
 use super::region_materials::varied;
 use super::sheets::PlacedSheet;
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{drives, fibres, fractions, regime, room, self_contact, sheets, supports};
+use super::{drives, fibres, follows, fractions, regime, room, self_contact, sheets, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Scene};
+use crate::scene::{AnyBody, Assets, Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::collider::Collider;
 use crate::solver::embedding::Embedder;
@@ -62,7 +63,7 @@ fn surroundings<'a>(
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
-    (sampling, colliders): (&ParticleSampling<'_>, &Arc<[Collider]>),
+    (sampling, assets, colliders): (&ParticleSampling<'_>, &Assets, &Arc<[Collider]>),
     path: &str,
     notes: &mut Vec<Note>,
     progress: &mut Tell<'_>,
@@ -117,8 +118,13 @@ pub(super) fn draft(
     let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
     let contact_limit =
         itself.as_ref().map_or(contact_limit, |of| self_contact::either(contact_limit, of.step_limit(&state)));
+    let followers =
+        Followers { scene, body: AnyBody::Solid(body), assets, points: &sample.points, regions: &regions, path };
+    let followed = followers.bind(notes)?;
+    let led = follows::springs(&followed, &body.follows, &state);
+    let limits = [contact_limit, follows::step_limit(&led, &state)];
     let resistance = unless_stopped(progress, (name, BakeStage::StableStep), |stop| {
-        Resistance::measured(&forces, softer, &state, spacing, contact_limit, material.damping.air, stop)
+        Resistance::measured(&forces, softer, &state, spacing, limits, material.damping.air, stop)
     })?;
     let stable_steps = stable_steps(|integrator| resistance.stable_step(integrator));
     let stepping = stepping(scene, body, &stable_steps, &forces, &state);
@@ -127,6 +133,7 @@ pub(super) fn draft(
     let stable_dt = resistance.stable_step(integrator.as_ref());
     let explicit_dt = resistance.stable_step(&LeapFrog::default());
     let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| strongest.pointer(parameter, path));
+    forces.extend(led.into_iter().map(|springs| Box::new(springs) as Box<dyn Force>));
     let law = contact.law;
     if !contact.planes.is_empty() {
         forces.push(Box::new(contact));
@@ -134,7 +141,8 @@ pub(super) fn draft(
     forces.extend(super::colliders::contact(colliders, law, spacing));
     forces.extend(itself.map(|itself| Box::new(itself) as Box<dyn Force>));
 
-    let constraints = supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?;
+    let mut constraints = follows::constraints(&followed, &rest);
+    constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
     let parts = BodyParts {
         id: body.id.clone(),
         pointer: path.to_owned(),
@@ -167,7 +175,7 @@ pub(super) fn draft(
         limited_by,
         step_parameter: step_parameter(scene).to_owned(),
     };
-    note_pins(scene, &body.pins, &parts, Following::of_solid(body), path, notes);
+    note_pins(scene, &holders(&body.pins, &body.follows, path), &parts, Following::of_solid(body), notes);
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
 }
 

@@ -8,6 +8,7 @@ mod drives;
 mod error;
 mod falloff;
 mod fibres;
+mod follows;
 mod fractions;
 mod integrator;
 mod layer_model;
@@ -36,6 +37,8 @@ mod voids;
 pub(crate) use drives::drive as solver_drive;
 pub use error::BakeError;
 pub use fibres::PlacedFibre;
+#[cfg(feature = "gui")]
+pub(crate) use follows::followed_bones;
 pub use note::Note;
 pub use stage::BakeStage;
 
@@ -130,7 +133,7 @@ fn put_together(scene: &Scene, assets: &Assets, progress: &mut Tell<'_>) -> Resu
             AnyBody::Solid(body) => {
                 let sampling = particle_sampling::sample_particles(body, assets, &path, &mut notes, progress)?;
                 let body = sampling.effective(body);
-                body::draft(scene, &body, (&sampling, &colliders), &path, &mut notes, progress)?
+                body::draft(scene, &body, (&sampling, assets, &colliders), &path, &mut notes, progress)?
             }
             AnyBody::TwoLayer(body) => {
                 two_layer::draft(scene, body, (assets, &colliders), &path, &mut notes, progress)?

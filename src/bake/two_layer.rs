@@ -2,14 +2,17 @@
 
 use super::draft::Draft;
 use super::error::BakeError;
+use super::follows::Followers;
 use super::integrator::{integrator, stable_steps, step_parameter};
 use super::layer_model::LayerModel;
 use super::note::Note;
-use super::pins::{Following, note_pins};
+use super::pins::{Following, holders, note_pins};
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{drives, limits, room, self_contact, supports};
-use crate::scene::{Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, TwoLayer};
+use super::{drives, follows, limits, room, self_contact, supports};
+use crate::scene::{
+    AnyBody, Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, TwoLayer,
+};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::collider::Collider;
 use crate::solver::constraint::{Constraint, PrescribedMotion};
@@ -54,7 +57,10 @@ pub(super) fn draft(
             return Err(BakeError::InsideOut { path: format!("{path}/initial/deformation"), volume });
         }
     }
-    let mut forces = own_forces(scene, body, &model, &layers, &state);
+    let followers =
+        Followers { scene, body: AnyBody::TwoLayer(body), assets, points: &model.points, regions: &regions, path };
+    let followed = followers.bind(notes)?;
+    let mut forces = own_forces(scene, body, &model, &layers, (&state, &followed));
 
     let kind = match body.integrator {
         IntegratorChoice::Automatic => IntegratorKind::LeapFrog,
@@ -66,7 +72,7 @@ pub(super) fn draft(
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
     let probed = |body: &TwoLayer| {
-        let own = own_forces(scene, body, &model, &layers, &state);
+        let own = own_forces(scene, body, &model, &layers, (&state, &followed));
         let mut forces: Vec<_> = own.iter().map(|force| force.clone_at_extreme(true)).collect();
         if touches {
             forces.push(Box::new(touched(&at_rest, model.outer, &contact_law(scene, body))));
@@ -95,6 +101,7 @@ pub(super) fn draft(
     forces.extend(super::colliders::contact(colliders, law, model.spacing()));
     forces.extend(self_contact::of_two_layer(body, &law, &model).map(|itself| Box::new(itself) as Box<dyn Force>));
     let mut constraints = in_plane(body, &model, &state);
+    constraints.extend(follows::constraints(&followed, &rest));
     constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
     let parts = BodyParts {
         id: body.id.clone(),
@@ -131,7 +138,8 @@ pub(super) fn draft(
             "the wind does not push on it: a segment or a ring has no surface; give a ball or a mesh, or `air_drag`";
         notes.push(Note { path: path.to_owned(), text: text.to_owned(), warning: true });
     }
-    note_pins(scene, &body.pins, &parts, Following::of_two_layer(body, model.radius), path, notes);
+    let following = Following::of_two_layer(body, model.radius);
+    note_pins(scene, &holders(&body.pins, &body.follows, path), &parts, following, notes);
     Ok(Draft { parts, regions, stable_steps, fractions: Vec::new(), thin: Vec::new() })
 }
 
@@ -141,7 +149,7 @@ fn own_forces(
     body: &TwoLayer,
     model: &LayerModel,
     layers: &Layers,
-    start: &ParticleState,
+    (start, followed): (&ParticleState, &[follows::Bound]),
 ) -> Vec<Box<dyn Force>> {
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(model.springs(body))];
     forces.extend(gas(body, layers).into_iter().map(|gas| Box::new(gas) as Box<dyn Force>));
@@ -157,6 +165,8 @@ fn own_forces(
         let surface = FlowSurface { vertices, triangles: Arc::clone(faces) };
         forces.extend(drives::wind(scene, surface).map(|flow| Box::new(flow) as Box<dyn Force>));
     }
+    let led = follows::springs(followed, &body.follows, start);
+    forces.extend(led.into_iter().map(|springs| Box::new(springs) as Box<dyn Force>));
     for drag in &body.drags {
         let target = DVec3::from_array(drag.target);
         forces.push(Box::new(Grab {

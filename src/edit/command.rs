@@ -1,8 +1,8 @@
 //! Changes of the document.
 
 use crate::scene::{
-    Collider, Dab, Drivable, Drive, Fibre, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement, Region,
-    RegionMaterial, Room, Sheet, Time, TwoLayer, Void, Wind,
+    Collider, Dab, Drivable, Drive, Fibre, Follow, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement,
+    Region, RegionMaterial, Room, Sheet, Time, TwoLayer, Void, Wind,
 };
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
@@ -146,6 +146,13 @@ pub enum Command {
         /// Its pins.
         pins: Vec<Pin>,
     },
+    /// Changes which motions a body of either kind follows.
+    SetFollows {
+        /// Identifier of the body.
+        body: String,
+        /// The motions.
+        follows: Vec<Follow>,
+    },
     /// Puts a two-layer body in the place of the one with the same identifier.
     SetTwoLayer(Box<TwoLayer>),
     /// Changes frame rate, length and time step.
@@ -238,6 +245,7 @@ impl Command {
             Self::SetMaterial { .. } => "Change material".to_owned(),
             Self::SetIntegrator { .. } => "Change integrator".to_owned(),
             Self::SetPins { .. } => "Change pins".to_owned(),
+            Self::SetFollows { .. } => "Change what is followed".to_owned(),
             Self::SetTwoLayer(body) => format!("Change {}", body.title()),
             Self::SetTime(_) => "Change time step".to_owned(),
             Self::SetGravity(_) => "Change gravity".to_owned(),

@@ -20,6 +20,7 @@ mod drivable_words;
 mod drive;
 mod extra;
 mod fibre;
+mod follow;
 mod integrator;
 mod layer_shape;
 mod material;
@@ -55,6 +56,7 @@ pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
     YieldPast,
 };
+pub use follow::{CacheLeader, Follow, FollowSelect, FollowSprings, Hold, Leader, SkeletonLeader};
 pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
 pub use material::{

@@ -3,7 +3,7 @@
 
 use super::extra::is_false;
 use super::{
-    Ball, ClosedMesh, Drive, Extra, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Ring, Segment,
+    Ball, ClosedMesh, Drive, Extra, Follow, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Ring, Segment,
     SharedDrive, TwoLayerShape,
 };
 use schemars::JsonSchema;
@@ -94,6 +94,9 @@ pub struct TwoLayer {
     /// Regions whose motion is prescribed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pins: Vec<Pin>,
+    /// Motions made elsewhere that its particles follow.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub follows: Vec<Follow>,
     /// Points to which its nearest outer particle is dragged.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drags: Vec<Drag>,
@@ -134,6 +137,7 @@ impl TwoLayer {
             drives: Vec::new(),
             regions: Vec::new(),
             pins: Vec::new(),
+            follows: Vec::new(),
             drags: Vec::new(),
             extra: Extra::new(),
         }

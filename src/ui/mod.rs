@@ -23,6 +23,7 @@ mod drives;
 mod editing;
 mod export;
 mod field;
+mod follows_section;
 pub(crate) mod gallery;
 mod inelastic_fields;
 mod input_order;

@@ -1,5 +1,6 @@
 //! Scene files: what is accepted, what is refused and how the refusal reads.
 
+mod any_parts;
 mod building;
 mod damage;
 mod errors;

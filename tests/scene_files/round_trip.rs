@@ -1,5 +1,6 @@
 //! What is loaded is what was saved.
 
+use super::any_parts::{follow, sheet};
 use super::{EVERY_FIELD, every_field};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -31,6 +32,8 @@ fn unknown_fields_are_kept_and_listed_everywhere() {
                             | "along"
                             | "select"
                             | "motion"
+                            | "leader"
+                            | "hold"
                             | "drive"
                             | "gravity_drive"
                             | "pressure_drive"
@@ -81,15 +84,15 @@ fn number() -> impl Strategy<Value = f64> {
     (any::<i64>(), -15_i32..15).prop_map(|(mantissa, power)| mantissa as f64 / i64::MAX as f64 * 10_f64.powi(power))
 }
 
-fn above_zero() -> impl Strategy<Value = f64> {
+pub fn above_zero() -> impl Strategy<Value = f64> {
     number().prop_map(|value| value.abs().max(1e-12))
 }
 
-fn vector() -> impl Strategy<Value = [f64; 3]> {
+pub fn vector() -> impl Strategy<Value = [f64; 3]> {
     [number(), number(), number()]
 }
 
-fn direction() -> impl Strategy<Value = [f64; 3]> {
+pub fn direction() -> impl Strategy<Value = [f64; 3]> {
     (above_zero(), number(), number()).prop_map(|(x, y, z)| [x, y, z])
 }
 
@@ -98,7 +101,7 @@ fn rotation() -> impl Strategy<Value = Rotation> {
 }
 
 /// Members of newer programs, with awkward names and values.
-fn extra() -> impl Strategy<Value = Extra> {
+pub fn extra() -> impl Strategy<Value = Extra> {
     let value = prop_oneof![
         Just(Value::Null),
         any::<bool>().prop_map(Value::from),
@@ -137,26 +140,6 @@ fn activation() -> impl Strategy<Value = Activation> {
         (above_zero(), 0.1..=1.0, extra()).prop_map(|(force, width, extra)| MusclePull { force, width, extra });
     (drive(), -0.5..=0.8, proptest::option::of(curl), proptest::option::of(muscle), extra()).prop_map(
         |(drive, contract, curl, muscle, extra)| Activation { drive, contract, curl, muscle, twist: None, extra },
-    )
-}
-
-fn sheet() -> impl Strategy<Value = Sheet> {
-    let rows = vec(vec(vector(), 3), 2..4).prop_map(SheetSource::Grid);
-    let triangle = (vec(vector(), 3), extra()).prop_map(|(vertices, extra)| {
-        SheetSource::Triangles(SheetTriangles { vertices, triangles: vec![[0, 1, 2]], extra })
-    });
-    let grain = (direction(), above_zero(), extra()).prop_map(|(axis, et, extra)| Grain {
-        along: GrainAlong::Direction(axis),
-        et,
-        extra,
-    });
-    let stiffness = (above_zero(), above_zero(), proptest::option::of(grain), extra())
-        .prop_map(|(et, bending, grain, extra)| SheetStiffness { et, poisson_ratio: 1.0 / 3.0, bending, grain, extra });
-    (prop_oneof![rows, triangle], stiffness, 0.0..=1.0, extra()).prop_map(
-        |(source, stiffness, volume_fraction, extra)| {
-            let sheet = Sheet::grid("sheet", Vec::new()).with_rest_shape(SheetRestShape::Flat);
-            Sheet { source, stiffness, volume_fraction, extra, ..sheet }
-        },
     )
 }
 
@@ -299,9 +282,19 @@ fn body() -> impl Strategy<Value = Body> {
     });
     let dab = (vector(), above_zero(), 0.0..=1.0, 0.0..=1.0, extra())
         .prop_map(|(center, radius, value, strength, extra)| Dab { center, radius, value, strength, extra });
-    let parts = (fibre(), vec(dab, 0..3), pin, sheet());
+    let parts = (fibre(), vec(dab, 0..3), pin, sheet(), follow());
     (any::<String>(), look(), shape, placement, material, initial, selector(), parts, extra()).prop_map(
-        |(name, (hidden, color), shape, placement, material, initial, select, (fibre, paint, pin, sheet), extra)| {
+        |(
+            name,
+            (hidden, color),
+            shape,
+            placement,
+            material,
+            initial,
+            select,
+            (fibre, paint, pin, sheet, follow),
+            extra,
+        )| {
             Body {
                 id: "body \"\\ \u{1F9B4}\n".to_owned(),
                 name,
@@ -323,6 +316,7 @@ fn body() -> impl Strategy<Value = Body> {
                 region_materials: vec![RegionMaterial::of("region")],
                 voids: vec![Void::sphere("void", [0.0; 3], 1.0 / 3.0)],
                 pins: vec![pin],
+                follows: vec![follow],
                 extra,
             }
         },

@@ -12,6 +12,7 @@ mod editing;
 mod exporting;
 mod fibres;
 mod first_scene;
+mod follows;
 mod gallery;
 mod hashes;
 mod hurried;

@@ -20,7 +20,8 @@ const fn beside_start(name: &'static str, at: f64) -> ExamplePicture {
 }
 
 /// Every scene that ships.
-pub(super) const EXAMPLES: [ExamplePicture; 85] = [
+pub(super) const EXAMPLES: [ExamplePicture; 86] = [
+    at("alive_character", 0.95),
     beside_start("alive_fish", 2.0),
     at("alive_gripper", 2.0),
     at("alive_heart", 0.6),

@@ -3,7 +3,6 @@
 use super::draft::Draft;
 use super::error::BakeError;
 use super::fibres::PlacedFibre;
-use super::follows::Followers;
 use super::integrator::{integrator, stable_steps, step_parameter, stepping};
 use super::limits::{Resistance, Softer, SolidParameter};
 use super::note::Note;
@@ -21,7 +20,7 @@ use crate::solver::collider::Collider;
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::{
     AirDrag, Contact, ContactLaw, Elasticity, FibreForce, Force, Gravity, InelasticLaw, MatrixForce, PairDamping,
-    Plasticity, SheetForce, StepLimit, Viscosity,
+    Plasticity, SelfContact, SheetForce, StepLimit, Viscosity,
 };
 use crate::solver::integrators::LeapFrog;
 use crate::solver::neighbourhood::Neighbourhood;
@@ -113,16 +112,12 @@ pub(super) fn draft(
     forces.extend(flow.map(|flow| Box::new(flow) as Box<dyn Force>));
 
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
-    let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
     let itself = self_contact::of_solid(body, &contact.law, &sample.points);
-    let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
-    let contact_limit =
-        itself.as_ref().map_or(contact_limit, |of| self_contact::either(contact_limit, of.step_limit(&state)));
-    let followers =
-        Followers { scene, body: AnyBody::Solid(body), assets, points: &sample.points, regions: &regions, path };
-    let followed = followers.bind(notes)?;
+    let touching = contact_limit(scene, (&contact, colliders), itself.as_ref(), &state);
+    let particles = (AnyBody::Solid(body), sample.points.as_slice(), &regions);
+    let followed = follows::bind(scene, assets, particles, path, notes)?;
     let led = follows::springs(&followed, &body.follows, &state);
-    let limits = [contact_limit, follows::step_limit(&led, &state)];
+    let limits = [touching, follows::step_limit(&led, &state)];
     let resistance = unless_stopped(progress, (name, BakeStage::StableStep), |stop| {
         Resistance::measured(&forces, softer, &state, spacing, limits, material.damping.air, stop)
     })?;
@@ -177,6 +172,18 @@ pub(super) fn draft(
     };
     note_pins(scene, &holders(&body.pins, &body.follows, path), &parts, Following::of_solid(body), notes);
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
+}
+
+/// What contact with all that there is, itself included, may ask of the step.
+fn contact_limit(
+    scene: &Scene,
+    (contact, colliders): (&Contact, &Arc<[Collider]>),
+    itself: Option<&SelfContact>,
+    state: &ParticleState,
+) -> StepLimit {
+    let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
+    let limit = if touches { contact.step_limit(state) } else { StepLimit::default() };
+    itself.map_or(limit, |of| self_contact::either(limit, of.step_limit(state)))
 }
 
 /// What of a body's structures is the stiffest, by their places in the scene.

@@ -23,15 +23,13 @@ use std::sync::Arc;
 const HELD: f64 = 0.5;
 
 /// A body that follows something.
-pub(super) struct Followers<'a> {
-    pub(super) scene: &'a Scene,
-    pub(super) body: AnyBody<'a>,
-    pub(super) assets: &'a Assets,
+struct Followers<'a> {
+    scene: &'a Scene,
+    body: AnyBody<'a>,
+    assets: &'a Assets,
     /// Particles at rest in the model frame [m].
-    pub(super) points: &'a [DVec3],
-    pub(super) regions: &'a Regions,
-    /// Pointer to the body.
-    pub(super) path: &'a str,
+    points: &'a [DVec3],
+    regions: &'a Regions,
 }
 
 /// Particles that follow one motion.
@@ -54,13 +52,24 @@ struct Candidate<B> {
     distance: f64,
 }
 
-impl Followers<'_> {
-    /// Binds the particles to all that the body follows.
-    pub(super) fn bind(&self, notes: &mut Vec<Note>) -> Result<Vec<Bound>, BakeError> {
-        let follows = self.body.follows().iter().enumerate();
-        follows.map(|(k, of)| self.bind_one(of, &format!("{}/follows/{k}", self.path), notes)).collect()
-    }
+/// Binds the particles of a body, which are at these points of the model frame [m] at rest, to all that it follows; `path` is
+/// its pointer.
+pub(super) fn bind(
+    scene: &Scene,
+    assets: &Assets,
+    (body, points, regions): (AnyBody<'_>, &[DVec3], &Regions),
+    path: &str,
+    notes: &mut Vec<Note>,
+) -> Result<Vec<Bound>, BakeError> {
+    let followers = Followers { scene, body, assets, points, regions };
+    let follows = body.follows().iter().enumerate();
+    follows.map(|(k, of)| followers.bind_one(of, &format!("{path}/follows/{k}"), notes)).collect()
+}
 
+/// A skeleton, the clip of it that is meant, and how every particle hangs on it.
+type ToJoints = (Arc<Skeleton>, usize, Vec<Candidate<BoundToJoints>>);
+
+impl Followers<'_> {
     fn bind_one(&self, of: &Follow, path: &str, notes: &mut Vec<Note>) -> Result<Bound, BakeError> {
         let frame = frame_of(&of.leader);
         let region = match &of.select {
@@ -115,7 +124,7 @@ impl Followers<'_> {
         frame: &DMat4,
         path: &str,
         notes: &mut Vec<Note>,
-    ) -> Result<(Arc<Skeleton>, usize, Vec<Candidate<BoundToJoints>>), BakeError> {
+    ) -> Result<ToJoints, BakeError> {
         let skeleton = self.assets.skeleton(&of.path).ok_or_else(|| not_loaded(path, ""))?;
         let clip = match &of.animation {
             None => 0,
@@ -181,15 +190,12 @@ impl Followers<'_> {
             let solid = self.body.model().and_then(|model| self.assets.solid(model));
             solid.and_then(|solid| solid.model.file.as_deref())
         };
-        let (mesh, points): (&FileMesh, Vec<DVec3>) = match &of.rest {
-            Some(rest) => {
-                let mesh = self.assets.rest_mesh(rest).ok_or_else(|| not_loaded(path, ""))?;
-                (mesh, mesh.points.clone())
-            }
-            None => {
-                let mesh = own().ok_or_else(|| BakeError::NoRest { path: path.to_owned() })?;
-                (mesh, mesh.points.iter().map(|&point| to_file.transform_point3(point)).collect())
-            }
+        let (mesh, points): (&FileMesh, Vec<DVec3>) = if let Some(rest) = &of.rest {
+            let mesh = self.assets.rest_mesh(rest).ok_or_else(|| not_loaded(path, ""))?;
+            (mesh, mesh.points.clone())
+        } else {
+            let mesh = own().ok_or_else(|| BakeError::NoRest { path: path.to_owned() })?;
+            (mesh, mesh.points.iter().map(|&point| to_file.transform_point3(point)).collect())
         };
         if points.len() != cache.points() {
             let path = format!("{path}/path");
@@ -286,7 +292,9 @@ fn shares(skeleton: &Skeleton, face: u32, weights: [f64; 3]) -> Vec<(u32, f64)> 
     found.retain(|(_, share)| *share != 0.0);
     found.sort_unstable_by_key(|(joint, _)| *joint);
     let sum: f64 = found.iter().map(|(_, share)| share).sum();
-    found.iter_mut().for_each(|(_, share)| *share /= sum);
+    for (_, share) in &mut found {
+        *share /= sum;
+    }
     found
 }
 

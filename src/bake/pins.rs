@@ -1,5 +1,5 @@
-//! What is said about pins, and motions that are followed, that cannot be meant: two that want different places for one particle, one that moves faster
-//! than the material can follow, one that leads out of the room.
+//! What is said about pins, and motions that are followed, that cannot be meant: two that want different places for one
+//! particle, one that moves faster than the material can follow, one that leads out of the room.
 
 use super::note::Note;
 use super::room;

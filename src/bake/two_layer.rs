@@ -2,7 +2,6 @@
 
 use super::draft::Draft;
 use super::error::BakeError;
-use super::follows::Followers;
 use super::integrator::{integrator, stable_steps, step_parameter};
 use super::layer_model::LayerModel;
 use super::note::Note;
@@ -57,9 +56,8 @@ pub(super) fn draft(
             return Err(BakeError::InsideOut { path: format!("{path}/initial/deformation"), volume });
         }
     }
-    let followers =
-        Followers { scene, body: AnyBody::TwoLayer(body), assets, points: &model.points, regions: &regions, path };
-    let followed = followers.bind(notes)?;
+    let particles = (AnyBody::TwoLayer(body), model.points.as_slice(), &regions);
+    let followed = follows::bind(scene, assets, particles, path, notes)?;
     let mut forces = own_forces(scene, body, &model, &layers, (&state, &followed));
 
     let kind = match body.integrator {
@@ -138,8 +136,8 @@ pub(super) fn draft(
             "the wind does not push on it: a segment or a ring has no surface; give a ball or a mesh, or `air_drag`";
         notes.push(Note { path: path.to_owned(), text: text.to_owned(), warning: true });
     }
-    let following = Following::of_two_layer(body, model.radius);
-    note_pins(scene, &holders(&body.pins, &body.follows, path), &parts, following, notes);
+    let holders = holders(&body.pins, &body.follows, path);
+    note_pins(scene, &holders, &parts, Following::of_two_layer(body, model.radius), notes);
     Ok(Draft { parts, regions, stable_steps, fractions: Vec::new(), thin: Vec::new() })
 }
 

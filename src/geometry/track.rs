@@ -40,17 +40,13 @@ impl Track {
 
     /// A rotation at a time [s], and the rate of its numbers [1/s].
     pub(crate) fn rotation(&self, time: f64) -> [DQuat; 2] {
-        match (self.place(time), &self.between) {
-            (Place::Between(k, s, span), Between::Linear) => {
-                let [a, b] = [self.values[k], self.values[k + 1]].map(DQuat::from_vec4);
-                let [turn, rate] = slerp(a, b, s);
-                [turn, rate * span.recip()]
-            }
-            _ => {
-                let [value, rate] = self.vector(time);
-                unit(value, rate)
-            }
+        if let (Place::Between(k, s, span), Between::Linear) = (self.place(time), &self.between) {
+            let [a, b] = [self.values[k], self.values[k + 1]].map(DQuat::from_vec4);
+            let [turn, rate] = slerp(a, b, s);
+            return [turn, rate * span.recip()];
         }
+        let [value, rate] = self.vector(time);
+        unit(value, rate)
     }
 
     fn place(&self, time: f64) -> Place {

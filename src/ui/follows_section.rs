@@ -159,8 +159,8 @@ fn select_fields(ui: &mut Ui, body: AnyBody<'_>, follow: &mut Follow) {
         offered.push(("what is painted".to_owned(), FollowSelect::Painted));
     }
     let is_same = |one: &FollowSelect, other: &FollowSelect| match (one, other) {
-        (FollowSelect::SkinWeight(_), FollowSelect::SkinWeight(_)) => true,
-        (FollowSelect::Distance(_), FollowSelect::Distance(_)) => true,
+        (FollowSelect::SkinWeight(_), FollowSelect::SkinWeight(_))
+        | (FollowSelect::Distance(_), FollowSelect::Distance(_)) => true,
         (one, other) => one == other,
     };
     let present = offered.iter().position(|(_, select)| is_same(select, &follow.select)).unwrap_or(0);

@@ -4,6 +4,7 @@ use crate::common::*;
 use crate::rig::{ANGLE, ELBOW, Rig, SECONDS, write_cache};
 use glam::{DQuat, DVec3};
 use sinew::bake::bake;
+use sinew::edit::body_ops::scaled;
 use sinew::io::load_assets;
 use sinew::scene::{
     AfterLast, Body, CacheLeader, ClosedMesh, Dab, Follow, FollowSelect, FollowSprings, Material, Rotation, Scene,
@@ -62,9 +63,9 @@ fn check(runner: &Runner, angle: (f64, f64), place: impl Fn(DVec3) -> DVec3) {
             _ => continue,
         };
         if at.y < 0.05 {
-            below += 1
+            below += 1;
         } else {
-            above += 1
+            above += 1;
         }
         let (found, speed) = (body.state().positions[i], body.state().velocities[i]);
         assert!(found.distance(place(x)) < 1e-7, "{at}: {found}, not {}", place(x));
@@ -293,4 +294,29 @@ fn threads_and_checkpoints_change_no_bit() {
     (0..3).for_each(|_| world.advance_frame());
     assert_eq!(world.work().to_bits(), work.to_bits());
     assert_eq!(one[one.len() - 1], work.to_bits());
+}
+
+#[test]
+fn a_body_that_is_scaled_takes_what_it_follows_along() {
+    let rig = Rig::column();
+    let near = Follow::new("bones", skeleton()).with_select(FollowSelect::Distance(0.012));
+    let body = solid(near);
+    let larger = scaled(&body.clone().into(), DVec3::ZERO, 2.0).expect("a factor above zero");
+    let sinew::scene::OwnedBody::Solid(larger) = larger else { panic!("a fibre solid") };
+    let [own, twice] = [body, *larger].map(|body| {
+        let runner = started(&scene(body), &rig);
+        runner.world().bodies()[0].parts().model.to_vec()
+    });
+    assert!(own.len() == twice.len() && own.iter().zip(&twice).all(|(a, b)| (2.0 * *a).distance(*b) < 1e-12));
+    // Held over all of it, so that both are where their joints are.
+    let held = |factor: f64| {
+        let body = solid(Follow::new("bones", skeleton()));
+        let body = scaled(&body.into(), DVec3::ZERO, factor).expect("a factor above zero");
+        let sinew::scene::OwnedBody::Solid(body) = body else { panic!("a fibre solid") };
+        let mut runner = started(&scene(*body), &rig);
+        run_to(&mut runner, 0.02);
+        runner.world().bodies()[0].state().positions.clone()
+    };
+    let far = held(1.0).iter().zip(held(2.0)).map(|(a, b)| (2.0 * *a).distance(b)).fold(0.0, f64::max);
+    assert!(far < 1e-9, "{far} m");
 }

@@ -129,3 +129,43 @@ fn what_does_not_fit_is_refused_with_what_there_is() {
     let wrong = error(Follow::new("f", CacheLeader::new("rig.bin")), &rig);
     assert!(wrong.contains("/leader/cache/path: ") && wrong.contains("PC2 or MDD"), "{wrong}");
 }
+
+#[test]
+fn damaged_rigs_are_refused_in_a_line_or_followed() {
+    let rig = Rig::column();
+    let whole = [rig.json.to_string().into_bytes(), rig.bin.clone()];
+    let names = ["rig.gltf", "rig.bin"];
+    let mut scene = in_space(block([3, 5, 3], 1e5).with_follow(Follow::new("f", skeleton())));
+    scene.bodies[0].follows[0].after = sinew::scene::AfterLast::Repeat;
+    let (mut refused, mut followed) = (0, 0);
+    for salt in 0..300 {
+        let random = wobble(salt, 11);
+        let file = usize::from(random.x > 0.2);
+        let mut bytes = whole[file].clone();
+        let at = ((0.5 + 0.499 * random.y) * bytes.len() as f64) as usize;
+        match salt % 4 {
+            0 => bytes.truncate(at),
+            1 => bytes[at] ^= 1 << (salt % 7),
+            2 => bytes[at] = b'9',
+            _ => drop(bytes.drain(at..(at + 3).min(whole[file].len()))),
+        }
+        std::fs::write(rig.path().join(names[file]), bytes).expect("a file");
+        match load_assets(&scene, rig.path(), &mut |_| {}) {
+            Err(error) => {
+                let error = error.to_string();
+                assert!(error.contains("rig.") && !error.contains('\n') && !error.contains("panic"), "{error}");
+                refused += 1;
+            }
+            Ok(assets) => {
+                if let Ok(baked) = bake(&scene, &assets) {
+                    let state = baked.world.bodies()[0].state();
+                    assert!(state.positions.iter().all(|x| x.is_finite()), "damage {salt}");
+                }
+                followed += 1;
+            }
+        }
+        std::fs::write(rig.path().join(names[file]), &whole[file]).expect("a file");
+    }
+    println!("{refused} refused, {followed} followed");
+    assert!(refused > 50 && followed > 20, "{refused} refused, {followed} followed");
+}

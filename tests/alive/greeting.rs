@@ -82,7 +82,7 @@ impl Greeting {
         };
         let keyed = |path: &str| time.and_then(|time| self.part(node, path, time));
         let shift = keyed("translation").map_or_else(|| DVec3::from_slice(&stands("translation")), DVec4::truncate);
-        let turn = keyed("rotation").map_or_else(|| DVec4::from_slice(&stands("rotation")), |turn| turn);
+        let turn = keyed("rotation").unwrap_or_else(|| DVec4::from_slice(&stands("rotation")));
         DMat4::from_rotation_translation(DQuat::from_vec4(turn.normalize()), shift)
     }
 

@@ -68,7 +68,7 @@ impl Rig {
         rig.accessor(5126, "MAT4", 2, floats([bind(DVec3::ZERO), bind(ELBOW)].concat()));
         rig.accessor(5126, "SCALAR", 2, floats([0.0, SECONDS]));
         let turns = [DQuat::IDENTITY, DQuat::from_rotation_z(ANGLE)];
-        rig.accessor(5126, "VEC4", 2, floats(turns.iter().flat_map(|turn| turn.to_array())));
+        rig.accessor(5126, "VEC4", 2, floats(turns.iter().flat_map(DQuat::to_array)));
         rig.write();
         rig
     }
@@ -109,7 +109,7 @@ pub fn write_cache(folder: &Path, name: &str, times: &[f64], at: impl Fn(DVec3, 
     let samples = times.iter().flat_map(|&time| points.iter().map(move |&point| (point, time)));
     let values: Vec<f32> = samples.flat_map(|(point, time)| at(point, time).as_vec3().to_array()).collect();
     let mut bytes = Vec::new();
-    if name.ends_with(".pc2") {
+    if Path::new(name).extension().is_some_and(|ending| ending == "pc2") {
         bytes.extend(b"POINTCACHE2\0");
         bytes.extend(1_u32.to_le_bytes());
         bytes.extend((points.len() as u32).to_le_bytes());

@@ -107,7 +107,7 @@ fn the_character_follows_its_bones_and_its_ears_lag_and_settle() {
         };
         of_head.push((world.time(), value(head)));
         of_ears.push((world.time(), value(ears)));
-        if world.frame() % 8 == 0 {
+        if world.frame().is_multiple_of(8) {
             let body = &world.bodies()[0];
             for (i, at) in body.parts().rest.iter().enumerate() {
                 let Some(expected) = greeting.held_by_one(*at, world.time() - 0.4) else { continue };
@@ -116,7 +116,7 @@ fn the_character_follows_its_bones_and_its_ears_lag_and_settle() {
             }
         }
     }
-    println!("{checked} places of particles on bones, at most {:.2e} m off", furthest);
+    println!("{checked} places of particles on bones, at most {furthest:.2e} m off");
     // Two bows to its right (x below zero), one to its left in between.
     let turned = |series: &[(f64, f64)]| series.iter().map(|&(time, x)| (time, -x)).collect::<Vec<_>>();
     let bows = [(true, 0.6..1.15), (false, 1.15..1.65), (true, 1.65..2.2)];

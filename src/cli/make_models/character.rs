@@ -104,7 +104,9 @@ fn shares(at: DVec3) -> Vec<(u32, f64)> {
     shares.truncate(4);
     shares.retain(|(_, share)| *share > LEAST_SHARE);
     let sum: f64 = shares.iter().map(|(_, share)| share).sum();
-    shares.iter_mut().for_each(|(_, share)| *share /= sum);
+    for (_, share) in &mut shares {
+        *share /= sum;
+    }
     shares.sort_by_key(|(joint, _)| *joint);
     shares
 }

@@ -157,11 +157,15 @@ fn add_mesh(
             if sum == 0.0 {
                 *held = vec![(0, 1.0)];
             } else {
-                held.iter_mut().for_each(|(_, weight)| *weight /= sum);
+                for (_, weight) in held.iter_mut() {
+                    *weight /= sum;
+                }
             }
             let map = held.iter().fold(DMat4::ZERO, |map, &(joint, weight)| map + joints[joint as usize] * weight);
             skin.points.push(map.transform_point3(*position));
-            held.iter_mut().for_each(|(joint, _)| *joint += first as u32);
+            for (joint, _) in held.iter_mut() {
+                *joint += first as u32;
+            }
         }
         skin.held.append(&mut held);
         skin.triangles.extend(triangles.iter().map(|triangle| triangle.map(|vertex| base + vertex)));

@@ -119,6 +119,7 @@
 //! | regions with a matrix of their own | `bake::region_materials` |
 //! | what does not spring back | `solver::forces::matrix` (`inelastic`, `flow_rule`), `solver::forces::fibre::yielding` |
 //! | implicit steps: the matrix, how a stage is solved, what becomes of one that is not | `solver::implicit` |
+//! | what bodies follow: how particles are bound, where they are led, springs | `bake::follows`, `solver::led`, `solver::forces::LedSprings`; `geometry::skeleton`, `geometry::point_cache` |
 //! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact` |
 //! | contact of a body with itself | `solver::forces::SelfContact`; which particles can touch: `bake::self_contact` |
 //! | colliders: how far a point is from one; where they are; how bodies touch them | `geometry::obstacle`; `solver::collider`; `solver::forces::ColliderContact` |
@@ -187,6 +188,9 @@
 //!   own origin. *Shell*: an obstacle of no thickness, touched from both sides.
 //! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved. One that is new to a motion
 //!   takes hold of the region where it finds it. *Pinned point*: what a drag has left where it pulls.
+//! - *leader*: a motion made elsewhere that particles follow. *Skeleton*: nodes within nodes, of which some are *joints* that a
+//!   skin hangs on; a *bone* leads from one joint to the next. *Clip*: nodes moved over a time. *Point cache*: a mesh's vertices
+//!   frame by frame. *Pre-roll*: the time in which a body is eased from its rest pose into the first frame.
 //! - *measure*: a quantity read off a body, such as the twist of one region against another. *Probe*: a measure in a world.
 //! - *file's mesh*: a model as its file has it, every vertex in its order, polygons uncut, with texture coordinates, normals,
 //!   colours and parts; motions are written on it. *Part*: a run of its faces of one name and material.
@@ -220,7 +224,7 @@
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of
 //!   the last frames, many more of them.
 //! - *taken motion*: a scene as it was put together and the frames that are kept of it, shared with who writes them to files.
-//! - *work*: what pins that move, driven panels and wind have done on bodies ([`solver::World::work`]).
+//! - *led*: of particles, where their leader has them. *Work*: what pins that move, leaders, driven panels and wind have done on bodies ([`solver::World::work`]).
 //! - *balance*: energy less work from outside; dissipation lowers it. *Handled*: the energy that was there at the most.
 //! - *journal*: what was asked of a motion from its start on, frame by frame, and what every frame came to.
 //! - *checkpoint*: all that a world goes on from, bit for bit.

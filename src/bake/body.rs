@@ -8,21 +8,21 @@ use super::integrator::{integrator, stable_steps, step_parameter, stepping};
 use super::limits::{Resistance, Softer, SolidParameter};
 use super::note::Note;
 use super::particle_sampling::ParticleSampling;
-use super::pins::{Following, note_pins};
+use super::pins::{Following, holders, note_pins};
 use super::region_materials::varied;
 use super::sheets::PlacedSheet;
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{drives, fibres, fractions, regime, room, self_contact, sheets, supports};
+use super::{drives, fibres, follows, fractions, regime, room, self_contact, sheets, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Scene};
+use crate::scene::{AnyBody, Assets, Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::collider::Collider;
 use crate::solver::embedding::Embedder;
 use crate::solver::forces::element::Structure;
 use crate::solver::forces::{
     AirDrag, Contact, ContactLaw, Elasticity, ElementForce, FibreForce, Force, Gravity, InelasticLaw, MatrixForce,
-    PairDamping, Plasticity, SheetForce, StepLimit, Viscosity,
+    PairDamping, Plasticity, SelfContact, SheetForce, StepLimit, Viscosity,
 };
 use crate::solver::integrators::LeapFrog;
 use crate::solver::neighbourhood::Neighbourhood;
@@ -64,7 +64,7 @@ fn surroundings<'a>(
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
-    (sampling, colliders, own): (&ParticleSampling<'_>, &Arc<[Collider]>, &[OwnElements]),
+    (sampling, assets, colliders, own): (&ParticleSampling<'_>, &Assets, &Arc<[Collider]>, &[OwnElements]),
     path: &str,
     notes: &mut Vec<Note>,
     progress: &mut Tell<'_>,
@@ -116,13 +116,14 @@ pub(super) fn draft(
     forces.extend(flow.map(|flow| Box::new(flow) as Box<dyn Force>));
 
     let contact = Contact::new(room::planes(scene), contact_law(scene, body, mass));
-    let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
     let itself = self_contact::of_solid(body, &contact.law, &sample.points);
-    let contact_limit = if touches { contact.step_limit(&state) } else { StepLimit::default() };
-    let contact_limit =
-        itself.as_ref().map_or(contact_limit, |of| self_contact::either(contact_limit, of.step_limit(&state)));
+    let touching = contact_limit(scene, (&contact, colliders), itself.as_ref(), &state);
+    let particles = (AnyBody::Solid(body), sample.points.as_slice(), &regions);
+    let followed = follows::bind(scene, assets, particles, path, notes)?;
+    let led = follows::springs(&followed, &body.follows, &state);
+    let limits = [touching, follows::step_limit(&led, &state)];
     let resistance = unless_stopped(progress, (name, BakeStage::StableStep), |stop| {
-        Resistance::measured(&forces, softer, &state, spacing, contact_limit, material.damping.air, stop)
+        Resistance::measured(&forces, softer, &state, spacing, limits, material.damping.air, stop)
     })?;
     let stable_steps = stable_steps(|integrator| resistance.stable_step(integrator));
     let stepping = stepping(scene, body, &stable_steps, &forces, &state);
@@ -131,6 +132,7 @@ pub(super) fn draft(
     let stable_dt = resistance.stable_step(integrator.as_ref());
     let explicit_dt = resistance.stable_step(&LeapFrog::default());
     let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| strongest.pointer(parameter, path));
+    forces.extend(led.into_iter().map(|springs| Box::new(springs) as Box<dyn Force>));
     let law = contact.law;
     if !contact.planes.is_empty() {
         forces.push(Box::new(contact));
@@ -138,7 +140,8 @@ pub(super) fn draft(
     forces.extend(super::colliders::contact(colliders, law, spacing));
     forces.extend(itself.map(|itself| Box::new(itself) as Box<dyn Force>));
 
-    let constraints = supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?;
+    let mut constraints = follows::constraints(&followed, &rest);
+    constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
     let parts = BodyParts {
         id: body.id.clone(),
         pointer: path.to_owned(),
@@ -172,8 +175,20 @@ pub(super) fn draft(
         limited_by,
         step_parameter: step_parameter(scene).to_owned(),
     };
-    note_pins(scene, &body.pins, &parts, Following::of_solid(body), path, notes);
+    note_pins(scene, &holders(&body.pins, &body.follows, path), &parts, Following::of_solid(body), notes);
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
+}
+
+/// What contact with all that there is, itself included, may ask of the step.
+fn contact_limit(
+    scene: &Scene,
+    (contact, colliders): (&Contact, &Arc<[Collider]>),
+    itself: Option<&SelfContact>,
+    state: &ParticleState,
+) -> StepLimit {
+    let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
+    let limit = if touches { contact.step_limit(state) } else { StepLimit::default() };
+    itself.map_or(limit, |of| self_contact::either(limit, of.step_limit(state)))
 }
 
 /// What of a body's structures is the stiffest, by their places in the scene.

@@ -63,10 +63,15 @@ fn keyframes(keys: &DriveKeys) -> Drive {
             Interpolation::Linear => Between::Linear,
             Interpolation::Smooth => Between::Smooth,
         },
-        after: match keys.after {
-            AfterLast::Hold => After::Hold,
-            AfterLast::Repeat => After::Repeat,
-            AfterLast::Mirror => After::Mirror,
-        },
+        after: after(keys.after),
+    }
+}
+
+/// What comes after the last.
+pub(super) fn after(last: AfterLast) -> After {
+    match last {
+        AfterLast::Hold => After::Hold,
+        AfterLast::Repeat => After::Repeat,
+        AfterLast::Mirror => After::Mirror,
     }
 }

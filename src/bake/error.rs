@@ -215,6 +215,46 @@ pub enum BakeError {
         /// The turn that it stays below [degrees].
         most: f64,
     },
+    /// A motion that no particle follows.
+    #[error("{path}: none of the {particles} particles follows by this; choose more of them")]
+    NothingFollows {
+        /// Pointer to what chooses them.
+        path: String,
+        /// Particles of the body.
+        particles: usize,
+    },
+    /// A joint that makes everything flat.
+    #[error(
+        "{path}: the joint \"{joint}\" is shown without an extent along some axis, so that nothing can be bound to it; give it a \
+         scale above zero in the file"
+    )]
+    FlatJoint {
+        /// Pointer to the file's path.
+        path: String,
+        /// Its name.
+        joint: String,
+    },
+    /// A point cache without a mesh that it moves.
+    #[error(
+        "{path}: nothing says of which mesh its points are the vertices; give `rest` the model that it was made of"
+    )]
+    NoRest {
+        /// Pointer to the cache.
+        path: String,
+    },
+    /// A point cache of another mesh.
+    #[error(
+        "{path}: the cache has {points} points and the mesh that it is to move {vertices} vertices; give `rest` the model that it \
+         was made of"
+    )]
+    CacheCount {
+        /// Pointer to the cache's path.
+        path: String,
+        /// Points of the cache.
+        points: usize,
+        /// Vertices of the mesh.
+        vertices: usize,
+    },
     /// More steps to a frame than anybody can wait for.
     #[error(
         "{path}: a frame of {frame_seconds:.3e} s would take {steps:.2e} steps of at most {stable_dt:.2e} s for \"{body}\"; \

@@ -82,7 +82,14 @@ fn moves_gently(scene: &Scene, body: &Body) -> bool {
     let is_driven = scene.gravity_drive.is_some()
         || body.fibres.iter().any(|fibre| fibre.activation.is_some())
         || body.sheets.iter().any(|sheet| sheet.activation.is_some());
-    is_held && is_alone && !is_struck && !may_tear && !is_moved && !is_driven && !drives::blows(scene)
+    is_held
+        && is_alone
+        && !is_struck
+        && !may_tear
+        && !is_moved
+        && !is_driven
+        && body.follows.is_empty()
+        && !drives::blows(scene)
 }
 
 /// Longest step of an integrator that is stable at any [s]; longer ones would show little of the motion.

@@ -5,7 +5,7 @@
 //! Rayleigh quotients under the halved parameter); fibre solids, whose frequency is one number, what is left of it without
 //! fibres.
 
-use crate::scene::TwoLayer;
+use crate::scene::{Hold, TwoLayer};
 use crate::solver::forces::{ElementForce, FibreForce, Flow, Force, Inelastic, SheetForce, StepLimit};
 use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
@@ -22,7 +22,7 @@ const MODES: usize = 8;
 type Parameter = (&'static str, fn(&mut TwoLayer, f64) -> bool);
 
 /// What may set the step of a two-layer body. Contact brakes with the greater of cc and ct in all directions.
-const PARAMETERS: [Parameter; 11] = [
+const PARAMETERS: [Parameter; 12] = [
     ("ks", |body, by| scale(&mut body.ks, by)),
     ("kd", |body, by| scale(&mut body.kd, by)),
     ("rks", |body, by| scale(&mut body.rks, by)),
@@ -35,6 +35,13 @@ const PARAMETERS: [Parameter; 11] = [
     ("contact/cc", |body, by| {
         let contact = &mut body.contact;
         contact.cc >= contact.ct && { scale(&mut contact.ct, by) | scale(&mut contact.cc, by) }
+    }),
+    ("follows", |body, by| {
+        let stiffnesses = body.follows.iter_mut().filter_map(|of| match &mut of.hold {
+            Hold::Springs(springs) => Some(&mut springs.stiffness),
+            Hold::Hard => None,
+        });
+        stiffnesses.map(|stiffness| scale(stiffness, by)).fold(false, |one, other| one | other)
     }),
     ("contact/ct", |body, by| body.contact.ct > body.contact.cc && scale(&mut body.contact.ct, by)),
 ];
@@ -118,10 +125,11 @@ pub(super) enum SolidParameter {
     Viscosity,
     AirDrag,
     Wind,
+    Follows,
 }
 
 impl SolidParameter {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
         Self::YoungModulus,
         Self::Fibres,
         Self::Sheets,
@@ -130,6 +138,7 @@ impl SolidParameter {
         Self::Viscosity,
         Self::AirDrag,
         Self::Wind,
+        Self::Follows,
     ];
 
     /// Its pointer, of a body by the pointer to that.
@@ -143,6 +152,7 @@ impl SolidParameter {
             Self::Viscosity => format!("{body}/material/viscosity"),
             Self::AirDrag => format!("{body}/material/damping/air"),
             Self::Wind => WIND.to_owned(),
+            Self::Follows => format!("{body}/follows"),
         }
     }
 }
@@ -171,6 +181,8 @@ pub(super) struct Resistance {
     /// The matrix alone.
     matrix: f64,
     contact: StepLimit,
+    /// Of springs that lead particles.
+    led: StepLimit,
     pair: f64,
     /// Of the matrix: the very rate of the mode that sees most of it.
     viscous: f64,
@@ -182,14 +194,14 @@ pub(super) struct Resistance {
 }
 
 impl Resistance {
-    /// Of a body under `forces`, the `softer` ones that are left without fibres and sheets, and a contact that may come; `air` is the
-    /// rate of air drag among the forces. None where `stop`, asked again and again, says that it is no longer wanted.
+    /// Of a body under `forces`, the `softer` ones that are left without fibres and sheets, and besides them a contact that
+    /// may come and springs that lead particles; `air` is the rate of air drag among the forces. None where `stop`, asked again and again, says that it is no longer wanted.
     pub(super) fn measured(
         forces: &[Box<dyn Force>],
         softer: Softer,
         state: &ParticleState,
         spacing: f64,
-        contact: StepLimit,
+        [contact, led]: [StepLimit; 2],
         air: f64,
         stop: &mut dyn FnMut() -> bool,
     ) -> Option<Self> {
@@ -231,18 +243,32 @@ impl Resistance {
             .filter(|force| force.downcast_ref::<Flow>().is_none() && force.downcast_ref::<Inelastic>().is_none());
         let damping: f64 = of_the_body.map(|force| force.step_limit(state).damping_rate).sum();
         let implicit = fibres.is_none_or(FibreForce::takes_implicit_steps);
-        Some(Self { all, unthreaded, unsheeted, matrix, contact, pair: damping - air, viscous, air, wind, implicit })
+        Some(Self {
+            all,
+            unthreaded,
+            unsheeted,
+            matrix,
+            contact,
+            led,
+            pair: damping - air,
+            viscous,
+            air,
+            wind,
+            implicit,
+        })
     }
 
     /// Greatest stable step [s].
     pub(super) fn stable_step(&self, integrator: &dyn Integrator) -> f64 {
         let own = if integrator.takes_fibres() && self.implicit { self.unthreaded } else { self.all };
-        let frequency = (self.contact.frequency_squared + own).sqrt();
+        let frequency = (self.contact.frequency_squared + own + self.led.frequency_squared).sqrt();
         let assured = self.pair + self.viscous + self.air;
         // Damping shortens the step of some integrators and is all that holds others: explicit Euler may count only on
         // what every particle has all the time, and the bound of each rate is up to four times what a mode sees.
         let with_least = integrator.stable_step(frequency, ASSURED * assured);
-        integrator.stable_step(frequency, assured + self.contact.damping_rate + self.wind).min(with_least)
+        integrator
+            .stable_step(frequency, assured + self.contact.damping_rate + self.wind + self.led.damping_rate)
+            .min(with_least)
     }
 
     /// What sets that step; none where no single parameter does.
@@ -277,6 +303,10 @@ impl Resistance {
             SolidParameter::Viscosity => self.viscous *= 0.5,
             SolidParameter::AirDrag => self.air *= 0.5,
             SolidParameter::Wind => self.wind *= 0.5,
+            SolidParameter::Follows => {
+                self.led.frequency_squared *= 0.5;
+                self.led.damping_rate *= 0.5_f64.sqrt();
+            }
         }
         self
     }

@@ -9,6 +9,7 @@ mod elements;
 mod error;
 mod falloff;
 mod fibres;
+mod follows;
 mod fractions;
 mod integrator;
 mod layer_model;
@@ -39,6 +40,8 @@ pub(crate) use drives::drive as solver_drive;
 pub use elements::OwnElements;
 pub use error::BakeError;
 pub use fibres::PlacedFibre;
+#[cfg(feature = "gui")]
+pub(crate) use follows::followed_bones;
 pub use note::Note;
 pub use stage::BakeStage;
 
@@ -149,7 +152,7 @@ fn put_together(
             AnyBody::Solid(body) => {
                 let sampling = particle_sampling::sample_particles(body, assets, &path, &mut notes, progress)?;
                 let body = sampling.effective(body);
-                body::draft(scene, &body, (&sampling, &colliders, own), &path, &mut notes, progress)?
+                body::draft(scene, &body, (&sampling, assets, &colliders, own), &path, &mut notes, progress)?
             }
             AnyBody::TwoLayer(body) => {
                 two_layer::draft(scene, body, (assets, &colliders), &path, &mut notes, progress)?

@@ -5,12 +5,12 @@ use super::error::BakeError;
 use super::integrator::{integrator, stable_steps, step_parameter};
 use super::layer_model::LayerModel;
 use super::note::Note;
-use super::pins::{Following, note_pins};
+use super::pins::{Following, holders, note_pins};
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
-use super::{drives, limits, room, self_contact, supports};
+use super::{drives, follows, limits, room, self_contact, supports};
 use crate::scene::{
-    Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, SpringChoice, TwoLayer,
+    AnyBody, Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, SpringChoice, TwoLayer,
 };
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::collider::Collider;
@@ -61,7 +61,9 @@ pub(super) fn draft(
         }
     }
     let active = active_springs(body, &layers.springs, &regions, path)?;
-    let mut forces = own_forces(scene, body, (&model, &active), &layers, &state);
+    let particles = (AnyBody::TwoLayer(body), model.points.as_slice(), &regions);
+    let followed = follows::bind(scene, assets, particles, path, notes)?;
+    let mut forces = own_forces(scene, body, (&model, &active), &layers, (&state, &followed));
 
     let kind = match body.integrator {
         IntegratorChoice::Automatic => IntegratorKind::LeapFrog,
@@ -73,7 +75,7 @@ pub(super) fn draft(
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
     let probed = |body: &TwoLayer| {
-        let own = own_forces(scene, body, (&model, &active), &layers, &state);
+        let own = own_forces(scene, body, (&model, &active), &layers, (&state, &followed));
         let mut forces: Vec<_> = own.iter().map(|force| force.clone_at_extreme(true)).collect();
         if touches {
             forces.push(Box::new(touched(&at_rest, model.outer, &contact_law(scene, body))));
@@ -102,6 +104,7 @@ pub(super) fn draft(
     forces.extend(super::colliders::contact(colliders, law, model.spacing()));
     forces.extend(self_contact::of_two_layer(body, &law, &model).map(|itself| Box::new(itself) as Box<dyn Force>));
     let mut constraints = in_plane(body, &model, &state);
+    constraints.extend(follows::constraints(&followed, &rest));
     constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
     let parts = BodyParts {
         id: body.id.clone(),
@@ -139,7 +142,8 @@ pub(super) fn draft(
             "the wind does not push on it: a segment or a ring has no surface; give a ball or a mesh, or `air_drag`";
         notes.push(Note { path: path.to_owned(), text: text.to_owned(), warning: true });
     }
-    note_pins(scene, &body.pins, &parts, Following::of_two_layer(body, model.radius), path, notes);
+    let holders = holders(&body.pins, &body.follows, path);
+    note_pins(scene, &holders, &parts, Following::of_two_layer(body, model.radius), notes);
     Ok(Draft { parts, regions, stable_steps, fractions: Vec::new(), thin: Vec::new() })
 }
 
@@ -149,7 +153,7 @@ fn own_forces(
     body: &TwoLayer,
     (model, active): (&LayerModel, &[ActiveSprings]),
     layers: &Layers,
-    start: &ParticleState,
+    (start, followed): (&ParticleState, &[follows::Bound]),
 ) -> Vec<Box<dyn Force>> {
     let springs = model.springs(body).with_active(active.to_vec());
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(springs)];
@@ -166,6 +170,8 @@ fn own_forces(
         let surface = FlowSurface { vertices, triangles: Arc::clone(faces) };
         forces.extend(drives::wind(scene, surface).map(|flow| Box::new(flow) as Box<dyn Force>));
     }
+    let led = follows::springs(followed, &body.follows, start);
+    forces.extend(led.into_iter().map(|springs| Box::new(springs) as Box<dyn Force>));
     for drag in &body.drags {
         let target = DVec3::from_array(drag.target);
         forces.push(Box::new(Grab {

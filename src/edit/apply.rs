@@ -82,6 +82,7 @@ impl Command {
                 body.regions_mut().clone_from(regions);
                 body.pins_mut().clone_from(pins);
             }
+            Self::SetFollows { body, follows } => any_body_of(scene, body)?.follows_mut().clone_from(follows),
             Self::SetBody { body: OwnedBody::TwoLayer(body), .. } | Self::SetTwoLayer(body) => {
                 *two_layer_of(scene, &body.id)? = (**body).clone();
             }

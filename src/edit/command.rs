@@ -1,8 +1,8 @@
 //! Changes of the document.
 
 use crate::scene::{
-    Collider, Dab, Drivable, Drive, Element, Fibre, IntegratorChoice, Material, OwnedBody, Panel, Pin, Placement,
-    Region, RegionMaterial, Room, SharedDrive, Sheet, Time, TwoLayer, Void, Wind,
+    Collider, Dab, Drivable, Drive, Element, Fibre, Follow, IntegratorChoice, Material, OwnedBody, Panel, Pin,
+    Placement, Region, RegionMaterial, Room, SharedDrive, Sheet, Time, TwoLayer, Void, Wind,
 };
 
 /// One change. Bodies and fibres are named by their identifiers, so that a change means the same wherever it is
@@ -153,6 +153,13 @@ pub enum Command {
         /// Its pins.
         pins: Vec<Pin>,
     },
+    /// Changes which motions a body of either kind follows.
+    SetFollows {
+        /// Identifier of the body.
+        body: String,
+        /// The motions.
+        follows: Vec<Follow>,
+    },
     /// Puts a two-layer body in the place of the one with the same identifier.
     SetTwoLayer(Box<TwoLayer>),
     /// Changes frame rate, length and time step.
@@ -254,6 +261,7 @@ impl Command {
             Self::SetMaterial { .. } => "Change material".to_owned(),
             Self::SetIntegrator { .. } => "Change integrator".to_owned(),
             Self::SetPins { .. } => "Change pins".to_owned(),
+            Self::SetFollows { .. } => "Change what is followed".to_owned(),
             Self::SetTwoLayer(body) => format!("Change {}", body.title()),
             Self::SetTime(_) => "Change time step".to_owned(),
             Self::SetGravity(_) => "Change gravity".to_owned(),

@@ -1,11 +1,13 @@
 //! Loading what a scene refers to.
 
-use super::{IoError, load_model};
+use super::IoError;
+#[cfg(feature = "gui")]
+use super::load_model;
+use super::model::{is_model, model_bytes, read_cache, read_model, read_skeleton};
 #[cfg(feature = "gui")]
 use super::{collect::from_folder, paths::resolved};
-use crate::geometry::model::Model;
 use crate::geometry::solid::Solid;
-use crate::scene::{Assets, ModelFile, Scene};
+use crate::scene::{Assets, Leader, ModelFile, Scene};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -20,16 +22,19 @@ pub fn load_assets(scene: &Scene, folder: &Path, progress: &mut dyn FnMut(&str))
     Ok(assets)
 }
 
-/// [`load_assets`] for models that lie elsewhere than in files: `read` gives what a scene names.
+/// [`load_assets`] for files that lie elsewhere: `bytes` gives those of what a scene names.
 ///
 /// # Errors
 /// As [`load_assets`].
 #[cfg(feature = "gui")]
-pub(crate) fn load_assets_by(scene: &Scene, read: &dyn Fn(&Path) -> Result<Model, IoError>) -> Result<Assets, IoError> {
+pub(crate) fn load_assets_by(scene: &Scene, bytes: &Bytes<'_>) -> Result<Assets, IoError> {
     let mut assets = Assets::default();
-    complete(&mut assets, scene, Path::new(""), read, &mut |_| {})?;
+    complete(&mut assets, scene, Path::new(""), bytes, &mut |_| {})?;
     Ok(assets)
 }
+
+/// What gives the bytes of a file by its path.
+type Bytes<'a> = dyn Fn(&Path) -> Result<Vec<u8>, IoError> + 'a;
 
 /// [`load_assets`] for those that are not there yet.
 ///
@@ -41,16 +46,23 @@ pub(crate) fn complete_assets(
     folder: &Path,
     progress: &mut dyn FnMut(&str),
 ) -> Result<(), IoError> {
-    complete(assets, scene, folder, &load_model, progress)
+    let bytes = |path: &Path| model_bytes(path).map_err(|error| error.within(path));
+    complete(assets, scene, folder, &bytes, progress)
 }
 
 fn complete(
     assets: &mut Assets,
     scene: &Scene,
     folder: &Path,
-    read: &dyn Fn(&Path) -> Result<Model, IoError>,
+    bytes: &Bytes<'_>,
     progress: &mut dyn FnMut(&str),
 ) -> Result<(), IoError> {
+    let read = |path: &Path| {
+        if !is_model(path) {
+            return Err(IoError::UnknownModel.within(path));
+        }
+        read_model(path, &bytes(path)?)
+    };
     for (pointer, shape) in scene.meshes() {
         if assets.solid(shape).is_some() {
             continue;
@@ -76,7 +88,68 @@ fn complete(
         model.stand_up(file.up_axis(), file.scale);
         assets.insert_obstacle_of(file, &model).map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;
     }
+    for (pointer, leader) in scene.leaders() {
+        complete_leader(assets, &pointer, leader, folder, bytes, progress)?;
+    }
     Ok(())
+}
+
+/// Loads what a body follows.
+fn complete_leader(
+    assets: &mut Assets,
+    pointer: &str,
+    leader: &Leader,
+    folder: &Path,
+    bytes: &Bytes<'_>,
+    progress: &mut dyn FnMut(&str),
+) -> Result<(), IoError> {
+    let at = |place: &str, error: IoError| {
+        let pointer = format!("{pointer}/{place}");
+        IoError::Asset { pointer, error: Box::new(error) }
+    };
+    let path = folder.join(leader.path());
+    match leader {
+        Leader::Skeleton(of) if assets.skeleton(&of.path).is_none() => {
+            progress(&format!("{}: reading its skeleton", of.path));
+            let skeleton = bytes(&path).and_then(|bytes| read_skeleton(&path, &bytes));
+            assets.insert_skeleton(&of.path, skeleton.map_err(|error| at("skeleton/path", error))?);
+        }
+        Leader::Cache(of) => {
+            if assets.cache(&of.path).is_none() {
+                progress(&format!("{}: reading", of.path));
+                let cache = bytes(&path).and_then(|bytes| read_cache(&path, &bytes));
+                assets.insert_cache(&of.path, cache.map_err(|error| at("cache/path", error))?);
+            }
+            if let Some(rest) = of.rest.as_ref().filter(|rest| assets.rest_mesh(rest).is_none()) {
+                progress(&format!("{rest}: reading"));
+                let file = folder.join(rest);
+                let model = bytes(&file).and_then(|bytes| read_model(&file, &bytes));
+                let model = model.map_err(|error| at("cache/rest", error))?;
+                assets.insert_rest_mesh(rest, model.file.unwrap_or_default());
+            }
+        }
+        Leader::Skeleton(_) => {}
+    }
+    Ok(())
+}
+
+/// Reads what a leader names and puts it in, for a scene whose paths are relative to `folder`.
+///
+/// # Errors
+/// A file that cannot be read, or that holds no such motion.
+#[cfg(feature = "gui")]
+pub(crate) fn add_leader(assets: &mut Assets, leader: &Leader, folder: &Path) -> Result<(), IoError> {
+    let bytes = |path: &Path| model_bytes(path).map_err(|error| error.within(path));
+    complete_leader(assets, "", leader, folder, &bytes, &mut |_| {})
+}
+
+/// The path by which a scene whose paths are relative to `folder` names a file.
+#[cfg(feature = "gui")]
+pub(crate) fn path_from(folder: &Path, file: &Path) -> String {
+    match resolved(file).zip(resolved(folder).filter(|_| !folder.as_os_str().is_empty())) {
+        Some((file, folder)) => from_folder(&file, &folder),
+        None => resolved(file).unwrap_or_else(|| file.to_owned()).to_string_lossy().into_owned(),
+    }
 }
 
 /// Reads the model of a file for a collider and puts it in; gives the path by which a scene whose paths are relative to
@@ -87,10 +160,7 @@ fn complete(
 #[cfg(feature = "gui")]
 pub(crate) fn add_collider_model(assets: &mut Assets, file: &Path, folder: &Path) -> Result<String, IoError> {
     let model = load_model(file)?;
-    let path = match resolved(file).zip(resolved(folder).filter(|_| !folder.as_os_str().is_empty())) {
-        Some((file, folder)) => from_folder(&file, &folder),
-        None => resolved(file).unwrap_or_else(|| file.to_owned()).to_string_lossy().into_owned(),
-    };
+    let path = path_from(folder, file);
     let refused = |refusal| IoError::from(refusal).within(file);
     assets.insert_obstacle_of(path.as_str(), &model).map_err(refused)?;
     Ok(path)

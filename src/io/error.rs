@@ -89,6 +89,14 @@ pub enum IoError {
     /// A file that is no model, by its name.
     #[error("the name does not end like that of a model; give an OBJ, STL, PLY, glTF or GLB file")]
     UnknownModel,
+    /// A file that holds no skeleton, by its name.
+    #[error(
+        "the name does not end like that of a file with a skeleton; give a glTF or GLB file with a skin and an animation"
+    )]
+    UnknownSkeleton,
+    /// A file that is no point cache, by its name.
+    #[error("the name does not end like that of a point cache; give a PC2 or MDD file")]
+    UnknownCache,
     /// A model that cannot be understood.
     #[error("the {format} file cannot be read ({problem}); {remedy}")]
     Model {

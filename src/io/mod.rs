@@ -30,6 +30,7 @@ mod recent;
 pub(crate) mod recovery;
 pub(crate) mod scene;
 mod schema;
+mod skinned_glb;
 #[cfg(feature = "gui")]
 mod stamp;
 mod trace;
@@ -37,7 +38,7 @@ mod trace;
 pub(crate) use assets::complete_assets;
 pub use assets::load_assets;
 #[cfg(feature = "gui")]
-pub(crate) use assets::{add_collider_model, load_assets_by};
+pub(crate) use assets::{add_collider_model, add_leader, load_assets_by, path_from};
 pub(crate) use atomic::{check_writable, make_folder, write_atomically};
 #[cfg(feature = "gui")]
 pub(crate) use beside::put_beside;
@@ -67,6 +68,7 @@ pub(crate) use recent::RecentFiles;
 pub(crate) use recovery::{Origin, RecoverableDocument, RecoveryFile, recoverable_documents};
 pub use scene::{load_scene, save_scene, scene_from_json, scene_to_json};
 pub use schema::{scene_schema, unknown_fields};
+pub(crate) use skinned_glb::write_skinned_glb;
 #[cfg(feature = "gui")]
 pub(crate) use stamp::{FileStamp, FileState};
 pub(crate) use trace::Trace;

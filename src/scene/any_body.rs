@@ -4,8 +4,8 @@
 //! draws bodies numbers them in one row: the solids first, then the two-layer bodies. This is that row.
 
 use super::{
-    Body, ColliderMesh, ColliderShape, Fibre, Impulse, Initial, IntegratorChoice, ModelFile, Pin, Placement, Region,
-    Scene, Shape, SharedDrive, Sheet, TwoLayer, TwoLayerShape, VoidMesh, VoidShape,
+    Body, ColliderMesh, ColliderShape, Fibre, Follow, Impulse, Initial, IntegratorChoice, Leader, ModelFile, Pin,
+    Placement, Region, Scene, Shape, SharedDrive, Sheet, TwoLayer, TwoLayerShape, VoidMesh, VoidShape,
 };
 
 /// A body of either kind.
@@ -126,6 +126,11 @@ impl<'a> AnyBody<'a> {
         either!(self, body => &body.pins)
     }
 
+    /// Motions made elsewhere that its particles follow.
+    pub fn follows(self) -> &'a [Follow] {
+        either!(self, body => &body.follows)
+    }
+
     /// Numbers that change in time, for several of its parts to follow.
     pub fn drives(self) -> &'a [SharedDrive] {
         either!(self, body => &body.drives)
@@ -225,19 +230,27 @@ impl<'a> AnyBodyMut<'a> {
         either!(self, body => &mut body.pins)
     }
 
-    /// The paths of the models that its shape and its voids name.
+    /// Motions made elsewhere that its particles follow.
+    pub fn follows_mut(&mut self) -> &mut Vec<Follow> {
+        either!(self, body => &mut body.follows)
+    }
+
+    /// The paths of the files that its shape, its voids and what it follows name.
     pub(crate) fn into_model_paths(self) -> Vec<&'a mut String> {
+        let led = |follows: &'a mut Vec<Follow>| follows.iter_mut().flat_map(|of| of.leader.paths_mut());
         match self {
-            Self::Solid(Body { shape, voids, .. }) => {
+            Self::Solid(Body { shape, voids, follows, .. }) => {
                 let own = if let Shape::Mesh(shape) = shape { Some(&mut shape.path) } else { None };
                 let of_voids = voids.iter_mut().filter_map(|void| match &mut void.shape {
                     VoidShape::Mesh(VoidMesh { path, .. }) => Some(path),
                     _ => None,
                 });
-                own.into_iter().chain(of_voids).collect()
+                own.into_iter().chain(of_voids).chain(led(follows)).collect()
             }
-            Self::TwoLayer(TwoLayer { shape: TwoLayerShape::Mesh(shape), .. }) => vec![&mut shape.path],
-            Self::TwoLayer(_) => Vec::new(),
+            Self::TwoLayer(TwoLayer { shape, follows, .. }) => {
+                let own = if let TwoLayerShape::Mesh(shape) = shape { Some(&mut shape.path) } else { None };
+                own.into_iter().chain(led(follows)).collect()
+            }
         }
     }
 }
@@ -314,7 +327,16 @@ impl Scene {
         })
     }
 
-    /// Where the scene names its models.
+    /// The motions that the bodies follow, each with the pointer to what is followed.
+    pub fn leaders(&self) -> impl Iterator<Item = (String, &Leader)> {
+        self.all_bodies().enumerate().flat_map(|(index, body)| {
+            let pointer = self.body_pointer(index);
+            let follows = body.follows().iter().enumerate();
+            follows.map(move |(k, of)| (format!("{pointer}/follows/{k}/leader"), &of.leader))
+        })
+    }
+
+    /// Where the scene names its models and the motions that its bodies follow.
     pub fn model_paths_mut(&mut self) -> impl Iterator<Item = &mut String> {
         let solids = self.bodies.iter_mut().map(AnyBodyMut::Solid);
         let bodies = solids.chain(self.two_layer.iter_mut().map(AnyBodyMut::TwoLayer));

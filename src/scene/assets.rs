@@ -6,6 +6,8 @@ use crate::geometry::mesh::TriangleMesh;
 use crate::geometry::model::{MeshData, Model, UpAxis};
 use crate::geometry::model_report::Refusal;
 use crate::geometry::obstacle_mesh::ObstacleMesh;
+use crate::geometry::point_cache::PointCache;
+use crate::geometry::skeleton::Skeleton;
 use crate::geometry::solid::Solid;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,6 +17,10 @@ use std::sync::Arc;
 pub struct Assets {
     solids: BTreeMap<Key, Arc<Solid>>,
     obstacles: BTreeMap<Key, Arc<ObstacleMesh>>,
+    /// By paths alone: what bodies follow keeps its file's unit and axes.
+    skeletons: BTreeMap<String, Arc<Skeleton>>,
+    caches: BTreeMap<String, Arc<PointCache>>,
+    rest_meshes: BTreeMap<String, Arc<FileMesh>>,
 }
 
 /// A model as a shape names it: all that its solid follows from, but for the content of the file.
@@ -146,6 +152,36 @@ impl Assets {
     ) -> Result<(), Refusal> {
         let file = collider.into();
         self.insert_obstacle_of(file, &model_of(file, mesh))
+    }
+
+    /// The skeleton of a file that bodies follow, once it has been put in.
+    pub(crate) fn skeleton(&self, path: &str) -> Option<&Arc<Skeleton>> {
+        self.skeletons.get(path)
+    }
+
+    /// Puts in the skeleton of a file that bodies follow.
+    pub(crate) fn insert_skeleton(&mut self, path: &str, skeleton: Skeleton) {
+        self.skeletons.insert(path.to_owned(), Arc::new(skeleton));
+    }
+
+    /// The point cache of a file that bodies follow, once it has been put in.
+    pub(crate) fn cache(&self, path: &str) -> Option<&Arc<PointCache>> {
+        self.caches.get(path)
+    }
+
+    /// Puts in a point cache that bodies follow.
+    pub(crate) fn insert_cache(&mut self, path: &str, cache: PointCache) {
+        self.caches.insert(path.to_owned(), Arc::new(cache));
+    }
+
+    /// The mesh whose vertices a point cache moves, as its file has it, once it has been put in.
+    pub(crate) fn rest_mesh(&self, path: &str) -> Option<&Arc<FileMesh>> {
+        self.rest_meshes.get(path)
+    }
+
+    /// Puts in the mesh whose vertices a point cache moves, in its file's unit and axes.
+    pub(crate) fn insert_rest_mesh(&mut self, path: &str, mesh: Arc<FileMesh>) {
+        self.rest_meshes.insert(path.to_owned(), mesh);
     }
 
     /// Number of solids.

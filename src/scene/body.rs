@@ -2,8 +2,8 @@
 
 use super::extra::is_false;
 use super::{
-    BoxShape, Dab, Element, Extra, Fibre, Impulse, Initial, IntegratorChoice, Material, MeshShape, Pin, Placement,
-    Region, RegionMaterial, Shape, SharedDrive, Sheet, Void, add_dab,
+    BoxShape, Dab, Element, Extra, Fibre, Follow, Impulse, Initial, IntegratorChoice, Material, MeshShape, Pin,
+    Placement, Region, RegionMaterial, Shape, SharedDrive, Sheet, Void, add_dab,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -71,6 +71,9 @@ pub struct Body {
     /// Regions whose motion is prescribed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pins: Vec<Pin>,
+    /// Motions made elsewhere that its particles follow.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub follows: Vec<Follow>,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
@@ -101,6 +104,7 @@ impl Body {
             regions: Vec::new(),
             region_materials: Vec::new(),
             pins: Vec::new(),
+            follows: Vec::new(),
             extra: Extra::new(),
         }
     }

@@ -1,6 +1,6 @@
 //! Bodies of both kinds, put together call by call.
 
-use super::{Body, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Rotation, TwoLayer};
+use super::{Body, Follow, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Rotation, TwoLayer};
 
 macro_rules! building {
     ($($kind:ty)*) => {
@@ -46,6 +46,13 @@ macro_rules! building {
             #[must_use]
             pub fn with_pin(mut self, pin: Pin) -> Self {
                 self.pins.push(pin);
+                self
+            }
+
+            /// With one motion more that it follows.
+            #[must_use]
+            pub fn with_follow(mut self, follow: Follow) -> Self {
+                self.follows.push(follow);
                 self
             }
 

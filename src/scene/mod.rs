@@ -21,6 +21,7 @@ mod drive;
 mod element;
 mod extra;
 mod fibre;
+mod follow;
 mod integrator;
 mod keyed;
 mod layer_shape;
@@ -59,6 +60,7 @@ pub use fibre::{
     BreakPast, Fibre, FibreSource, Mismatch, PaperStiffness, RestShape, Rigidity, Stiffness, StrokePair, ViewStroke,
     YieldPast,
 };
+pub use follow::{CacheLeader, Follow, FollowSelect, FollowSprings, Hold, Leader, SkeletonLeader};
 pub use integrator::{IntegratorChoice, IntegratorKind};
 pub use layer_shape::{Ball, ClosedMesh, InnerOffset, Ring, Segment, TwoLayerShape};
 pub use material::{

@@ -3,8 +3,8 @@
 
 use super::extra::is_false;
 use super::{
-    ActiveSprings, Ball, ClosedMesh, Drive, Extra, Impulse, Initial, IntegratorChoice, Pin, Placement, Region, Ring,
-    Segment, SharedDrive, TwoLayerShape,
+    ActiveSprings, Ball, ClosedMesh, Drive, Extra, Follow, Impulse, Initial, IntegratorChoice, Pin, Placement, Region,
+    Ring, Segment, SharedDrive, TwoLayerShape,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -97,6 +97,9 @@ pub struct TwoLayer {
     /// Regions whose motion is prescribed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pins: Vec<Pin>,
+    /// Motions made elsewhere that its particles follow.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub follows: Vec<Follow>,
     /// Points to which its nearest outer particle is dragged.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drags: Vec<Drag>,
@@ -138,6 +141,7 @@ impl TwoLayer {
             active_springs: Vec::new(),
             regions: Vec::new(),
             pins: Vec::new(),
+            follows: Vec::new(),
             drags: Vec::new(),
             extra: Extra::new(),
         }

@@ -2,6 +2,7 @@
 
 use super::drive::Drive;
 use super::hand::Hand;
+use super::led::Led;
 use super::state::ParticleState;
 use glam::{BVec3, DQuat, DVec3};
 use std::sync::Arc;
@@ -57,6 +58,8 @@ pub(crate) enum PrescribedMotion {
         /// Full turn: unit axis, a point on it [m], and the angle [rad].
         turn: Option<(DVec3, DVec3, f64)>,
     },
+    /// As a motion made elsewhere leads each of the particles: what is alike for all of them is none.
+    Led(Arc<Led>),
 }
 
 /// From 0 to 1 over a time.
@@ -93,7 +96,7 @@ impl PrescribedMotion {
     /// Position [m] and velocity [m/s] at `time` of what starts at `start`.
     pub(crate) fn at(&self, time: f64, start: DVec3) -> (DVec3, DVec3) {
         match self {
-            Self::Fixed => (start, DVec3::ZERO),
+            Self::Fixed | Self::Led(_) => (start, DVec3::ZERO),
             Self::Ramp { displacement, course } => {
                 let (progress, rate) = course.at(time);
                 (start + progress * *displacement, rate * *displacement)
@@ -130,7 +133,7 @@ impl PrescribedMotion {
                 let (value, rate) = drive.at(time);
                 turned(*axis, value * angle, rate * angle)
             }
-            Self::Driven { turn: None, .. } | Self::Fixed | Self::Ramp { .. } | Self::Keyframes(_) => {
+            Self::Driven { turn: None, .. } | Self::Fixed | Self::Led(_) | Self::Ramp { .. } | Self::Keyframes(_) => {
                 (DQuat::IDENTITY, DVec3::ZERO)
             }
         }
@@ -150,7 +153,9 @@ impl PrescribedMotion {
                     origin + DQuat::from_axis_angle(axis, -value * angle) * (unmoved - origin)
                 })
             }
-            Self::Fixed | Self::Ramp { .. } | Self::Keyframes(_) => position - self.at(time, DVec3::ZERO).0,
+            Self::Fixed | Self::Led(_) | Self::Ramp { .. } | Self::Keyframes(_) => {
+                position - self.at(time, DVec3::ZERO).0
+            }
         }
     }
 
@@ -168,6 +173,7 @@ impl PrescribedMotion {
             Self::Ramp { course, .. } | Self::Turn { course, .. } => course.start + course.duration,
             Self::Keyframes(keys) => keys.last().map_or(0.0, |key| key.0),
             Self::Driven { drive, .. } => drive.until(),
+            Self::Led(led) => led.end(),
         }
     }
 }
@@ -202,18 +208,42 @@ impl Constraint {
             self.found = old.and_then(|old| old.found.clone());
             return;
         }
+        let led = self.led_by(time);
         let found = self.particles.iter().enumerate().map(|(k, &i)| {
-            let here = self.motion.start_of(time, state.positions[i as usize]);
+            let at = state.positions[i as usize];
+            let here = led.as_ref().map_or_else(|| self.motion.start_of(time, at), |led| at - led[k].0);
             let there = old.map_or(here, |old| old.from()[k]);
             DVec3::select(held, there, here)
         });
         self.found = Some(found.collect());
     }
 
+    /// How far each of the particles has been led from its start at `time` [s], and how fast, where a motion made elsewhere does
+    /// so.
+    fn led_by(&self, time: f64) -> Option<Vec<(DVec3, DVec3)>> {
+        let PrescribedMotion::Led(led) = &self.motion else { return None };
+        let starts = self.start.iter();
+        Some(led.places(time).into_iter().zip(starts).map(|([at, velocity], start)| (at - *start, velocity)).collect())
+    }
+
+    /// Where each of the particles belongs at `time` [s], and how fast it is there.
+    pub(crate) fn places(&self, time: f64) -> Vec<(DVec3, DVec3)> {
+        match self.led_by(time) {
+            Some(led) => {
+                led.into_iter().zip(self.from()).map(|((way, velocity), from)| (*from + way, velocity)).collect()
+            }
+            None => self.from().iter().map(|&from| self.motion.at(time, from)).collect(),
+        }
+    }
+
     /// Puts the held particles where they belong at `time` [s], with their velocities.
     pub(crate) fn apply(&self, time: f64, state: &mut ParticleState) {
-        for (&i, &start) in self.particles.iter().zip(self.from()) {
-            let (position, velocity) = self.motion.at(time, start);
+        let led = self.led_by(time);
+        for (k, (&i, &from)) in self.particles.iter().zip(self.from()).enumerate() {
+            let (position, velocity) = match &led {
+                Some(led) => (from + led[k].0, led[k].1),
+                None => self.motion.at(time, from),
+            };
             let i = i as usize;
             state.positions[i] = DVec3::select(self.locked, position, state.positions[i]);
             state.velocities[i] = DVec3::select(self.locked, velocity, state.velocities[i]);

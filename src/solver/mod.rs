@@ -22,6 +22,7 @@ pub(crate) mod hand;
 pub(crate) mod implicit;
 pub(crate) mod integrators;
 pub(crate) mod layers;
+pub(crate) mod led;
 pub(crate) mod linear_algebra;
 pub(crate) mod measure;
 pub(crate) mod modes;

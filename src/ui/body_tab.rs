@@ -3,6 +3,7 @@
 use super::bodies::place_and_shape;
 use super::context::{Context, Step};
 use super::elements_section::elements_section;
+use super::follows_section::follows_section;
 use super::material_fields::material_fields;
 use super::region_material_fields::region_material_fields;
 use super::theme::GRID;
@@ -28,6 +29,7 @@ pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
         region_material_fields(ui, cx, &body);
         elements_section(ui, cx, &body);
         voids_section(ui, cx, &body);
+        follows_section(ui, cx);
         integrator(ui, cx, body.id, body.integrator);
     } else if let Some(body) = cx.active_two_layer().cloned() {
         let mut changed = body.clone();
@@ -36,6 +38,7 @@ pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
         if changed != body {
             cx.edit(&Command::SetTwoLayer(Box::new(changed)), Step::Present);
         }
+        follows_section(ui, cx);
         integrator(ui, cx, body.id, body.integrator);
     } else {
         ui.label("No body is chosen");

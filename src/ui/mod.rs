@@ -25,6 +25,7 @@ mod editing;
 mod elements_section;
 mod export;
 mod field;
+mod follows_section;
 pub(crate) mod gallery;
 mod inelastic_fields;
 mod input_order;

@@ -7,7 +7,11 @@
 mod common;
 mod edits;
 mod fibres;
+mod follows;
+mod follows_chosen;
+mod greeting;
 mod moved;
+mod rig;
 mod rules;
 mod scenes;
 mod steps;

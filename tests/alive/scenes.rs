@@ -1,7 +1,8 @@
 //! The scenes of fibres that act show what they say.
 
+use crate::greeting::Greeting;
 use sinew::bake::bake;
-use sinew::io::{apply_sets, load_scene};
+use sinew::io::{apply_sets, load_assets, load_scene};
 use sinew::scene::{Assets, Drive, Scene};
 use sinew::sim::Runner;
 use sinew::solver::MeasureValue;
@@ -92,4 +93,84 @@ fn the_ball_rolls_by_its_springs_and_back_where_they_go_round_the_other_way() {
     let smooth = apply_sets(&scene("ball"), [("/room/friction", "0")]).expect("a place that is there");
     let slipped = values(&smooth, "way", &[3.0])[0];
     assert!(slipped.abs() < 1e-6, "{slipped} mm on ice");
+}
+
+/// The times [s] and values of the greatest of a series within a span of time.
+fn peak(series: &[(f64, f64)], span: std::ops::Range<f64>) -> (f64, f64) {
+    let within = series.iter().filter(|(time, _)| span.contains(time));
+    *within.max_by(|a, b| a.1.total_cmp(&b.1)).expect("a value in that time")
+}
+
+#[test]
+fn the_character_follows_its_bones_and_its_ears_lag_and_settle() {
+    let scene = scene("character");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let assets = load_assets(&scene, &folder, &mut |_| {}).expect("a model that ships");
+    let greeting = Greeting::read(&folder.join("../assets/character.glb"));
+    let baked = bake(&scene, &assets).expect("a scene that bakes");
+    let mut runner = Runner::new(baked);
+    let index = |name: &str| runner.world().probes().iter().position(|probe| probe.name == name).expect("a measure");
+    let (head, ears) = (index("head_sway"), index("ear_sway"));
+    let (mut of_head, mut of_ears, mut furthest, mut checked) = (Vec::new(), Vec::new(), 0.0_f64, 0);
+    while runner.world().frame() < runner.frames_for(4.0) {
+        runner.advance_frame();
+        let world = runner.world();
+        assert!(world.divergence().is_none(), "{:?}", world.divergence());
+        let measures = world.measures();
+        let value = |index: usize| match measures[index] {
+            MeasureValue::Scalar(value) => value,
+            MeasureValue::Vector(value) => panic!("a vector: {value}"),
+        };
+        of_head.push((world.time(), value(head)));
+        of_ears.push((world.time(), value(ears)));
+        if world.frame().is_multiple_of(8) {
+            let body = &world.bodies()[0];
+            for (i, at) in body.parts().rest.iter().enumerate() {
+                let Some(expected) = greeting.held_by_one(*at, world.time() - 0.4) else { continue };
+                furthest = furthest.max(body.state().positions[i].distance(expected));
+                checked += 1;
+            }
+        }
+    }
+    println!("{checked} places of particles on bones, at most {furthest:.2e} m off");
+    // Two bows to its right (x below zero), one to its left in between.
+    let turned = |series: &[(f64, f64)]| series.iter().map(|&(time, x)| (time, -x)).collect::<Vec<_>>();
+    let bows = [(true, 0.6..1.15), (false, 1.15..1.65), (true, 1.65..2.2)];
+    for (is_right, span) in bows {
+        let series = |of: &[(f64, f64)]| if is_right { turned(of) } else { of.to_vec() };
+        let [bone, flesh] = [peak(&series(&of_head), span.clone()), peak(&series(&of_ears), span)];
+        println!("head {:.1} mm at {:.3} s, ears {:.1} mm at {:.3} s", bone.1, bone.0, flesh.1, flesh.0);
+        assert!(bone.1 > 40.0 && flesh.1 > 1.5 * bone.1, "{bone:?} {flesh:?}");
+        assert!(flesh.0 - bone.0 > 0.04, "the ears lag: {bone:?} {flesh:?}");
+    }
+    // The motion ends at 2.4 s: the head is back then, the ears swing on, and come to rest.
+    let swing = |from: f64, to: f64| {
+        let within = || of_ears.iter().filter(|(time, _)| (from..=to).contains(time)).map(|of| of.1);
+        within().fold(f64::NEG_INFINITY, f64::max) - within().fold(f64::INFINITY, f64::min)
+    };
+    println!("ears swing over {:.1} mm, then {:.1} mm", swing(2.4, 3.2), swing(3.6, 4.0));
+    assert!(swing(2.4, 3.2) > 20.0 && swing(3.6, 4.0) < 0.4 * swing(2.4, 3.2));
+    let back = of_head.iter().filter(|(time, _)| *time > 2.5).map(|of| of.1.abs()).fold(0.0, f64::max);
+    assert!(back < 3.0, "{back} mm");
+    assert!(checked > 200 && furthest < 1e-3, "{checked} places, {furthest} m");
+    assert!(runner.world().unbalanced().is_empty(), "{:?}", runner.world().unbalanced());
+}
+
+#[test]
+fn the_character_moves_alike_on_any_number_of_threads() {
+    let scene = scene("character");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let assets = load_assets(&scene, &folder, &mut |_| {}).expect("a model that ships");
+    let bits = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        pool.install(|| {
+            let mut runner = Runner::new(bake(&scene, &assets).expect("a scene that bakes"));
+            (0..3).for_each(|_| runner.advance_frame());
+            let state = runner.world().bodies()[0].state();
+            let numbers = state.positions.iter().chain(&state.velocities).flat_map(glam::DVec3::to_array);
+            numbers.map(f64::to_bits).collect::<Vec<u64>>()
+        })
+    };
+    let one = bits(1);
+    assert!([2, 5].into_iter().all(|threads| bits(threads) == one));
 }

@@ -13,7 +13,7 @@ use sinew::scene::{
 };
 
 /// Number of kinds of commands.
-pub const KINDS: usize = 29;
+pub const KINDS: usize = 30;
 
 /// Which kind a command is. Without a wildcard: a new kind is to be put in here and into [`any_command`].
 pub fn kind(command: &Command) -> usize {
@@ -47,6 +47,7 @@ pub fn kind(command: &Command) -> usize {
         Command::SetDrive { .. } => 26,
         Command::SetWind(_) => 27,
         Command::SetElements { .. } => 28,
+        Command::SetFollows { .. } => 29,
     }
 }
 
@@ -197,6 +198,15 @@ fn of_drives() -> impl Strategy<Value = Command> {
     prop_oneof![4 => (select(all), drive).prop_map(|(of, drive)| Command::SetDrive { of, drive }), 1 => wind]
 }
 
+/// Motions that bodies of either kind follow; the balloon has no region "core".
+fn of_follows() -> impl Strategy<Value = Command> {
+    let follows = every_field().bodies[0].follows.clone();
+    (select(vec!["bar", "balloon"]), 0..=follows.len()).prop_map(move |(body, count)| Command::SetFollows {
+        body: body.to_owned(),
+        follows: follows[..count].to_vec(),
+    })
+}
+
 /// Pins of either kind of body. The measures refer to regions of the bar: those without one of them are refused.
 fn of_pins() -> impl Strategy<Value = Command> {
     let scene = every_field();
@@ -243,7 +253,7 @@ fn of_bodies() -> impl Strategy<Value = Command> {
 
 fn single() -> impl Strategy<Value = Command> {
     prop_oneof![3 => of_fibres(), 3 => of_sheets(), 2 => of_looks(), 3 => of_matter(), 3 => of_world(), 1 => of_pins(),
-        2 => of_bodies(), 2 => of_drives()]
+        1 => of_follows(), 2 => of_bodies(), 2 => of_drives()]
 }
 
 /// A command for the scene with every field.

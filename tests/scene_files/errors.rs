@@ -142,6 +142,22 @@ fn numbers_out_of_range_are_refused() {
         ("/bodies/0/pins/1/motion/ramp/start", json!(-1), ["-1", "from 0"]),
         ("/bodies/0/pins/3/motion/turn/axis", json!([0, 0, 0]), ["points nowhere", "any length but zero"]),
         ("/bodies/0/pins/3/motion/turn/duration", json!(-1), ["is not above zero", "above 0 s"]),
+        ("/bodies/0/follows/0/leader/skeleton/path", json!(" "), ["names no file", "with a skin"]),
+        ("/bodies/0/follows/0/leader/skeleton/scale", json!(0), ["is not above zero", "above 0 m"]),
+        ("/bodies/0/follows/0/leader/skeleton/joints/1", json!("Hips"), ["is taken by another joint", "of its own"]),
+        ("/bodies/0/follows/0/start", json!(-1), ["-1", "from 0"]),
+        ("/bodies/0/follows/0/pre_roll", json!(-1), ["-1", "from 0"]),
+        ("/bodies/0/follows/0/speed", json!(0), ["is not above zero", "above 0"]),
+        ("/bodies/0/follows/0/select/skin_weight", json!(1.5), ["1.5", "from 0 to 1"]),
+        ("/bodies/0/follows/1/select/distance", json!(0), ["is not above zero", "above 0 m"]),
+        ("/bodies/0/follows/1/id", json!("bones"), ["is taken by another motion", "of its own"]),
+        ("/bodies/0/follows/2/leader/cache/path", json!(""), ["names no file", "PC2 or MDD"]),
+        ("/bodies/0/follows/2/leader/cache/rest", json!(""), ["names no file", "leave this out"]),
+        ("/bodies/0/follows/2/leader/cache/frames_per_second", json!(0), ["is not above zero", "above 0 1/s"]),
+        ("/bodies/0/follows/2/hold/springs/stiffness", json!(0), ["is not above zero", "to the kilogram"]),
+        ("/bodies/0/follows/2/hold/springs/damping", json!(-1), ["-1", "from 0"]),
+        ("/bodies/0/follows/2/paint/0/value", json!(2), ["2", "from 0 to 1"]),
+        ("/bodies/0/follows/3/select/region", json!("tail"), ["is no region", "core"]),
         ("/bodies/0/pins/4/motion/keyframes", json!([]), ["[]", "one key at least"]),
         ("/bodies/0/pins/4/motion/keyframes/2/time", json!(0.5), ["order of time", "above 0.5 s"]),
         ("/measures/3/kind/twist/axis", json!([0, 0, 0]), ["points nowhere", "any length but zero"]),
@@ -161,6 +177,9 @@ fn numbers_out_of_range_are_refused() {
     refused_at(act, &angle, &format!("{act}/contract"), &["which is an angle", "give `turn_degrees`"]);
     let flat = json!([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]);
     refused("/bodies/0/elements/3/points", &flat, &["leave nothing to measure", "move them apart"]);
+    let weight = "/bodies/0/follows/2/select/skin_weight";
+    refused_at("/bodies/0/follows/2/select", &json!({"skin_weight": 0.5}), weight, &["a cache has none"]);
+    refused_at("/bodies/0/follows/2/paint", &json!([]), "/bodies/0/follows/2/select", &["nothing is", "dabs"]);
     let mut scene = every_field();
     let dab = scene.bodies[0].paint[0].clone();
     scene.bodies[0].paint = vec![dab; 10_001];

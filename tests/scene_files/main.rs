@@ -1,6 +1,7 @@
 //! Scene files: what is accepted, what is refused and how the refusal reads.
 
 mod any_element;
+mod any_parts;
 mod building;
 mod damage;
 mod errors;

@@ -1,6 +1,7 @@
 //! What is loaded is what was saved.
 
 use super::any_element::{above_zero, element, extra, number};
+use super::any_parts::{follow, sheet};
 use super::{EVERY_FIELD, every_field};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -17,7 +18,7 @@ fn every_field_survives() {
 }
 
 /// Members that hold one of several alternatives.
-const CHOICES: [&str; 15] = [
+const CHOICES: [&str; 17] = [
     "shape",
     "mass",
     "source",
@@ -25,6 +26,8 @@ const CHOICES: [&str; 15] = [
     "along",
     "select",
     "motion",
+    "leader",
+    "hold",
     "drive",
     "gravity_drive",
     "pressure_drive",
@@ -80,11 +83,11 @@ fn text_is_laid_out_for_people() {
     assert!(text.starts_with("{\n  \"version\": 1,\n") && text.ends_with("}\n"));
 }
 
-fn vector() -> impl Strategy<Value = [f64; 3]> {
+pub fn vector() -> impl Strategy<Value = [f64; 3]> {
     [number(), number(), number()]
 }
 
-fn direction() -> impl Strategy<Value = [f64; 3]> {
+pub fn direction() -> impl Strategy<Value = [f64; 3]> {
     (above_zero(), number(), number()).prop_map(|(x, y, z)| [x, y, z])
 }
 
@@ -123,26 +126,6 @@ fn activation() -> impl Strategy<Value = Activation> {
         (above_zero(), 0.1..=1.0, extra()).prop_map(|(force, width, extra)| MusclePull { force, width, extra });
     (drive(), -0.5..=0.8, proptest::option::of(curl), proptest::option::of(muscle), extra()).prop_map(
         |(drive, contract, curl, muscle, extra)| Activation { drive, contract, curl, muscle, twist: None, extra },
-    )
-}
-
-fn sheet() -> impl Strategy<Value = Sheet> {
-    let rows = vec(vec(vector(), 3), 2..4).prop_map(SheetSource::Grid);
-    let triangle = (vec(vector(), 3), extra()).prop_map(|(vertices, extra)| {
-        SheetSource::Triangles(SheetTriangles { vertices, triangles: vec![[0, 1, 2]], extra })
-    });
-    let grain = (direction(), above_zero(), extra()).prop_map(|(axis, et, extra)| Grain {
-        along: GrainAlong::Direction(axis),
-        et,
-        extra,
-    });
-    let stiffness = (above_zero(), above_zero(), proptest::option::of(grain), extra())
-        .prop_map(|(et, bending, grain, extra)| SheetStiffness { et, poisson_ratio: 1.0 / 3.0, bending, grain, extra });
-    (prop_oneof![rows, triangle], stiffness, 0.0..=1.0, extra()).prop_map(
-        |(source, stiffness, volume_fraction, extra)| {
-            let sheet = Sheet::grid("sheet", Vec::new()).with_rest_shape(SheetRestShape::Flat);
-            Sheet { source, stiffness, volume_fraction, extra, ..sheet }
-        },
     )
 }
 
@@ -285,7 +268,7 @@ fn body() -> impl Strategy<Value = Body> {
     });
     let dab = (vector(), above_zero(), 0.0..=1.0, 0.0..=1.0, extra())
         .prop_map(|(center, radius, value, strength, extra)| Dab { center, radius, value, strength, extra });
-    let parts = (fibre(), vec(dab, 0..3), pin, sheet(), element());
+    let parts = (fibre(), vec(dab, 0..3), pin, sheet(), (element(), follow()));
     (any::<String>(), look(), shape, placement, material, initial, selector(), parts, extra()).prop_map(
         |(
             name,
@@ -295,7 +278,7 @@ fn body() -> impl Strategy<Value = Body> {
             material,
             initial,
             select,
-            (fibre, paint, pin, sheet, element),
+            (fibre, paint, pin, sheet, (element, follow)),
             extra,
         )| {
             Body {
@@ -320,6 +303,7 @@ fn body() -> impl Strategy<Value = Body> {
                 region_materials: vec![RegionMaterial::of("region")],
                 voids: vec![Void::sphere("void", [0.0; 3], 1.0 / 3.0)],
                 pins: vec![pin],
+                follows: vec![follow],
                 extra,
             }
         },

@@ -13,6 +13,7 @@ mod elements;
 mod exporting;
 mod fibres;
 mod first_scene;
+mod follows;
 mod gallery;
 mod hashes;
 mod hurried;

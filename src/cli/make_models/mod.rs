@@ -5,6 +5,7 @@
 //! spacing of 6 mm that follows from its support radius of 15 mm.
 
 mod bars;
+mod character;
 mod field;
 mod plants;
 mod tube;
@@ -12,7 +13,7 @@ mod tube;
 use super::{CliError, Console, Outcome, output};
 use crate::geometry::model::Model;
 use crate::geometry::solid::Solid;
-use crate::io::{make_folder, write_glb};
+use crate::io::{make_folder, write_glb, write_skinned_glb};
 use clap::Args;
 use glam::DVec3;
 use std::path::PathBuf;
@@ -33,6 +34,9 @@ const SEED: u64 = 7;
 /// Colours of plants and leaves.
 const PLANT: [f32; 3] = [0.17, 0.42, 0.13];
 const LEAF: [f32; 3] = [0.26, 0.50, 0.12];
+
+/// Colour of the figure on a skeleton.
+const CHARACTER: [f32; 3] = [0.72, 0.42, 0.26];
 
 /// Makes the models and writes one GLB file each.
 ///
@@ -56,6 +60,11 @@ pub(super) fn run(args: &MakeModels, console: &mut Console) -> Result<Outcome, C
         write_glb(&path, &model, name)?;
         console.print(&output::wrote(&format!("{name}: {} vertices,", model.positions.len()), &path))?;
     }
+    let (model, skeleton) = character::character();
+    let model = coloured(model, CHARACTER);
+    let path = args.folder.join("character.glb");
+    write_skinned_glb(&path, &model, &skeleton, "character")?;
+    console.print(&output::wrote(&format!("character: {} vertices,", model.positions.len()), &path))?;
     Ok(Outcome::Done)
 }
 

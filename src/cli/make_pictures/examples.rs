@@ -20,8 +20,9 @@ const fn beside_start(name: &'static str, at: f64) -> ExamplePicture {
 }
 
 /// Every scene that ships.
-pub(super) const EXAMPLES: [ExamplePicture; 86] = [
+pub(super) const EXAMPLES: [ExamplePicture; 87] = [
     beside_start("alive_ball", 1.6),
+    at("alive_character", 0.95),
     beside_start("alive_fish", 2.0),
     at("alive_gripper", 2.0),
     at("alive_heart", 0.6),

@@ -7,7 +7,9 @@ use super::of_two_layer::scaled_two_layer;
 use super::rigid::Rigid;
 use crate::edit::fibre_ops::FibreEditError;
 use crate::edit::sheet_ops;
-use crate::scene::{Body, Impulse, Mass, OwnedBody, Placement, Region, Rotation, Selector, Shape, VoidShape};
+use crate::scene::{
+    Body, Dab, Follow, FollowSelect, Impulse, Mass, OwnedBody, Placement, Region, Rotation, Selector, Shape, VoidShape,
+};
 use glam::{DQuat, DVec3};
 
 /// The body moved by `offset` [m], world.
@@ -42,6 +44,7 @@ pub fn scaled(body: &OwnedBody, pivot: DVec3, factor: f64) -> Result<OwnedBody, 
     view.regions_mut().iter_mut().for_each(|region| scale_region(region, factor));
     scaled_drives(view.drives_mut(), factor);
     scaled_pins(view.pins_mut(), pivot, factor);
+    view.follows_mut().iter_mut().for_each(|follow| scale_follow(follow, factor));
     let placement = view.placement_mut();
     let at = DVec3::from_array(placement.translation);
     placement.translation = (pivot + factor * (at - pivot)).to_array();
@@ -98,10 +101,7 @@ fn scale_solid(body: &mut Body, factor: f64) -> Result<(), FibreEditError> {
         *sheet = sheet_ops::scaled(sheet, factor)?;
     }
     body.elements.iter_mut().for_each(|element| scale_element(element, factor));
-    for dab in &mut body.paint {
-        dab.center = dab.center.map(|at| factor * at);
-        dab.radius *= factor;
-    }
+    scale_paint(&mut body.paint, factor);
     for void in &mut body.voids {
         scale_void(&mut void.shape, factor)?;
     }
@@ -113,6 +113,21 @@ fn scale_solid(body: &mut Body, factor: f64) -> Result<(), FibreEditError> {
         *impulse = impulse.map(|part| part * factor.powi(3));
     }
     Ok(())
+}
+
+fn scale_paint(paint: &mut [Dab], factor: f64) {
+    for dab in paint {
+        dab.center = dab.center.map(|at| factor * at);
+        dab.radius *= factor;
+    }
+}
+
+fn scale_follow(follow: &mut Follow, factor: f64) {
+    *follow.leader.scale_mut() *= factor;
+    if let FollowSelect::Distance(distance) = &mut follow.select {
+        *distance *= factor;
+    }
+    scale_paint(&mut follow.paint, factor);
 }
 
 fn scale_void(shape: &mut VoidShape, factor: f64) -> Result<(), FibreEditError> {

@@ -1,5 +1,6 @@
-//! Models in: OBJ, STL, PLY, glTF and GLB.
+//! Models in: OBJ, STL, PLY, glTF and GLB; and their motions: the skeletons of glTF, PC2 and MDD.
 
+mod caches;
 mod failure;
 mod gltf;
 mod limits;
@@ -25,6 +26,8 @@ use super::IoError;
 use super::read::read_bytes;
 use crate::geometry::file_mesh::{FileMesh, FilePart};
 use crate::geometry::model::Model;
+use crate::geometry::point_cache::PointCache;
+use crate::geometry::skeleton::Skeleton;
 use crate::scene::one_line;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -73,16 +76,55 @@ pub(crate) fn is_model(path: &Path) -> bool {
 pub fn load_model(path: &Path) -> Result<Model, IoError> {
     let load = || {
         let format = Format::of(path).ok_or(IoError::UnknownModel)?;
-        read(&read_bytes(path, MAX_MODEL_BYTES)?, format, path)
+        read(&model_bytes(path)?, format, path)
     };
     load().map_err(|error| error.within(path))
+}
+
+/// The bytes of a file of a model or of its motion.
+///
+/// # Errors
+/// No regular file of sensible size.
+pub(super) fn model_bytes(path: &Path) -> Result<Vec<u8>, IoError> {
+    read_bytes(path, MAX_MODEL_BYTES)
+}
+
+/// Reads the skeleton of a glTF file of that name from its bytes, in the file's own unit and axes.
+///
+/// # Errors
+/// As [`read_model`], and a file without a skin or without an animation.
+pub(super) fn read_skeleton(name: &Path, bytes: &[u8]) -> Result<Skeleton, IoError> {
+    if Format::of(name) != Some(Format::Gltf) {
+        return Err(IoError::UnknownSkeleton.within(name));
+    }
+    let folder = name.parent().unwrap_or(Path::new(""));
+    let read = guarded(|| gltf::read_skeleton(bytes, folder));
+    read.map_err(|failure| error_of(failure, Format::Gltf.name()).within(name))
+}
+
+/// Reads a point cache of that name from its bytes, in the file's own unit and axes.
+///
+/// # Errors
+/// A name or content that is none of PC2 or MDD.
+pub(super) fn read_cache(name: &Path, bytes: &[u8]) -> Result<PointCache, IoError> {
+    let ending = name.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+    let (read, format) = match ending.as_deref() {
+        Some("pc2") => (guarded(|| caches::read_pc2(bytes)), "PC2"),
+        Some("mdd") => (guarded(|| caches::read_mdd(bytes)), "MDD"),
+        _ => return Err(IoError::UnknownCache.within(name)),
+    };
+    read.map_err(|failure| error_of(failure, format).within(name))
+}
+
+/// Importers meet files that nobody has thought of: a panic in one is a file that cannot be read.
+fn guarded<T>(read: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
+    catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| Err(Failure::new("it is damaged")))
 }
 
 /// Reads a model from the bytes of a file of that name, which need not be there; files beside it that it refers to must.
 ///
 /// # Errors
 /// As [`load_model`], but for those of reading.
-#[cfg(feature = "gui")]
 pub(crate) fn read_model(name: &Path, bytes: &[u8]) -> Result<Model, IoError> {
     let format = Format::of(name).ok_or(IoError::UnknownModel);
     format.and_then(|format| read(bytes, format, name)).map_err(|error| error.within(name))
@@ -90,28 +132,26 @@ pub(crate) fn read_model(name: &Path, bytes: &[u8]) -> Result<Model, IoError> {
 
 fn read(bytes: &[u8], format: Format, path: &Path) -> Result<Model, IoError> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    // Importers meet files that nobody has thought of: a panic in one is a file that cannot be read.
-    let read = catch_unwind(AssertUnwindSafe(|| match format {
+    let read = guarded(|| match format {
         Format::Obj => obj::read(bytes, folder),
         Format::Stl => stl::read(bytes),
         Format::Ply => ply::read(bytes),
         Format::Gltf => gltf::read(bytes, folder),
-    }));
+    });
     let failure = match read {
-        Ok(Ok(model)) if model.triangles.len().max(model.positions.len()) > MOST => {
+        Ok(model) if model.triangles.len().max(model.positions.len()) > MOST => {
             Failure::new(format_args!("it has more than {} million faces or vertices", MOST / 1_000_000))
         }
-        Ok(Ok(model)) => return Ok(without_strays(with_file(model))),
-        Ok(Err(failure)) => failure,
-        Err(_) => Failure::new("it is damaged"),
+        Ok(model) => return Ok(without_strays(with_file(model))),
+        Err(failure) => failure,
     };
-    Err(error_of(failure, format))
+    Err(error_of(failure, format.name()))
 }
 
-fn error_of(failure: Failure, format: Format) -> IoError {
+fn error_of(failure: Failure, format: &'static str) -> IoError {
     match failure {
         Failure::Content { problem, remedy } => {
-            IoError::Model { format: format.name(), problem: one_line(&problem), remedy: one_line(&remedy) }
+            IoError::Model { format, problem: one_line(&problem), remedy: one_line(&remedy) }
         }
         Failure::Other(error) => error,
     }
@@ -122,8 +162,9 @@ fn error_of(failure: Failure, format: Format) -> IoError {
 /// # Errors
 /// As [`load_model`].
 pub(super) fn load_obj_lines(path: &Path) -> Result<Vec<obj_lines::ObjLine>, IoError> {
-    let load =
-        || obj_lines::read(&read_bytes(path, MAX_MODEL_BYTES)?).map_err(|failure| error_of(failure, Format::Obj));
+    let load = || {
+        obj_lines::read(&read_bytes(path, MAX_MODEL_BYTES)?).map_err(|failure| error_of(failure, Format::Obj.name()))
+    };
     load().map_err(|error| error.within(path))
 }
 
@@ -139,7 +180,7 @@ pub(super) fn companions(path: &Path, bytes: &[u8]) -> Result<NamedFiles, IoErro
         Format::Gltf => named_files::of_gltf(bytes, folder),
         Format::Stl | Format::Ply => Ok(NamedFiles::default()),
     };
-    found.map_err(|failure| error_of(failure, format))
+    found.map_err(|failure| error_of(failure, format.name()))
 }
 
 /// Where a reader cuts and splits nothing, the model is the mesh of its file.

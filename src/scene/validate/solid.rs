@@ -3,15 +3,17 @@
 use super::check::{At, Checked, Ids, fraction, not_negative, positive, require, vector, within};
 use super::drives;
 use super::elements::elements;
+use super::follows::follows;
 use super::lines::source;
+use super::paint::paint;
 use super::parts::{impulses, initial, model_file, pins, placement, regions, rotation};
 use super::sheets::sheets;
 use super::voids::voids;
 use super::{SceneError, brief};
 use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
-    Body, CapsuleShape, CylinderShape, Dab, Fibre, IntegratorChoice, IntegratorKind, MAX_DABS, MAX_PARTICLES, Mass,
-    Material, Shape, Stiffness, TorusShape,
+    Body, CapsuleShape, CylinderShape, Fibre, IntegratorChoice, IntegratorKind, MAX_PARTICLES, Mass, Material, Shape,
+    Stiffness, TorusShape,
 };
 use glam::{DMat3, DVec3};
 
@@ -183,7 +185,8 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
     paint(&at.field("paint"), &body.paint)?;
     voids(&at.field("voids"), &body.voids)?;
     region_materials(&at.field("region_materials"), body, &known)?;
-    pins(at, &body.pins, &known, &body.drives)
+    pins(at, &body.pins, &known, &body.drives)?;
+    follows(&at.field("follows"), &body.follows, &known)
 }
 
 fn region_materials(at: &At<'_>, body: &Body, regions: &Ids<'_>) -> Checked {
@@ -194,20 +197,6 @@ fn region_materials(at: &At<'_>, body: &Body, regions: &Ids<'_>) -> Checked {
         of.density.map_or(Ok(()), |value| positive(&at.field("density"), value, "kg/m³"))?;
         of.damping.map_or(Ok(()), |value| not_negative(&at.field("damping"), value, "1/s"))?;
         not_negative(&at.field("transition"), of.transition, "m")?;
-    }
-    Ok(())
-}
-
-fn paint(at: &At<'_>, paint: &[Dab]) -> Checked {
-    require(at, &[(); 0], paint.len() <= MAX_DABS, &format!("has {} dabs", paint.len()), || {
-        format!("give at most {MAX_DABS}, with larger radii")
-    })?;
-    for (index, dab) in paint.iter().enumerate() {
-        let at = at.item(index);
-        vector(&at.field("center"), &dab.center, "m")?;
-        positive(&at.field("radius"), dab.radius, "m")?;
-        fraction(&at.field("value"), dab.value)?;
-        fraction(&at.field("strength"), dab.strength)?;
     }
     Ok(())
 }

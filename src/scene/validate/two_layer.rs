@@ -2,6 +2,7 @@
 
 use super::check::{At, Checked, Ids, finite, not_negative, number, ordered, positive, require, vector};
 use super::drives;
+use super::follows::follows;
 use super::parts::{impulses, initial, model_file, pins, placement, regions};
 use crate::scene::{Drive, InnerOffset, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
 
@@ -37,6 +38,7 @@ pub(super) fn two_layer(at: &At<'_>, body: &TwoLayer) -> Checked {
         drives::share(&at.field("contract"), of.contract, "springs shorter by {} of their length", range)?;
     }
     pins(at, &body.pins, &known, &body.drives)?;
+    follows(&at.field("follows"), &body.follows, &known)?;
     for (index, drag) in body.drags.iter().enumerate() {
         let at = at.field("drags");
         let at = at.item(index);

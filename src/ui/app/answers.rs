@@ -7,6 +7,7 @@ use crate::ui::colliders_section::add_mesh;
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{self, Answer, Dialog, PathPurpose};
 use crate::ui::export;
+use crate::ui::follows_section::add_follow;
 use crate::ui::next::Next;
 
 impl App {
@@ -23,6 +24,11 @@ impl App {
             }
             (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Collider, .. }) => {
                 if let Err(error) = add_mesh(&mut self.cx, &path) {
+                    self.cx.say(Severity::Error, error.to_string());
+                }
+            }
+            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Follow, .. }) => {
+                if let Err(error) = add_follow(&mut self.cx, &path) {
                     self.cx.say(Severity::Error, error.to_string());
                 }
             }

@@ -22,6 +22,8 @@ pub(crate) enum PathPurpose {
     Export,
     /// To add a model as a collider.
     Collider,
+    /// To have the active body follow a motion.
+    Follow,
 }
 
 /// What is open over the window.

@@ -10,6 +10,8 @@ use std::sync::mpsc::{Receiver, channel};
 
 /// How names of models end.
 const MODELS: [&str; 5] = ["obj", "stl", "ply", "gltf", "glb"];
+/// How names of motions end.
+const MOTIONS: [&str; 4] = ["gltf", "glb", "pc2", "mdd"];
 const MODEL_HINT: &str = "Path of an .obj, .stl, .ply, .gltf or .glb model";
 
 /// Asks for a path.
@@ -29,6 +31,9 @@ pub(super) fn ask_path(
         PathPurpose::Save => ("Save the scene", "Save", scene_hint),
         PathPurpose::Collider => {
             ("Add a model that bodies touch", "Add", "Path of an .obj, .stl, .ply, .gltf or .glb model")
+        }
+        PathPurpose::Follow => {
+            ("Follow a motion", "Follow", "Path of a .gltf or .glb with a skin, or of a .pc2 or .mdd cache")
         }
         PathPurpose::Export => ("Export readings of every frame", "Export", "Path of a .csv table"),
     };
@@ -78,6 +83,7 @@ fn browse(purpose: PathPurpose, ctx: Context) -> Receiver<Option<PathBuf>> {
             PathPurpose::Collider | PathPurpose::Add(_) => {
                 rfd::FileDialog::new().add_filter("model", &MODELS).pick_file()
             }
+            PathPurpose::Follow => rfd::FileDialog::new().add_filter("motion", &MOTIONS).pick_file(),
             PathPurpose::Save => scenes().set_file_name("scene.json").save_file(),
             PathPurpose::Export => {
                 rfd::FileDialog::new().add_filter("table", &["csv"]).set_file_name("readings.csv").save_file()

@@ -1,6 +1,6 @@
 //! The scenes that ship, within the program, so that they are there from whatever folder it is started.
 
-use crate::io::{IoError, load_assets_by, read_model, scene_from_json};
+use crate::io::{IoError, load_assets_by, scene_from_json};
 use crate::scene::{Assets, Scene};
 
 /// A scene that ships.
@@ -53,7 +53,8 @@ impl Group {
 }
 
 /// The models that the scenes name, by their files' names.
-const MODELS: [(&str, &[u8]); 7] = [
+const MODELS: [(&str, &[u8]); 8] = [
+    ("character.glb", include_bytes!("../../../assets/character.glb")),
     ("leaf.glb", include_bytes!("../../../assets/leaf.glb")),
     ("long_bar.glb", include_bytes!("../../../assets/long_bar.glb")),
     ("plant.glb", include_bytes!("../../../assets/plant.glb")),
@@ -88,10 +89,7 @@ impl Example {
 /// # Errors
 /// Another one is named.
 pub(crate) fn shipped_assets(scene: &Scene) -> Result<Assets, IoError> {
-    load_assets_by(scene, &|path| {
-        let bytes = path.to_str().and_then(shipped).ok_or(IoError::Missing)?;
-        read_model(path, bytes)
-    })
+    load_assets_by(scene, &|path| path.to_str().and_then(shipped).map(<[u8]>::to_vec).ok_or(IoError::Missing))
 }
 
 /// The bytes of a model that ships, by its file's name.
@@ -127,6 +125,7 @@ examples! {
         "The fibre breaks where it turns too far, and the leaf hangs.";
     Start "two_layer_ball_on_bar", "A ball on the bar", "":
         "A gas-filled ball comes to rest on a fibre solid: both give.";
+    Alive "alive_character", "A figure on a skeleton", "": "It bows and waves, and its soft ears lag and settle.";
     Alive "alive_worm", "A worm", "": "A wave along its fibres lets it crawl to the right by friction.";
     Alive "alive_worm_back", "A worm that crawls back", "": "The wave turned round: it crawls to the left, as far.";
     Alive "alive_heart", "A heart", "": "Rings of fibres contract in a beat that repeats.";

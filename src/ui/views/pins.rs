@@ -3,6 +3,8 @@
 
 use super::frame::ViewFrame;
 use super::kind::PaneKind;
+use crate::bake::followed_bones;
+use crate::scene::Hold;
 use crate::sim::PinnedPoint;
 use crate::ui::context::{ChosenPin, Context};
 use crate::ui::theme;
@@ -69,6 +71,39 @@ fn paint_pin(painter: &Painter, [at, head]: [Pos2; 2], colour: Color32, hovered:
     let radius = if hovered { 1.25 * HEAD } else { HEAD };
     painter.line_segment([at, head], Stroke::new(1.5, colour));
     painter.circle(head, radius, colour, Stroke::new(1.0, Color32::from_black_alpha(120)));
+}
+
+/// Shows what the bodies follow: the bones as the result has them, and the particles that are held to a motion, as pins hold
+/// theirs.
+pub(super) fn follows(ui: &Ui, frame: &ViewFrame, cx: &Context) {
+    if cx.simulation.is_comparing() || frame.kind != PaneKind::Result {
+        return;
+    }
+    let published = cx.simulation.published();
+    if !cx.simulation.is_up_to_date() || published.status.baking.is_some() {
+        return;
+    }
+    let painter = ui.painter_at(frame.rect);
+    let ink = theme::color(cx.tone.pictures().text);
+    let bodies = cx.scene().all_bodies().zip(published.held.iter()).zip(&published.snapshot.bodies);
+    for ((body, held), shown) in bodies.filter(|((body, _), _)| !body.hidden() && !body.follows().is_empty()) {
+        // What is followed is held before the pins.
+        let hard = body.follows().iter().filter(|of| of.hold == Hold::Hard).count();
+        let end = held.len().saturating_sub(body.pins().len());
+        for particles in &held[end.saturating_sub(hard)..end] {
+            for &i in particles.iter().step_by(particles.len().div_ceil(MARKS).max(1)) {
+                if let Some(at) = shown.particles.get(i as usize).and_then(|&point| frame.screen(point)) {
+                    painter.circle_filled(at, MARK, ink.gamma_multiply(0.6));
+                }
+            }
+        }
+        for bone in followed_bones(body, &cx.document.assets, published.snapshot.time) {
+            if let [Some(from), Some(to)] = bone.map(|end| frame.screen(end)) {
+                painter.line_segment([from, to], Stroke::new(1.0, ink.gamma_multiply(0.8)));
+                painter.circle_stroke(from, 2.0 * MARK, Stroke::new(1.0, ink.gamma_multiply(0.8)));
+            }
+        }
+    }
 }
 
 /// The pins that a view shows: all of them in the result, those of the body that is drawn into elsewhere.

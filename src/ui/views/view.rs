@@ -14,7 +14,7 @@ use super::out_of_sight::point_at_bodies;
 use super::overlay::{paint_result, paint_title};
 use super::pane::Pane;
 use super::picture::{Painter, ViewInputs};
-use super::pins::pins;
+use super::pins::{follows, pins};
 use super::region::{RegionTool, paint_pattern};
 use super::sketching::Sketching;
 use super::strokes::paint_strokes;
@@ -106,6 +106,7 @@ pub(super) fn show(
     if frame.kind == PaneKind::Result {
         point_at_bodies(ui, &frame, cx);
     }
+    follows(ui, &frame, cx);
     pins(ui, &frame, cx);
 }
 

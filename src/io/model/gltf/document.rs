@@ -21,6 +21,8 @@ pub(super) struct Document {
     pub(super) buffers: Vec<Buffer>,
     pub(super) materials: Vec<Material>,
     pub(super) skins: Vec<Skin>,
+    /// Looked into only where a motion is asked for.
+    pub(super) animations: Value,
     pub(super) extensions_required: Vec<String>,
 }
 
@@ -33,6 +35,8 @@ pub(super) struct Scene {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Node {
+    /// Whatever stands there.
+    pub(super) name: Value,
     pub(super) children: Vec<usize>,
     pub(super) mesh: Option<usize>,
     pub(super) skin: Option<usize>,

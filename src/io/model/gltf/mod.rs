@@ -5,6 +5,7 @@
 //! read nothing where data is missing, and fall over numbers of other types than a vertex usually has.
 
 mod accessor;
+mod animation;
 mod buffers;
 mod container;
 mod document;
@@ -12,6 +13,9 @@ mod extensions;
 mod own_mesh;
 mod pose;
 mod primitive;
+mod skeleton;
+
+pub(super) use self::skeleton::read_skeleton;
 
 use self::accessor::Accessors;
 use self::buffers::{Buffers, decode_percent};

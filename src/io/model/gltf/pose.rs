@@ -20,7 +20,7 @@ pub(super) fn local(node: &Node) -> DMat4 {
 }
 
 /// A rotation, whatever the length of its numbers.
-fn quaternion(xyzw: [f64; 4]) -> DQuat {
+pub(super) fn quaternion(xyzw: [f64; 4]) -> DQuat {
     let [x, y, z, w] = xyzw;
     let length = xyzw.iter().map(|c| c * c).sum::<f64>().sqrt();
     // Only those that are off are mended, so that all others keep their bits.

@@ -1,7 +1,7 @@
 //! One drawn piece of a glTF mesh: its vertices in the pose of the file, its faces, its colours.
 
 use super::super::failure::Failure;
-use super::accessor::{Accessors, Rows, Whole};
+use super::accessor::{Accessors, Whole};
 use super::buffers::compressed;
 use super::document::{Material, Mesh, Primitive};
 use crate::geometry::model::MeshData;
@@ -108,7 +108,7 @@ impl Piece<'_, '_> {
     }
 
     /// Refuses data that stands in the file only in a form that is not read.
-    fn refuse_compressed(&self) -> Result<(), Failure> {
+    pub(super) fn refuse_compressed(&self) -> Result<(), Failure> {
         let draco = self.primitive.extensions.keys().find(|name| name.contains("draco"));
         let plain = |index: &usize| {
             let accessor = self.accessors.document.accessors.get(*index);
@@ -121,7 +121,7 @@ impl Piece<'_, '_> {
     }
 
     /// An attribute of vectors with what the morph targets add to it; nothing where it is missing.
-    fn vectors(&self, name: &str) -> Result<Vec<DVec3>, Failure> {
+    pub(super) fn vectors(&self, name: &str) -> Result<Vec<DVec3>, Failure> {
         let Some(&index) = self.primitive.attributes.get(name) else { return Ok(Vec::new()) };
         let purpose = format!("{name} of {}", self.name);
         let rows = self.accessors.read(index, &["VEC3"], Whole::AsSaid, &purpose)?;
@@ -137,7 +137,7 @@ impl Piece<'_, '_> {
         Ok(vectors)
     }
 
-    fn indices(&self, vertices: usize) -> Result<Vec<u32>, Failure> {
+    pub(super) fn indices(&self, vertices: usize) -> Result<Vec<u32>, Failure> {
         let Some(index) = self.primitive.indices else { return Ok((0..vertices as u32).collect()) };
         let purpose = format!("indices of {}", self.name);
         let rows = self.accessors.read(index, &["SCALAR"], Whole::Themselves, &purpose)?;
@@ -145,7 +145,7 @@ impl Piece<'_, '_> {
     }
 
     /// Refuses faces at vertices that are not there, or nowhere.
-    fn check(&self, triangles: &[[u32; 3]], positions: &[DVec3]) -> Result<(), Failure> {
+    pub(super) fn check(&self, triangles: &[[u32; 3]], positions: &[DVec3]) -> Result<(), Failure> {
         let count = positions.len();
         let missing = |index: &u32| *index as usize >= count;
         if let Some(vertex) = triangles.iter().flatten().find(|index| missing(index)) {
@@ -169,16 +169,12 @@ impl Piece<'_, '_> {
             Pose::Skinned(joints) => joints,
         };
         let mut maps = vec![(DMat4::ZERO, 0.0); vertices];
-        for set in 0.. {
-            let (held, by) = (format!("JOINTS_{set}"), format!("WEIGHTS_{set}"));
-            let attributes = &self.primitive.attributes;
-            let (Some(&held_at), Some(&by_at)) = (attributes.get(&held), attributes.get(&by)) else { break };
-            let read = |index, whole, name: &str| {
-                self.accessors.read(index, &["VEC4"], whole, &format!("{name} of {}", self.name))
-            };
-            let (held, by) = (read(held_at, Whole::Themselves, &held)?, read(by_at, Whole::Shares, &by)?);
-            self.blend(&mut maps, (&held, &by), joints)?;
-        }
+        self.each_hold(joints.len(), &mut |vertex, joint, weight| {
+            if let Some((map, sum)) = maps.get_mut(vertex) {
+                *map += joints[joint as usize] * weight;
+                *sum += weight;
+            }
+        })?;
         // Shares make one; a vertex that nothing holds goes with the first joint.
         let first = joints.first().copied().unwrap_or(DMat4::IDENTITY);
         let whole = |(map, sum): (DMat4, f64)| match sum {
@@ -189,18 +185,23 @@ impl Piece<'_, '_> {
         Ok(if vertices == 0 { vec![first] } else { maps.into_iter().map(whole).collect() })
     }
 
-    fn blend(&self, maps: &mut [(DMat4, f64)], rows: (&Rows, &Rows), joints: &[DMat4]) -> Result<(), Failure> {
-        for ((map, sum), (held, by)) in maps.iter_mut().zip(rows.0.rows().zip(rows.1.rows())) {
-            for (&joint, &weight) in held.iter().zip(by) {
-                if weight == 0.0 {
-                    continue;
+    /// Tells of every vertex which of so many joints hold it, and by how much, those by nothing left out.
+    pub(super) fn each_hold(&self, joints: usize, told: &mut dyn FnMut(usize, u32, f64)) -> Result<(), Failure> {
+        for set in 0.. {
+            let (held, by) = (format!("JOINTS_{set}"), format!("WEIGHTS_{set}"));
+            let attributes = &self.primitive.attributes;
+            let (Some(&held_at), Some(&by_at)) = (attributes.get(&held), attributes.get(&by)) else { break };
+            let read = |index, whole, name: &str| {
+                self.accessors.read(index, &["VEC4"], whole, &format!("{name} of {}", self.name))
+            };
+            let (held, by) = (read(held_at, Whole::Themselves, &held)?, read(by_at, Whole::Shares, &by)?);
+            for (vertex, (held, by)) in held.rows().zip(by.rows()).enumerate() {
+                for (&joint, &weight) in held.iter().zip(by).filter(|(_, weight)| **weight != 0.0) {
+                    if joint as usize >= joints {
+                        return Err(Failure::new(format_args!("{} is held by joint {joint} of {joints}", self.name)));
+                    }
+                    told(vertex, joint as u32, weight);
                 }
-                let Some(joint_map) = joints.get(joint as usize) else {
-                    let count = joints.len();
-                    return Err(Failure::new(format_args!("{} is held by joint {joint} of {count}", self.name)));
-                };
-                *map += *joint_map * weight;
-                *sum += weight;
             }
         }
         Ok(())
@@ -224,11 +225,11 @@ fn base_colour(material: &Material) -> [f32; 4] {
 }
 
 // The format's numbers for how vertices make faces.
-const TRIANGLES: u32 = 4;
+pub(super) const TRIANGLES: u32 = 4;
 const STRIP: u32 = 5;
 const FAN: u32 = 6;
 
-fn triangles_of(indices: &[u32], mode: u32) -> Vec<[u32; 3]> {
+pub(super) fn triangles_of(indices: &[u32], mode: u32) -> Vec<[u32; 3]> {
     match mode {
         TRIANGLES => indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect(),
         STRIP => {

@@ -1,0 +1,113 @@
+//! What a body follows: chosen, set, and let go of in the body's tab.
+
+#[path = "../alive/rig.rs"]
+#[allow(dead_code, reason = "other tests use the rest of it")]
+mod rig;
+
+use super::editing::{set, type_path};
+use super::{Window, click, click_on, hold, is_settled, open, press_key, until};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+use rig::{Rig, write_cache};
+use sinew::scene::{Follow, FollowSelect, Hold, Leader};
+use sinew::ui::Document;
+
+/// The window on a column that hangs on a skeleton in its own folder, held still.
+fn column() -> (Window, Rig) {
+    let rig = Rig::column();
+    let path = rig.path().join("scene.json");
+    let text = r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{"id": "column",
+        "shape": {"mesh": {"path": "rig.gltf"}},
+        "material": {"young_modulus": 2e4, "mass": {"density": 1000}, "support_radius": 0.03}}]}"#;
+    std::fs::write(&path, text).expect("a file");
+    let mut window = open(Document::load(Some(path)).expect("a scene that is there"));
+    hold(&mut window);
+    (window, rig)
+}
+
+fn follows(window: &Window) -> Vec<Follow> {
+    window.state().scene().bodies[0].follows.clone()
+}
+
+fn settle(window: &mut Window) {
+    window.step();
+    until(window, is_settled);
+    window.run_steps(2);
+}
+
+fn follow(window: &mut Window, rig: &Rig, name: &str) {
+    find(window, Role::Button, "Follow a motion…");
+    click(window, "Follow a motion…");
+    type_path(window, &rig.path().join(name));
+    settle(window);
+}
+
+/// Scrolls to where something is.
+fn find(window: &mut Window, role: Role, label: &str) {
+    window.get_by_role_and_label(role, label).scroll_to_me();
+    window.run_steps(20);
+}
+
+/// Types a number wherever its field is.
+fn write(window: &mut Window, label: &str, value: &str) {
+    find(window, Role::SpinButton, label);
+    set(window, label, value);
+}
+
+/// Chooses in a list.
+fn choose(window: &mut Window, list: &str, entry: &str) {
+    find(window, Role::ComboBox, list);
+    click_on(window, Role::ComboBox, list);
+    click(window, entry);
+    settle(window);
+}
+
+#[test]
+fn a_body_is_made_to_follow_a_skeleton_step_by_step() {
+    let (mut window, rig) = column();
+    follow(&mut window, &rig, "rig.gltf");
+    let first = follows(&window);
+    let [Follow { leader: Leader::Skeleton(skeleton), hold: Hold::Hard, .. }] = &first[..] else { panic!("{first:?}") };
+    assert_eq!(skeleton.path, "rig.gltf");
+    let state = &window.state().published();
+    assert!(state.status.failure.is_none() && state.held[0].len() == 1 && !state.held[0][0].is_empty());
+    let held = state.held[0][0].len();
+    choose(&mut window, "What follows", "everything");
+    assert_eq!(follows(&window)[0].select, FollowSelect::Everything);
+    assert!(window.state().published().held[0][0].len() > held);
+    write(&mut window, "Pre-roll", "0.3");
+    assert_eq!(follows(&window)[0].pre_roll, 0.3);
+    choose(&mut window, "Held", "by springs");
+    write(&mut window, "Stiffness", "900");
+    let Hold::Springs(springs) = &follows(&window)[0].hold else { panic!("no springs") };
+    assert_eq!((springs.stiffness, springs.damping), (900.0, 0.5));
+    settle(&mut window);
+    assert!(window.state().published().held[0].is_empty() && window.state().published().status.failure.is_none());
+    // Step by step back to where nothing is followed, and the last of them again.
+    for _ in 0..5 {
+        press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    }
+    assert!(follows(&window).is_empty());
+    press_key(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert_eq!(follows(&window), first);
+    find(&mut window, Role::Button, "Stop following");
+    click(&mut window, "Stop following");
+    assert!(follows(&window).is_empty());
+}
+
+#[test]
+fn what_cannot_be_followed_is_said_and_nothing_changes() {
+    let (mut window, rig) = column();
+    for (name, said) in [("scene.json", "glTF or GLB file with a skin"), ("none.pc2", "no such file")] {
+        follow(&mut window, &rig, name);
+        let message = window.state().message().unwrap_or_default().to_owned();
+        assert!(message.contains(said) && message.contains(name), "{message}");
+        assert!(follows(&window).is_empty());
+    }
+    // A cache of the body's own vertices is followed as a whole.
+    write_cache(rig.path(), "still.pc2", &[0.0], |at, _| at);
+    follow(&mut window, &rig, "still.pc2");
+    assert!(matches!(&follows(&window)[..], [Follow { select: FollowSelect::Everything, .. }]));
+    assert!(window.state().published().status.failure.is_none());
+}

@@ -134,11 +134,7 @@ pub(super) fn draft(
     let limited_by = resistance.limited_by(integrator.as_ref()).map(|parameter| strongest.pointer(parameter, path));
     forces.extend(led.into_iter().map(|springs| Box::new(springs) as Box<dyn Force>));
     let law = contact.law;
-    if !contact.planes.is_empty() {
-        forces.push(Box::new(contact));
-    }
-    forces.extend(super::colliders::contact(colliders, law, spacing));
-    forces.extend(itself.map(|itself| Box::new(itself) as Box<dyn Force>));
+    forces.extend(contacts(contact, itself, (colliders, spacing)));
 
     let mut constraints = follows::constraints(&followed, &rest);
     constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
@@ -177,6 +173,18 @@ pub(super) fn draft(
     };
     note_pins(scene, &holders(&body.pins, &body.follows, path), &parts, Following::of_solid(body), notes);
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
+}
+
+/// Contact with the room, with colliders and with itself, as far as there is any.
+fn contacts(
+    contact: Contact,
+    itself: Option<SelfContact>,
+    (colliders, spacing): (&Arc<[Collider]>, f64),
+) -> impl Iterator<Item = Box<dyn Force>> {
+    let with_colliders = super::colliders::contact(colliders, contact.law, spacing);
+    let with_room = (!contact.planes.is_empty()).then(|| Box::new(contact) as Box<dyn Force>);
+    let with_itself = itself.map(|itself| Box::new(itself) as Box<dyn Force>);
+    with_room.into_iter().chain(with_colliders).chain(with_itself)
 }
 
 /// What contact with all that there is, itself included, may ask of the step.

@@ -54,12 +54,7 @@ pub(super) fn draft(
         give_impulse(&mut state, group, DVec3::from_array(impulse.impulse));
     }
     let layers = layers(scene, body, &model, &rest);
-    for pressure in gas(body, &layers) {
-        let volume = pressure.volume(&state.positions);
-        if volume <= 0.0 {
-            return Err(BakeError::InsideOut { path: format!("{path}/initial/deformation"), volume });
-        }
-    }
+    encloses(&gas(body, &layers), &state, path)?;
     let active = active_springs(body, &layers.springs, &regions, path)?;
     let particles = (AnyBody::TwoLayer(body), model.points.as_slice(), &regions);
     let followed = follows::bind(scene, assets, particles, path, notes)?;
@@ -260,6 +255,15 @@ fn gas(body: &TwoLayer, layers: &Layers) -> Vec<Pressure> {
     };
     let drive = body.pressure_drive.as_ref().map(|drive| drives::drive(drive, &body.drives));
     spaces.into_iter().map(|surfaces| Pressure::new(body.pressure, surfaces).driven(drive.clone())).collect()
+}
+
+/// Refuses a start whose gas has no volume.
+fn encloses(gas: &[Pressure], state: &ParticleState, path: &str) -> Result<(), BakeError> {
+    let volumes = gas.iter().map(|pressure| pressure.volume(&state.positions));
+    match volumes.into_iter().find(|volume| *volume <= 0.0) {
+        Some(volume) => Err(BakeError::InsideOut { path: format!("{path}/initial/deformation"), volume }),
+        None => Ok(()),
+    }
 }
 
 /// What a contact asks of the time step: the lightest of the first `touching` particles touches something that does not give.

@@ -47,7 +47,8 @@ pub(super) fn active_springs_section(ui: &mut Ui, cx: &mut Context, body: &mut T
     let tooltip = "Lets rest lengths change in time: a number, and a lane under Drives";
     if ui.button("Let springs act").on_hover_text(tooltip).clicked() {
         let is_free = |name: &String| body.active_springs.iter().all(|one| one.id != *name);
-        let name = (1..).map(|k| format!("pull-{k}")).find(is_free).unwrap_or_default();
+        let most = body.active_springs.len() + 1;
+        let name = (1..=most).map(|k| format!("pull-{k}")).find(is_free).unwrap_or_default();
         body.active_springs.push(ActiveSprings::new(name, BUILT_IN[0], FIRST_CONTRACTION, 1.0));
     }
 }

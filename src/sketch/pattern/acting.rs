@@ -67,7 +67,9 @@ pub(super) fn tail(values: &[f64], inner: &Inner) -> Vec<Polyline> {
     let &[.., vertices] = values else { return Vec::new() };
     let [along, aside] = level(inner);
     let mut fibres = pairs(vertices, along, aside, 1);
-    fibres.iter_mut().for_each(|fibre| fibre.reverse());
+    for fibre in &mut fibres {
+        fibre.reverse();
+    }
     fibres
 }
 

@@ -101,7 +101,7 @@ impl Followers<'_> {
                 (led::Leader::Skeleton { skeleton, clip, bound }, last - first)
             }
             Leader::Cache(cache) => {
-                let candidates = self.to_faces(cache, &frame, &format!("{path}/leader/cache"))?;
+                let candidates = self.to_faces(cache, &frame, &format!("{path}/leader/cache"), notes)?;
                 let cached = self.assets.cache(&cache.path).ok_or_else(|| not_loaded(path, "cache"))?;
                 let rate = cache.frames_per_second.unwrap_or(self.scene.time.frames_per_second);
                 let (seconds, bound) = (cached.seconds(rate), kept(candidates, &mut choose));
@@ -183,7 +183,13 @@ impl Followers<'_> {
     }
 
     /// Binds every particle to the face of a cache's mesh that is nearest to it.
-    fn to_faces(&self, of: &CacheLeader, frame: &DMat4, path: &str) -> Result<Vec<Candidate<BoundToFace>>, BakeError> {
+    fn to_faces(
+        &self,
+        of: &CacheLeader,
+        frame: &DMat4,
+        path: &str,
+        notes: &mut Vec<Note>,
+    ) -> Result<Vec<Candidate<BoundToFace>>, BakeError> {
         let cache = self.assets.cache(&of.path).ok_or_else(|| not_loaded(path, ""))?;
         let (to_file, scale) = (frame.inverse(), frame.x_axis.truncate().length());
         let own = || {
@@ -195,6 +201,10 @@ impl Followers<'_> {
             (mesh, mesh.points.clone())
         } else {
             let mesh = own().ok_or_else(|| BakeError::NoRest { path: path.to_owned() })?;
+            if self.body.model().is_some_and(|model| (model.scale, model.up) != (of.scale, of.up)) {
+                let text = "has another scale or upward axis than the body's own model, whose vertices it moves";
+                notes.push(Note { path: path.to_owned(), text: text.to_owned(), warning: true });
+            }
             (mesh, mesh.points.iter().map(|&point| to_file.transform_point3(point)).collect())
         };
         if points.len() != cache.points() {

@@ -81,7 +81,8 @@ fn moves_gently(scene: &Scene, body: &Body) -> bool {
     let is_moved = body.pins.iter().any(|pin| matches!(pin.motion, Motion::Driven(_)));
     let is_driven = scene.gravity_drive.is_some()
         || body.fibres.iter().any(|fibre| fibre.activation.is_some())
-        || body.sheets.iter().any(|sheet| sheet.activation.is_some());
+        || body.sheets.iter().any(|sheet| sheet.activation.is_some())
+        || body.elements.iter().any(|element| element.activation.is_some());
     is_held
         && is_alone
         && !is_struck

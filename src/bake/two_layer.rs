@@ -55,7 +55,7 @@ pub(super) fn draft(
     }
     let layers = layers(scene, body, &model, &rest);
     encloses(&gas(body, &layers), &state, path)?;
-    let active = active_springs(body, &layers.springs, &regions, path)?;
+    let active = active_springs(body, &layers.springs, &regions, path, notes)?;
     let particles = (AnyBody::TwoLayer(body), model.points.as_slice(), &regions);
     let followed = follows::bind(scene, assets, particles, path, notes)?;
     let mut forces = own_forces(scene, body, (&model, &active), &layers, (&state, &followed));
@@ -220,6 +220,7 @@ fn active_springs(
     springs: &Springs,
     regions: &supports::Regions,
     path: &str,
+    notes: &mut Vec<Note>,
 ) -> Result<Vec<ActiveSprings>, BakeError> {
     let mut all = Vec::new();
     // Of springs that two of them have, the later one counts.
@@ -238,7 +239,11 @@ fn active_springs(
         let groups = springs.groups().iter().filter(|group| kinds.contains(&group.kind));
         let chosen = groups.flat_map(|group| group.springs.clone());
         let chosen = chosen.filter(|&spring| springs.ends()[spring].iter().all(|end| is_within.contains(end)));
-        let chosen = chosen.map(|spring| spring as u32).filter(|&spring| taken.insert(spring)).collect();
+        let chosen: Vec<u32> = chosen.map(|spring| spring as u32).filter(|&spring| taken.insert(spring)).collect();
+        if chosen.is_empty() {
+            let text = "moves nothing: no spring of that kind has both ends in its region, or later ones have them all";
+            notes.push(Note { path: format!("{path}/active_springs/{k}"), text: text.to_owned(), warning: true });
+        }
         all.push(ActiveSprings::new(&of.id, chosen, of.contract, drives::drive(&of.drive, &body.drives)));
     }
     Ok(all)

@@ -109,6 +109,9 @@ pub struct TwoLayer {
 }
 
 impl TwoLayer {
+    /// Regions that every two-layer body has: all particles, and those of either layer.
+    pub const REGIONS: [&'static str; 3] = ["everything", "outer", "inner"];
+
     /// A body of this shape with the paper's parameters (sec. 4.2.1). To change one, write it before the rest:
     /// `TwoLayer { pressure: 40.0, ..TwoLayer::ball("ball") }`.
     pub fn new(id: impl Into<String>, shape: impl Into<TwoLayerShape>) -> Self {

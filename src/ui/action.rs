@@ -129,7 +129,7 @@ actions! {
     Redraw in Fibre [plain(Key::D)] "Redraw one stroke":
         "Takes the next stroke in place of the one that the selected fibre has in that view";
     Paint in Fibre [plain(Key::V)] "Paint volume fraction":
-        "Takes up a brush that paints how much of the body is fibre, on the body in the result view";
+        "Takes up a brush that paints how much of the body is fibre, or follows a motion, in the result view";
     Patterns in Fibre [] "Patterns": "Shows layouts of fibres that can be fitted to the body and added to it";
     KeepPattern in Fibre [] "Save selection as pattern…":
         "Keeps the selected fibres, or all of them, as a pattern of your own";

@@ -16,15 +16,16 @@ const CONTRACT: NumberField = NumberField::new(
 );
 /// Share by which new ones contract.
 const FIRST_CONTRACTION: f64 = 0.2;
-/// Regions that every two-layer body has.
-const BUILT_IN: [&str; 3] = ["everything", "outer", "inner"];
 
 /// Shows the springs that act, and lets more of them.
 pub(super) fn active_springs_section(ui: &mut Ui, cx: &mut Context, body: &mut TwoLayer) {
     ui.add_space(GRID);
     ui.heading("Springs that act");
-    let regions: Vec<String> =
-        BUILT_IN.into_iter().map(str::to_owned).chain(body.regions.iter().map(|region| region.id.clone())).collect();
+    let regions: Vec<String> = TwoLayer::REGIONS
+        .into_iter()
+        .map(str::to_owned)
+        .chain(body.regions.iter().map(|region| region.id.clone()))
+        .collect();
     let id = body.id.clone();
     let mut gone = None;
     for (index, of) in body.active_springs.iter_mut().enumerate() {
@@ -49,7 +50,7 @@ pub(super) fn active_springs_section(ui: &mut Ui, cx: &mut Context, body: &mut T
         let is_free = |name: &String| body.active_springs.iter().all(|one| one.id != *name);
         let most = body.active_springs.len() + 1;
         let name = (1..=most).map(|k| format!("pull-{k}")).find(is_free).unwrap_or_default();
-        body.active_springs.push(ActiveSprings::new(name, BUILT_IN[0], FIRST_CONTRACTION, 1.0));
+        body.active_springs.push(ActiveSprings::new(name, TwoLayer::REGIONS[0], FIRST_CONTRACTION, 1.0));
     }
 }
 

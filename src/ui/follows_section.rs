@@ -7,7 +7,7 @@ use super::theme::GRID;
 use crate::edit::Command;
 use crate::io::{IoError, add_leader, path_from};
 use crate::scene::{
-    AfterLast, AnyBody, CacheLeader, Follow, FollowSelect, FollowSprings, Hold, Leader, SkeletonLeader,
+    AfterLast, AnyBody, CacheLeader, Follow, FollowSelect, FollowSprings, Hold, Leader, SkeletonLeader, TwoLayer,
 };
 use egui::{ComboBox, Ui};
 use std::path::Path;
@@ -142,19 +142,21 @@ fn show_skeleton(ui: &mut Ui, cx: &Context, leader: &mut SkeletonLeader) {
 
 fn select_fields(ui: &mut Ui, body: AnyBody<'_>, follow: &mut Follow) {
     let has_skin = matches!(follow.leader, Leader::Skeleton(_));
-    let region = body.regions().first().map(|region| region.id.clone());
     let mut offered: Vec<(String, FollowSelect)> = vec![("everything".to_owned(), FollowSelect::Everything)];
     if has_skin {
         offered.push(("what the joints hold".to_owned(), FollowSelect::SkinWeight(0.7)));
     }
     offered.push(("what is near".to_owned(), FollowSelect::Distance(0.01)));
-    if region.is_some() {
-        offered.extend(
-            body.regions()
-                .iter()
-                .map(|region| (format!("region \"{}\"", region.id), FollowSelect::Region(region.id.clone()))),
-        );
-    }
+    // The first that every two-layer body has is everything.
+    let built_in = body.two_layer().map_or(&[][..], |_| &TwoLayer::REGIONS[1..]);
+    let own = body.regions().iter().map(|region| region.id.as_str());
+    offered.extend(
+        built_in
+            .iter()
+            .copied()
+            .chain(own)
+            .map(|region| (format!("region \"{region}\""), FollowSelect::Region(region.to_owned()))),
+    );
     if !follow.paint.is_empty() {
         offered.push(("what is painted".to_owned(), FollowSelect::Painted));
     }

@@ -219,6 +219,27 @@ fn the_work_of_springs_is_booked_and_only_theirs_that_are_chosen_change() {
 }
 
 #[test]
+fn work_of_springs_stays_where_a_drive_is_taken_away_and_idle_ones_are_told() {
+    let mut ball = TwoLayer { pressure: 0.0, ..TwoLayer::ball("ball") };
+    let springs = |id: &str, region: &str| ActiveSprings::new(id, region, 0.2, Wave::new(0.3));
+    ball.active_springs = vec![springs("outer", "outer"), springs("inner", "inner")];
+    let scene = Scene::new("springs").with_gravity([0.0; 3]).with_two_layer(ball.clone());
+    let run = advanced(&scene, 0.1);
+    let work = |runner: &Runner| runner.world().bodies()[0].energies(runner.world().time()).activation;
+    let before = work(&run);
+    ball.active_springs.remove(0);
+    let mut edited = runner(&Scene::new("springs").with_gravity([0.0; 3]).with_two_layer(ball.clone()));
+    edited.adopt(&run);
+    assert!(before.abs() > 1e-3 && (work(&edited) - before).abs() < 1e-12 * before.abs(), "{before} J");
+    ball.active_springs.push(springs("none", "inner").only(SpringChoice::Radius));
+    ball.active_springs.push(springs("all", "everything"));
+    let notes = baked(&Scene::new("springs").with_gravity([0.0; 3]).with_two_layer(ball)).notes;
+    let idle: Vec<&str> =
+        notes.iter().filter(|note| note.text.contains("moves nothing")).map(|note| note.path.as_str()).collect();
+    assert_eq!(idle, ["/two_layer/0/active_springs/1", "/two_layer/0/active_springs/0"]);
+}
+
+#[test]
 fn springs_that_cannot_act_are_refused_where_they_stand() {
     let refused = |springs: ActiveSprings| {
         let ball = TwoLayer { active_springs: vec![springs], ..TwoLayer::ball("ball") };

@@ -3,7 +3,7 @@
 use crate::common::runner;
 use glam::DVec3;
 use sinew::edit::fibre_ops::made_to_act;
-use sinew::scene::{FibreSource, Scene};
+use sinew::scene::{Fibre, FibreSource, Scene};
 use sinew::sim::Runner;
 use sinew::sketch::pattern::{PATTERNS, Pattern};
 use sinew::solver::MeasureValue;
@@ -148,9 +148,14 @@ fn with(id: &str, values: &[(&str, f64)]) -> Scene {
         all[index.expect("a parameter of that name")] = *value;
     }
     let mut scene = demo_of(id).scene;
-    let acts = pattern.acts(&all, scene.bodies[0].fibres.len());
-    scene.bodies[0].drives.clear();
-    let drives = made_to_act(&mut scene.bodies[0].fibres, &acts, id, &[]);
+    let fibres = &mut scene.bodies[0].fibres;
+    let acts = pattern.acts(&all, fibres.len());
+    let line = |fibre: &Fibre| match &fibre.source {
+        FibreSource::Vertices(vertices) => vertices.iter().map(|at| DVec3::from_array(*at)).collect(),
+        FibreSource::Strokes(_) => panic!("{} has strokes", fibre.id),
+    };
+    let lines: Vec<Vec<DVec3>> = fibres.iter().map(line).collect();
+    let drives = made_to_act(fibres, (&lines, &acts), id, &[]);
     scene.bodies[0].drives = drives;
     scene
 }

@@ -175,6 +175,10 @@ fn numbers_out_of_range_are_refused() {
     refused_at(act, &share, &format!("{act}/turn_degrees"), &["which is no angle", "give `contract`"]);
     let (act, angle) = ("/bodies/0/elements/1/activation", json!({"drive": {"constant": 1}, "contract": 0.1}));
     refused_at(act, &angle, &format!("{act}/contract"), &["which is an angle", "give `turn_degrees`"]);
+    let bend = json!([{"id": "bend", "measure": "turn", "points": [[0, 0, 0], [0.01, 0, 0], [0.02, 0, 0]],
+        "law": {"spring": {"stiffness": 1}}, "activation": {"drive": {"constant": 1}, "turn_degrees": 20}}]);
+    let place = "/bodies/0/elements/0/activation/turn_degrees";
+    refused_at("/bodies/0/elements", &bend, place, &["turns a bend of 0 degrees", "dihedral"]);
     let flat = json!([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]);
     refused("/bodies/0/elements/3/points", &flat, &["leave nothing to measure", "move them apart"]);
     let weight = "/bodies/0/follows/2/select/skin_weight";

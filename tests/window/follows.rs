@@ -5,10 +5,10 @@
 mod rig;
 
 use super::editing::{set, type_path};
-use super::{Window, click, click_on, hold, is_settled, open, press_key, until};
+use super::{Window, click, click_on, drag, hold, is_settled, open, press_key, until};
 use egui::accesskit::Role;
-use egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable;
+use egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
 use rig::{Rig, write_cache};
 use sinew::scene::{Follow, FollowSelect, Hold, Leader};
 use sinew::ui::Document;
@@ -110,4 +110,71 @@ fn what_cannot_be_followed_is_said_and_nothing_changes() {
     follow(&mut window, &rig, "still.pc2");
     assert!(matches!(&follows(&window)[..], [Follow { select: FollowSelect::Everything, .. }]));
     assert!(window.state().published().status.failure.is_none());
+}
+
+#[test]
+fn how_much_follows_is_painted_with_the_brush() {
+    let (mut window, rig) = column();
+    follow(&mut window, &rig, "rig.gltf");
+    press_key(&mut window, Modifiers::NONE, Key::Home);
+    window.run_steps(40);
+    press_key(&mut window, Modifiers::NONE, Key::V);
+    window.run_steps(3);
+    choose_label(&mut window, "Volume fraction", "What follows \"motion-1\"");
+    set(&mut window, "Painted share", "0.25");
+    let particles = &window.state().published().snapshot.bodies[0].particles;
+    let middle = particles.iter().sum::<glam::DVec3>() / particles.len() as f64;
+    let middle = window.state().shown_at(middle).expect("the body is in sight");
+    let path: Vec<Pos2> = (0..=20).map(|k| middle + Vec2::new(0.0, k as f32 - 10.0)).collect();
+    drag(&mut window, &path);
+    settle(&mut window);
+    let painted = follows(&window)[0].paint.clone();
+    assert!(!painted.is_empty() && painted.iter().all(|dab| dab.value == 0.25), "{painted:?}");
+    assert!(window.state().scene().bodies[0].paint.is_empty(), "the volume fraction is not painted");
+    click(&mut window, "Clear paint");
+    assert!(follows(&window)[0].paint.is_empty());
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(follows(&window)[0].paint, painted);
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    assert!(follows(&window)[0].paint.is_empty(), "a stroke is one step");
+}
+
+#[test]
+fn a_copy_follows_as_well_in_the_same_scene_and_in_another() {
+    let (mut window, rig) = column();
+    follow(&mut window, &rig, "rig.gltf");
+    click(&mut window, "column");
+    window.event(Event::Copy);
+    window.step();
+    let text = window.output().platform_output.commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    let text = text.expect("it is on the clipboard");
+    let mut other = open(super::scene(r#"{"version": 1, "gravity": [0, 0, 0]}"#));
+    hold(&mut other);
+    for window in [&mut window, &mut other] {
+        let bodies = window.state().scene().bodies.len();
+        window.event(Event::Paste(text.clone()));
+        window.run_steps(2);
+        until(window, |app| is_settled(app) && app.published().at_rest.bodies.len() == bodies + 1);
+        let said = window.state().message().unwrap_or_default().to_owned();
+        assert_eq!(window.state().published().status.failure, None, "{said}");
+        assert_eq!(window.state().scene().bodies[bodies].follows.len(), 1);
+    }
+    // In the same folder the files have the names that they had.
+    let paths = window.state().scene().bodies.iter().map(|body| body.follows[0].leader.path().to_owned());
+    assert_eq!(paths.collect::<Vec<_>>(), ["rig.gltf", "rig.gltf"]);
+}
+
+/// Chooses in the list that shows something.
+fn choose_label(window: &mut Window, shown: &str, entry: &str) {
+    let list = window.get_all_by_role(Role::ComboBox).find(|list| list.value().as_deref() == Some(shown));
+    let at = list.expect("a list that shows it").rect().center();
+    super::button(window, at, PointerButton::Primary, true);
+    window.step();
+    super::button(window, at, PointerButton::Primary, false);
+    window.run_steps(5);
+    click_on(window, Role::Button, entry);
+    window.run_steps(2);
 }

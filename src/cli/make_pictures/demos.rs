@@ -98,7 +98,7 @@ pub fn demo(pattern: &Pattern) -> Result<Option<Demo>, IoError> {
         let spacing = body.material.spacing();
         let called = Called { id: pattern.id, title: pattern.title, bending: pattern.bending, spacing };
         body.fibres = laid(called, &lines, &body.material, &[]);
-        body.drives = made_to_act(&mut body.fibres, &pattern.acts(&values, lines.len()), pattern.id, &[]);
+        body.drives = made_to_act(&mut body.fibres, (&lines, &pattern.acts(&values, lines.len())), pattern.id, &[]);
     }
     Ok(Some(Demo { scene, from, to, beside_plain: HOLDING.contains(&base), eye }))
 }

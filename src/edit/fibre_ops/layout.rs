@@ -30,6 +30,18 @@ fn bending_rigidity(material: &Material, times: f64, bending: f64) -> Rigidity {
     Rigidity::new(ea, ei)
 }
 
+/// Whether a fibre can be laid along a line without points that follow their like.
+fn is_course(vertices: &[DVec3]) -> bool {
+    vertices.len() >= 2 && vertices.iter().all(|vertex| vertex.is_finite())
+}
+
+/// Whether [`laid`] lays a fibre along a line.
+pub(super) fn is_laid(line: &[DVec3]) -> bool {
+    let mut vertices = line.to_vec();
+    vertices.dedup();
+    is_course(&vertices)
+}
+
 fn round_to_two_figures(value: f64) -> f64 {
     let scale = 10_f64.powf(value.log10().floor() - 1.0);
     (value / scale).round() * scale
@@ -61,7 +73,7 @@ pub fn laid(called: Called<'_>, lines: &[Vec<DVec3>], material: &Material, other
     for line in lines {
         let mut vertices = line.clone();
         vertices.dedup();
-        if vertices.len() < 2 || vertices.iter().any(|vertex| !vertex.is_finite()) {
+        if !is_course(&vertices) {
             continue;
         }
         let most = (arc_length(&vertices) / spacing) as usize + 1;

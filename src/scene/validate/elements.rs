@@ -85,6 +85,23 @@ fn table(at: &At<'_>, points: &[[f64; 2]], unit: &str) -> Checked {
     Ok(())
 }
 
+/// Checks that a bend which a drive turns stays one: at straight it has no direction in which to bend.
+fn turned(at: &At<'_>, degrees: f64, element: &Element, range: [f64; 2]) -> Checked {
+    let [a, b, c] = [0, 1, 2].map(|k| DVec3::from_array(element.points[k]));
+    let drawn = (b - a).angle_between(c - b).to_degrees();
+    let [least, most] = range.map(|value| drawn + value * degrees);
+    let (least, most) = (least.min(most), least.max(most));
+    let problem = format!("turns a bend of {} degrees to {} to {}", number(drawn), number(least), number(most));
+    let stays = least > LEAST && most < 180.0;
+    require(
+        at,
+        &degrees,
+        stays,
+        &problem,
+        || "keep it above 0 and below 180, or measure a `dihedral`, which goes both ways",
+    )
+}
+
 fn activation(at: &At<'_>, of: &ElementActivation, element: &Element, shared: &[SharedDrive]) -> Checked {
     let place = at.field("drive");
     still(&place, &of.drive, shared)?;
@@ -99,6 +116,9 @@ fn activation(at: &At<'_>, of: &ElementActivation, element: &Element, shared: &[
     require(&place, &of.turn_degrees, farthest <= MOST_TURNED, &problem, || {
         format!("keep it from -{MOST_TURNED} to {MOST_TURNED}, times its drive")
     })?;
+    if element.measure == ElementMeasure::Turn && of.turn_degrees != 0.0 {
+        turned(&place, of.turn_degrees, element, range)?;
+    }
     let angle = element.measure.is_angle();
     let problem = format!("is of a measure of {}, which is no angle", element.measure.word());
     require(&place, &of.turn_degrees, angle || of.turn_degrees == 0.0, &problem, || "give `contract`")?;

@@ -6,9 +6,6 @@ use super::follows::follows;
 use super::parts::{impulses, initial, model_file, pins, placement, regions};
 use crate::scene::{Drive, InnerOffset, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
 
-/// Regions that every two-layer body has.
-const BUILT_IN: [&str; 3] = ["outer", "inner", "everything"];
-
 /// More subdivisions of the octahedron than this are refused.
 const MOST_SUBDIVISIONS: u32 = 5;
 
@@ -120,7 +117,7 @@ fn parameters(at: &At<'_>, body: &TwoLayer) -> Checked {
 /// The regions of a body, its own and those that each has.
 pub(super) fn known_regions<'a>(at: &At<'_>, body: &'a TwoLayer) -> Result<Ids<'a>, super::SceneError> {
     let mut known = Ids::of("region");
-    for id in BUILT_IN {
+    for id in TwoLayer::REGIONS {
         known.add(at, id)?;
     }
     regions(at, &body.regions, &mut known)?;

@@ -47,13 +47,15 @@ pub struct Springs {
     groups: Vec<SpringGroup>,
     /// Those that act.
     active: Vec<ActiveSprings>,
+    /// Work of drives that are gone since an edit [J].
+    done: f64,
 }
 
 impl Springs {
     /// Springs between `ends`, at rest at `rest_lengths` [m]; the groups divide them without a gap.
     pub fn new(ends: Arc<[[u32; 2]]>, rest_lengths: Arc<[f64]>, groups: Vec<SpringGroup>) -> Self {
         debug_assert_eq!(ends.len(), rest_lengths.len());
-        Self { ends, rest_lengths, groups, active: Vec::new() }
+        Self { ends, rest_lengths, groups, active: Vec::new(), done: 0.0 }
     }
 
     /// With springs that act, each of them once.
@@ -93,7 +95,7 @@ impl Springs {
 
     /// Books the work of the drives up to a time [s]: all of it, or where the booking begins.
     fn book(&mut self, time: f64, state: &ParticleState, only_begin: bool) {
-        let Self { ends, rest_lengths, groups, active } = self;
+        let Self { ends, rest_lengths, groups, active, .. } = self;
         let passive = |spring: u32| {
             let spring = spring as usize;
             let group = groups.iter().find(|group| group.springs.contains(&spring));
@@ -164,8 +166,11 @@ impl Force for Springs {
     }
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {
-        let before = before.iter().find_map(|force| force.downcast_ref::<Self>());
-        self.active.iter_mut().for_each(|one| one.adopt(before.map_or(&[], |before| &before.active)));
+        let Some(before) = before.iter().find_map(|force| force.downcast_ref::<Self>()) else { return };
+        self.active.iter_mut().for_each(|one| one.adopt(&before.active));
+        // What the drives that are gone did, they have done.
+        let stayed: f64 = self.active.iter().map(ActiveSprings::work).sum();
+        self.done = before.drive_work() - stayed;
     }
 
     fn give(&mut self, to: &str, led: Option<Hand>) {
@@ -173,7 +178,7 @@ impl Force for Springs {
     }
 
     fn drive_work(&self) -> f64 {
-        self.active.iter().map(ActiveSprings::work).sum()
+        self.done + self.active.iter().map(ActiveSprings::work).sum::<f64>()
     }
 
     fn changes_until(&self) -> f64 {

@@ -207,8 +207,8 @@ impl App {
                 .on(self.views.redraws())
             }
             Action::Paint => {
-                let met = self.cx.active_body().is_some();
-                when(met, "Only fibre solids are painted", |app, _| {
+                let met = editing::can_paint(&self.cx);
+                when(met, "Only fibre solids are painted, and bodies that follow a motion", |app, _| {
                     editing::toggle_brush(app.views.editing_mut(), &app.cx);
                 })
                 .on(self.views.editing().paints())

@@ -7,8 +7,8 @@ use crate::draw::Bounds;
 use crate::edit::body_ops::{placed, scaled, scaled_two_layer};
 use crate::geometry::model::UpAxis;
 use crate::geometry::solid::Solid;
-use crate::io::open_model;
-use crate::scene::{Body, ClosedMesh, MeshShape, ModelFile, OwnedBody, Shape, TwoLayer, TwoLayerShape};
+use crate::io::{add_leader, open_model};
+use crate::scene::{Body, ClosedMesh, Leader, MeshShape, ModelFile, OwnedBody, Shape, TwoLayer, TwoLayerShape};
 use crate::ui::context::{Context, Severity};
 use crate::ui::document::named_from;
 use crate::ui::gallery::{shipped_beside, shipped_or_read};
@@ -100,19 +100,54 @@ pub(crate) fn scaled_model(before: ModelFile<'_>, after: &OwnedBody, cx: &mut Co
     true
 }
 
-/// Puts in the model of a body that comes from elsewhere, which it names by a whole path or as one of those that ship, and
-/// names it as the document does. Gives the box around the body as it is placed [m]; none where it is of no model.
+/// Puts in the files of a body that comes from elsewhere, its model and the motions that it follows, which it names by whole
+/// paths or as those that ship, and names them as the document does. Gives the box around the body as it is placed [m]; none
+/// where it is of no model.
 ///
 /// # Errors
 /// What cannot be read.
 pub(crate) fn bring_models(body: &mut OwnedBody, cx: &mut Context) -> Result<Option<Bounds>, String> {
+    let around = bring_model(body, cx)?;
+    bring_leaders(body, cx)?;
+    Ok(around)
+}
+
+fn bring_leaders(body: &mut OwnedBody, cx: &mut Context) -> Result<(), String> {
+    for follow in body.view_mut().follows_mut() {
+        for path in follow.leader.paths_mut() {
+            *path = brought(path, cx)?;
+        }
+        let is_there = match &follow.leader {
+            Leader::Skeleton(of) => cx.document.assets.skeleton(&of.path).is_some(),
+            Leader::Cache(of) => {
+                let rest = of.rest.as_ref().is_none_or(|rest| cx.document.assets.rest_mesh(rest).is_some());
+                rest && cx.document.assets.cache(&of.path).is_some()
+            }
+        };
+        if !is_there {
+            let folder = cx.document.folder.clone();
+            add_leader(Arc::make_mut(&mut cx.document.assets), &follow.leader, &folder)
+                .map_err(|error| error.to_string())?;
+        }
+    }
+    cx.simulation.set_models(&cx.document);
+    Ok(())
+}
+
+/// The name that the document has for a file that is named by a whole path or as one of those that ship.
+fn brought(path: &str, cx: &mut Context) -> Result<String, String> {
+    let whole = Path::new(path);
+    if whole.is_absolute() { Ok(named_from(whole, &cx.document.folder)) } else { put_down(path, cx) }
+}
+
+fn bring_model(body: &mut OwnedBody, cx: &mut Context) -> Result<Option<Bounds>, String> {
     let Some(model) = body.view().model() else { return Ok(None) };
     let bounds = |solid: &Solid| {
         let corners = Bounds { min: solid.min, max: solid.max }.corners();
         Bounds::of(corners.map(|at| placed(body.view().placement(), at)))
     };
     let path = Path::new(model.path).to_owned();
-    let file = if path.is_absolute() { named_from(&path, &cx.document.folder) } else { put_down(model.path, cx)? };
+    let file = brought(model.path, cx)?;
     let named = ModelFile { path: &file, ..model };
     let found = match cx.document.assets.solid(named) {
         Some(solid) => Arc::clone(solid),

@@ -49,8 +49,9 @@ pub(super) fn paste(text: &str, cx: &mut Context) -> bool {
     };
     let bending = if bending.is_finite() && bending > 0.0 { bending } else { BENDING };
     let called = Called { id: "pattern", title: pattern.title(), bending, spacing: cx.sampling().spacing };
-    let mut fibres = laid(called, &pattern.lay(min, max), &body.material, &body.fibres);
-    let drives = made_to_act(&mut fibres, pattern.acts(), called.id, &body.drives);
+    let lines = pattern.lay(min, max);
+    let mut fibres = laid(called, &lines, &body.material, &body.fibres);
+    let drives = made_to_act(&mut fibres, (&lines, pattern.acts()), called.id, &body.drives);
     let added: Vec<String> = fibres.iter().map(|fibre| fibre.id.clone()).collect();
     let commands = Command::additions(&body.id, drives, fibres);
     let command = Command::Many { name: format!("Paste pattern {}", pattern.title()), commands };

@@ -1,8 +1,8 @@
 //! What is done to drives by buttons and keys.
 
-use super::keys::{as_keys, first_key, key_at, on_frame, value_of, with_key, with_keys, without_keys};
+use super::keys::{as_keys, first_key, key_at, on_frame, with_key_on, with_keys, without_keys};
 use crate::edit::Command;
-use crate::scene::{Drivable, Drive};
+use crate::scene::{Drivable, Drive, DriveKey};
 use crate::text::number::{compact, moment};
 use crate::ui::context::{Context, Severity, Step};
 use serde::{Deserialize, Serialize};
@@ -54,15 +54,13 @@ pub(crate) fn toggle_key(of: &Drivable, cx: &mut Context) {
             if let Some(index) = key_at(keys, time, frame) {
                 ("Remove key", without_keys(keys, &[index]), None)
             } else {
-                let value = value_of(&Drive::Keyframes(keys.clone()), &[], time);
-                let (keys, index) = with_key(keys, time, value, frame);
+                let (keys, index) = with_key_on(keys, time, frame);
                 ("Set key", keys.into(), Some(index))
             }
         }
         None => match source.course(&scene) {
             Some(Drive::Keyframes(course)) => {
-                let value = value_of(&Drive::Keyframes(course.clone()), &[], time);
-                let (keys, index) = with_key(&course, time, value, frame);
+                let (keys, index) = with_key_on(&course, time, frame);
                 ("Set key", keys.into(), Some(index))
             }
             // What nothing drives yet is all there, or where it starts.
@@ -131,6 +129,8 @@ struct CopiedKey {
     /// After the first of them [s].
     time: f64,
     value: f64,
+    #[serde(default)]
+    slope: f64,
 }
 
 /// The selected keys as text.
@@ -140,7 +140,12 @@ pub(crate) fn copied_keys(cx: &mut Context) -> Option<String> {
     for of in cx.keys.drives() {
         let (Some(pointer), Some(Drive::Keyframes(list))) = (of.pointer(&scene), of.drive(&scene)) else { continue };
         let chosen = cx.keys.of(&of).into_iter().filter_map(|index| list.keys.get(index));
-        keys.extend(chosen.map(|key| CopiedKey { of: pointer.clone(), time: key.time, value: key.value }));
+        keys.extend(chosen.map(|key| CopiedKey {
+            of: pointer.clone(),
+            time: key.time,
+            value: key.value,
+            slope: key.slope,
+        }));
     }
     let first = keys.iter().map(|key| key.time).fold(f64::INFINITY, f64::min);
     for key in &mut keys {
@@ -168,13 +173,14 @@ pub(crate) fn paste_keys(text: &str, cx: &mut Context) -> bool {
             Some(drives) => drives[0] == of,
             None => of.pointer(&scene).as_deref() == Some(&key.of),
         };
-        let put: Vec<(f64, f64)> = keys.iter().filter(is_meant).map(|key| (now + key.time, key.value)).collect();
+        let key = |key: &CopiedKey| DriveKey { slope: key.slope, ..DriveKey::new(now + key.time, key.value) };
+        let put: Vec<DriveKey> = keys.iter().filter(is_meant).map(key).collect();
         if put.is_empty() {
             continue;
         }
         let (keys, which) = match of.drive(&scene) {
             Some(Drive::Keyframes(keys)) => with_keys(keys, &put, frame),
-            _ => with_keys(&first_key(put[0].0, put[0].1), &put, frame),
+            _ => with_keys(&first_key(put[0].time, put[0].value), &put, frame),
         };
         chosen.extend(which.into_iter().map(|index| (of.clone(), index)));
         drives.push((of, Some(keys.into())));

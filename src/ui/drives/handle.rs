@@ -12,6 +12,8 @@ const LENGTH: f32 = 26.0;
 const END: f32 = 2.5;
 /// A handle nearer to level than this is level [points].
 const LEVEL: f32 = 3.0;
+/// In so many steps a slope is made less, where it leads too far.
+const STEPS: u32 = 50;
 /// A handle is never steeper than this [points to the side].
 const ASIDE: f32 = 2.0;
 
@@ -99,8 +101,21 @@ impl HandleDrag {
         if !freely {
             slope = if way.y.abs() < LEVEL { 0.0 } else { two_figures(slope) };
         }
-        let mut keys = self.keys.clone();
-        keys.keys[self.handle.key].slope = slope;
+        let [least, most] = self.of.limits(cx.scene());
+        let turned = |slope: f64| {
+            let mut keys = self.keys.clone();
+            keys.keys[self.handle.key].slope = slope;
+            keys
+        };
+        // No steeper than what is driven bears.
+        let bears = |keys: &DriveKeys| {
+            let [low, high] = keys.range();
+            low >= least && high <= most
+        };
+        let Some(keys) = (0..=STEPS).map(|k| turned(slope * f64::from(STEPS - k) / f64::from(STEPS))).find(bears)
+        else {
+            return;
+        };
         cx.edit(&named("Turn handle", vec![(self.of.clone(), Some(keys.into()))]), Step::Of(self.gesture));
     }
 

@@ -76,14 +76,27 @@ pub(super) fn moved_keys(
     (keys, now)
 }
 
-/// Keys at these times [s] and values put in, in place of what is there in the same frames; tells which they are.
-pub(super) fn with_keys(keys: &DriveKeys, put: &[(f64, f64)], frame: f64) -> (DriveKeys, Vec<usize>) {
+/// Keys put in, in place of what is there in the same frames; tells which they are.
+pub(super) fn with_keys(keys: &DriveKeys, put: &[DriveKey], frame: f64) -> (DriveKeys, Vec<usize>) {
     let mut all = keys.clone();
-    for &(time, value) in put {
-        all = with_key(&all, time, value, frame).0;
+    for key in put {
+        let (with, index) = with_key(&all, key.time, key.value, frame);
+        all = with;
+        all.keys[index].slope = key.slope;
     }
-    let which = put.iter().filter_map(|(time, _)| key_at(&all, *time, frame)).collect();
+    let which = put.iter().filter_map(|key| key_at(&all, key.time, frame)).collect();
     (all, which)
+}
+
+/// With a key at a time that leaves the course as it is; tells which it is.
+pub(super) fn with_key_on(keys: &DriveKeys, time: f64, frame: f64) -> (DriveKeys, usize) {
+    let (value, slope) = solver_drive(&Drive::Keyframes(keys.clone()), &[]).at(time);
+    let is_smooth = keys.between == Interpolation::Smooth;
+    let (mut keys, index) = with_key(keys, time, value, frame);
+    if is_smooth {
+        keys.keys[index].slope = slope;
+    }
+    (keys, index)
 }
 
 /// A drive as keys that go on as it does. Of a wave the least and the greatest value of a swing, over and over: it neither
@@ -144,6 +157,21 @@ mod tests {
         assert_eq!((pairs(&after), index), (vec![(0.0, 0.0), (0.5, 0.25), (1.0, 1.0)], 1));
         let (after, index) = with_key(&after, 0.5 + 0.3 * FRAME, 0.75, FRAME);
         assert_eq!((pairs(&after), index), (vec![(0.0, 0.0), (0.5, 0.75), (1.0, 1.0)], 1));
+    }
+
+    #[test]
+    fn a_key_set_on_the_way_leaves_the_course_as_it_is() {
+        let mut before = keys(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.5)]);
+        before.keys[1].slope = -1.5;
+        let (after, index) = with_key_on(&before, 0.4, FRAME);
+        assert_eq!((index, after.keys.len()), (1, 4));
+        for k in 0..=40 {
+            let time = 0.05 * f64::from(k);
+            let [one, other] = [&before, &after].map(|keys| value_of(&keys.clone().into(), &[], time));
+            assert!((one - other).abs() < 1e-12, "{time}: {one} and {other}");
+        }
+        let (pasted, which) = with_keys(&keys(&[(0.0, 0.0)]), &before.keys[1..], FRAME);
+        assert_eq!((which, pasted.keys[1].slope), (vec![1, 2], -1.5));
     }
 
     #[test]

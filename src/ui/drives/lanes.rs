@@ -150,7 +150,7 @@ impl Lanes {
         for lane in shown {
             let at = lane.response.hover_pos().or_else(|| lane.response.interact_pointer_pos());
             if let Some(at) = at.filter(|_| lane.response.hovered()) {
-                cx.status.hint = "Double click: another key. Drag: move keys, on frames but for Shift, handles, or a box. Delete, Ctrl+C, V";
+                cx.status.hint = "Double click: another key. Drag: keys, on frames but for Shift, handles, or a box. Delete, Ctrl+C, V";
                 cx.pointed = Some(lane.of.clone());
                 hint_at(lane, cx, scale, at);
             }

@@ -1,9 +1,9 @@
-//! Painting the volume fraction with a brush on the result.
+//! Painting with a brush on the result: the volume fraction, or how much follows a motion.
 
-use super::state::{Brush, Editing};
+use super::state::{Brush, Editing, Paints};
 use crate::draw::Slice;
 use crate::edit::Command;
-use crate::scene::{Dab, MAX_DABS, add_dab};
+use crate::scene::{AnyBody, Dab, MAX_DABS, add_dab};
 use crate::ui::context::{Context, Severity, Step};
 use crate::ui::theme;
 use crate::ui::views::{PaneKind, ViewFrame, seen_on};
@@ -15,11 +15,25 @@ const USUAL_RADIUS: f64 = 0.12;
 /// A dab follows the last one after this share of the radius.
 const APART: f64 = 0.25;
 
+/// What can be painted of the active body, and what each is called.
+pub(super) fn paintable(cx: &Context) -> Vec<(Paints, String)> {
+    let Some(body) = cx.scene().any_body(cx.active.index) else { return Vec::new() };
+    let fraction = matches!(body, AnyBody::Solid(_)).then(|| (Paints::Fraction, "Volume fraction".to_owned()));
+    let follow = |id: &String| (Paints::Follow(id.clone()), format!("What follows \"{id}\""));
+    fraction.into_iter().chain(body.follows().iter().map(|of| follow(&of.id))).collect()
+}
+
+/// Whether anything can be painted of the active body.
+pub(crate) fn can_paint(cx: &Context) -> bool {
+    !paintable(cx).is_empty()
+}
+
 /// Takes up the brush, or puts it down.
 pub(crate) fn toggle_brush(editing: &mut Editing, cx: &Context) {
-    editing.brush = match editing.brush.take() {
-        Some(_) => None,
-        None => Some(Brush {
+    let first = paintable(cx).into_iter().next();
+    editing.brush = match (editing.brush.take(), first) {
+        (None, Some((paints, _))) => Some(Brush {
+            paints,
             radius: USUAL_RADIUS * cx.active.diagonal(),
             value: 1.0,
             strength: 1.0,
@@ -27,7 +41,33 @@ pub(crate) fn toggle_brush(editing: &mut Editing, cx: &Context) {
             gesture: 0,
             waiting: Vec::new(),
         }),
+        _ => None,
     };
+}
+
+/// The dabs that there are of what is painted; none where the active body has no such thing.
+pub(super) fn dabs(paints: &Paints, cx: &Context) -> Option<Vec<Dab>> {
+    match paints {
+        Paints::Fraction => cx.active_body().map(|body| body.paint.clone()),
+        Paints::Follow(id) => {
+            let body = cx.scene().any_body(cx.active.index)?;
+            body.follows().iter().find(|of| of.id == *id).map(|of| of.paint.clone())
+        }
+    }
+}
+
+/// The change that puts these dabs in the place of those that there are.
+pub(super) fn repainted(paints: &Paints, paint: Vec<Dab>, cx: &Context) -> Option<Command> {
+    let body = cx.scene().any_body(cx.active.index)?;
+    let id = body.id().to_owned();
+    match paints {
+        Paints::Fraction => Some(Command::SetPaint { body: id, paint }),
+        Paints::Follow(of) => {
+            let mut follows = body.follows().to_vec();
+            follows.iter_mut().find(|one| one.id == *of)?.paint = paint;
+            Some(Command::SetFollows { body: id, follows })
+        }
+    }
 }
 
 /// Puts waiting dabs into the document, once the simulation has taken up those before, or `now`.
@@ -36,8 +76,7 @@ fn paint_waiting(brush: &mut Brush, now: bool, cx: &mut Context) {
         return;
     }
     let waiting = std::mem::take(&mut brush.waiting);
-    let Some(body) = cx.active_body().filter(|_| !waiting.is_empty()) else { return };
-    let (id, mut paint) = (body.id.clone(), body.paint.clone());
+    let Some(mut paint) = dabs(&brush.paints, cx).filter(|_| !waiting.is_empty()) else { return };
     for dab in waiting {
         add_dab(&mut paint, dab);
     }
@@ -46,7 +85,9 @@ fn paint_waiting(brush: &mut Brush, now: bool, cx: &mut Context) {
         cx.say(Severity::Warning, said);
         return;
     }
-    cx.edit(&Command::SetPaint { body: id, paint }, Step::Of(brush.gesture));
+    if let Some(command) = repainted(&brush.paints, paint, cx) {
+        cx.edit(&command, Step::Of(brush.gesture));
+    }
 }
 
 /// Paints with the brush; whether it is in use here.
@@ -83,8 +124,14 @@ pub(super) fn brush(
         ui.ctx().request_repaint();
     }
     if response.hovered() {
-        cx.status.hint =
-            "Drag to paint the volume fraction; Alt + drag turns the view, V or Escape puts the brush down";
+        cx.status.hint = match brush.paints {
+            Paints::Fraction => {
+                "Drag to paint the volume fraction; Alt + drag turns the view, V or Escape puts the brush down"
+            }
+            Paints::Follow(_) => {
+                "Drag to paint how much follows; Alt + drag turns the view, V or Escape puts the brush down"
+            }
+        };
     }
     true
 }

@@ -22,7 +22,7 @@ pub(crate) use actions::{
 };
 pub(crate) use allowed::Allowed;
 pub(crate) use body::move_copy;
-pub(crate) use brush::toggle_brush;
+pub(crate) use brush::{can_paint, toggle_brush};
 pub(crate) use brush_panel::brush_panel;
 pub(crate) use keys::take_keys;
 pub(crate) use motion::{begin_moving, moves_copies};

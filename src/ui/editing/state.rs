@@ -33,14 +33,25 @@ pub(super) struct BoxDrag {
     pub from: Option<Pos2>,
 }
 
-/// The brush that paints the volume fraction, while it is in use.
+/// What a brush paints.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Paints {
+    /// The volume fraction of a fibre solid.
+    Fraction,
+    /// How much follows a motion, by its identifier.
+    Follow(String),
+}
+
+/// The brush, while it is in use.
 #[derive(Clone, Debug)]
 pub(super) struct Brush {
+    /// What it paints of the active body.
+    pub paints: Paints,
     /// Beyond it the brush does nothing [m].
     pub radius: f64,
-    /// The fraction that is painted.
+    /// The fraction, or the share, that is painted.
     pub value: f64,
-    /// How much of the way to that fraction one stroke goes.
+    /// How much of the way to that value one stroke goes.
     pub strength: f64,
     /// Where the last dab of this stroke lies [m].
     pub last: Option<DVec3>,

@@ -3,7 +3,7 @@
 use super::own::OwnPatterns;
 use crate::edit::Command;
 use crate::edit::fibre_ops::{BENDING, Called, laid, made_to_act};
-use crate::scene::Fibre;
+use crate::scene::{Body, Drivable, Fibre, Scene, SharedDrive};
 use crate::sketch::pattern::{Act, Pattern, Polyline};
 use crate::ui::clipboard::copied_pattern;
 use crate::ui::context::{Context, PatternPreview, Severity, Step};
@@ -48,6 +48,20 @@ pub(crate) enum Fit {
     Whole,
     /// A part of it.
     Region,
+}
+
+/// What takes the shared drives away that nothing but these fibres follows, and those that stay.
+fn left_alone(scene: &Scene, body: &Body, gone: &[Fibre]) -> (Vec<Command>, Vec<SharedDrive>) {
+    let of = |drive: &SharedDrive| Drivable::Shared { body: body.id.clone(), drive: drive.id.clone() };
+    let is_gone =
+        |one: &Drivable| matches!(one, Drivable::Fibre { fibre, .. } if gone.iter().any(|old| old.id == *fibre));
+    let is_alone = |drive: &&SharedDrive| {
+        let followers = of(drive).followers(scene);
+        !followers.is_empty() && followers.iter().all(is_gone)
+    };
+    let (alone, stay): (Vec<_>, Vec<_>) = body.drives.iter().partition(is_alone);
+    let remove = alone.into_iter().map(|drive| Command::SetDrive { of: of(drive), drive: None }).collect();
+    (remove, stay.into_iter().cloned().collect())
 }
 
 impl Patterns {
@@ -156,7 +170,8 @@ impl Patterns {
         let gone: &[Fibre] = if self.replaces { &body.fibres } else { &[] };
         let stay: &[Fibre] = if self.replaces { &[] } else { &body.fibres };
         let mut fibres = laid(Called { id: &id, title: &title, bending, spacing }, &lines, &body.material, stay);
-        let drives = made_to_act(&mut fibres, &self.acts(lines.len()), &id, &body.drives);
+        let (drives_gone, drives_left) = left_alone(cx.scene(), body, gone);
+        let drives = made_to_act(&mut fibres, (&lines, &self.acts(lines.len())), &id, &drives_left);
         let added: Vec<String> = fibres.iter().map(|fibre| fibre.id.clone()).collect();
         let remove = gone.iter().map(|old| Command::RemoveFibre { body: body.id.clone(), fibre: old.id.clone() });
         let add = Command::additions(&body.id, drives, fibres);
@@ -164,7 +179,7 @@ impl Patterns {
             0 => format!("Add pattern {title}"),
             _ => format!("Replace fibres by pattern {title}"),
         };
-        let command = Command::Many { name, commands: remove.chain(add).collect() };
+        let command = Command::Many { name, commands: remove.chain(drives_gone).chain(add).collect() };
         let said = match added.len() {
             1 => format!("{title}: one fibre is in the solid"),
             count => format!("{title}: {count} fibres are in the solid"),

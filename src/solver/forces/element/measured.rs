@@ -50,10 +50,12 @@ impl MeasuredElement {
 
     fn measured(&self, at: &Local<'_>) -> f64 {
         let value = self.measure.value(at);
-        match self.measure {
-            Measure::Dihedral => value + TAU * ((self.last - value) / TAU).round(),
-            _ => value,
-        }
+        if self.goes_round() { value + TAU * ((self.last - value) / TAU).round() } else { value }
+    }
+
+    /// Whether its angle goes on past half a turn.
+    fn goes_round(&self) -> bool {
+        matches!(self.measure, Measure::Dihedral | Measure::Twist(_))
     }
 
     /// x of a value of the measure.
@@ -109,14 +111,14 @@ impl Element for MeasuredElement {
     }
 
     fn end_step(&mut self, at: &Local<'_>) -> Change {
-        if self.measure == Measure::Dihedral {
+        if self.goes_round() {
             self.last = self.measured(at);
         }
         Change::None
     }
 
     fn remembered(&self, number: &mut dyn FnMut(f64)) {
-        if self.measure == Measure::Dihedral {
+        if self.goes_round() {
             number(self.last);
         }
     }

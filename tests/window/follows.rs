@@ -8,7 +8,7 @@ use super::editing::{set, type_path};
 use super::{Window, click, click_on, drag, hold, is_settled, open, press_key, until};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Vec2};
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::Queryable;
 use rig::{Rig, write_cache};
 use sinew::scene::{Follow, FollowSelect, Hold, Leader};
 use sinew::ui::Document;
@@ -151,7 +151,11 @@ fn a_copy_follows_as_well_in_the_same_scene_and_in_another() {
         _ => None,
     });
     let text = text.expect("it is on the clipboard");
-    let mut other = open(super::scene(r#"{"version": 1, "gravity": [0, 0, 0]}"#));
+    let mut other = open(super::scene(
+        r#"{"version": 1, "gravity": [0, 0, 0], "bodies": [{"id": "cube", "shape": {"box": {"size": [0.05, 0.05, 0.05]}},
+            "placement": {"translation": [0.5, 0, 0]},
+            "material": {"young_modulus": 2e4, "mass": {"density": 1000}, "support_radius": 0.03}}]}"#,
+    ));
     hold(&mut other);
     for window in [&mut window, &mut other] {
         let bodies = window.state().scene().bodies.len();

@@ -89,9 +89,9 @@ fn table(at: &At<'_>, points: &[[f64; 2]], unit: &str) -> Checked {
 fn turned(at: &At<'_>, degrees: f64, element: &Element, range: [f64; 2]) -> Checked {
     let [a, b, c] = [0, 1, 2].map(|k| DVec3::from_array(element.points[k]));
     let drawn = (b - a).angle_between(c - b).to_degrees();
-    let [least, most] = range.map(|value| drawn + value * degrees);
-    let (least, most) = (least.min(most), least.max(most));
-    let problem = format!("turns a bend of {} degrees to {} to {}", number(drawn), number(least), number(most));
+    let turned = range.map(|value| drawn + value * degrees);
+    let (least, most) = (drawn.min(turned[0]).min(turned[1]), drawn.max(turned[0]).max(turned[1]));
+    let problem = format!("turns a bend of {} degrees from {} to {}", number(drawn), number(least), number(most));
     let stays = least > LEAST && most < 180.0;
     require(
         at,

@@ -143,7 +143,7 @@ fn a_series_has_a_row_a_frame_and_the_last_is_the_report() {
         number(&report["bodies"][0]["angular_momentum"][2])
     );
     // Time, energies, momenta, measures; totals, the body's sums and centre; two pins and a fibre.
-    assert_eq!(head.len(), 1 + 14 + 6 + 1 + 3 + 2 + 5 + 2 * 3 + 3);
+    assert_eq!(head.len(), 1 + 15 + 6 + 1 + 3 + 2 + 5 + 2 * 3 + 3);
     // What was pressed is what is stored and lost, and it is the press that does it.
     let (energy, work) = (last[column("total_energy [J]")], last[column("total_work [J]")]);
     assert!(work > 0.0 && (0.5 * work..=work).contains(&energy), "{energy} J of {work} J");

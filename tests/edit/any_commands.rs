@@ -133,7 +133,7 @@ fn of_matter() -> impl Strategy<Value = Command> {
     let void = ([-0.1..0.1f64, 0.0..0.4, -0.1..0.1], -0.01..0.1f64)
         .prop_map(|(center, radius)| Void::sphere(format!("{radius}"), center, radius));
     prop_oneof![
-        (solid(), select(vec!["top", "none"]), 0.0..0.1f64).prop_map(|(body, region, transition)| {
+        (solid(), select(vec!["top", "core", "bottom", "none"]), 0.0..0.1f64).prop_map(|(body, region, transition)| {
             let own = RegionMaterial { transition, ..RegionMaterial::of(region) };
             Command::SetRegionMaterials { body, materials: vec![own] }
         }),

@@ -94,6 +94,7 @@ fn missing_field(message: &str) -> Option<&str> {
 /// What to do about a missing member: often it is there, misspelt.
 fn add_field(value: &Value, path: &str, field: &str) -> String {
     let described = node_at(path).and_then(|node| node.child(field)).map_or("", SchemaNode::description);
+    let described = first_paragraph(described);
     let add = if described.is_empty() { "add it".to_owned() } else { format!("add it: {described}") };
     let unknown = unknown_fields_of(value);
     let here = unknown.iter().filter_map(|other| other.strip_prefix(path)?.strip_prefix('/'));
@@ -107,12 +108,14 @@ fn add_field(value: &Value, path: &str, field: &str) -> String {
 fn describe(path: &str) -> String {
     match node_at(path).map_or("", SchemaNode::description) {
         "" => "see `sinew schema`".to_owned(),
-        // The first paragraph says what it is; a message is one line.
-        text => {
-            let first: Vec<&str> = text.lines().take_while(|line| !line.is_empty()).collect();
-            format!("it stands for: {}", first.join(" "))
-        }
+        text => format!("it stands for: {}", first_paragraph(text)),
     }
+}
+
+/// The first paragraph of a description, which says what it is; a message is one line.
+fn first_paragraph(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().take_while(|line| !line.is_empty()).collect();
+    lines.join(" ")
 }
 
 /// What serde says of a value of another shape, without the value, which stands beside it, and in plain words.

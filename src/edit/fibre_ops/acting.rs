@@ -77,15 +77,15 @@ mod tests {
     use super::*;
     use crate::scene::Material;
 
-    fn act(muscle: &str, phase_degrees: f64) -> Option<Act> {
-        Some(Act { muscle: muscle.to_owned(), contract: 0.3, period: 2.0, phase_degrees, waves: 1.0 })
+    fn act(muscle: &str, phase_degrees: f64) -> Act {
+        Act { muscle: muscle.to_owned(), contract: 0.3, period: 2.0, phase_degrees, waves: 1.0 }
     }
 
     #[test]
     fn each_fibre_has_its_own_act_where_some_lines_are_left_out() {
         let line = |x: f64| vec![DVec3::new(x, 0.0, 0.0), DVec3::new(x, 0.05, 0.0)];
         let lines = [line(0.0), vec![DVec3::X; 3], line(0.01), line(0.02)];
-        let acts = [act("below", 0.0), act("none", 10.0), None, act("above", 180.0)];
+        let acts = [Some(act("below", 0.0)), Some(act("none", 10.0)), None, Some(act("above", 180.0))];
         let called = Called { id: "worm", title: "Worm", bending: BENDING, spacing: 0.006 };
         let mut fibres = laid(called, &lines, &Material::default(), &[]);
         let drives = made_to_act(&mut fibres, (&lines, &acts), "worm", &[]);
@@ -98,7 +98,7 @@ mod tests {
         // The same is followed where it is, another has another name.
         let mut again = laid(called, &lines, &Material::default(), &fibres);
         assert!(made_to_act(&mut again, (&lines, &acts), "worm", &drives).is_empty());
-        let slower = [act("below", 90.0)];
+        let slower = [Some(act("below", 90.0))];
         let more = made_to_act(&mut again[..1], (&lines[..1], &slower), "worm", &drives);
         assert_eq!((more.len(), more[0].id.as_str()), (1, "worm-below-2"));
         // And it is told again what they do.

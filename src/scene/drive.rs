@@ -2,7 +2,7 @@
 
 use super::Extra;
 use super::extra::is_zero;
-use crate::geometry::hermite::Hermite;
+use crate::geometry::hermite::{Hermite, range_of};
 pub(super) use crate::sketch::pattern::CONTRACTION;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -111,19 +111,13 @@ impl DriveKeys {
 
     /// The least and the greatest value that is reached.
     pub fn range(&self) -> [f64; 2] {
-        let at_keys = self.keys.iter().map(|key| [key.value; 2]);
         let smooth = self.keys.windows(2).filter(|_| self.between == Interpolation::Smooth);
-        let between = smooth.map(|pair| {
+        let cubic = |pair: &[DriveKey]| {
             let ends = [&pair[0], &pair[1]];
-            let cubic = Hermite {
-                span: ends[1].time - ends[0].time,
-                values: ends.map(|key| key.value),
-                slopes: ends.map(|key| key.slope),
-            };
-            cubic.range()
-        });
-        let ranges = at_keys.chain(between);
-        ranges.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], [a, b]| [least.min(a), most.max(b)])
+            let span = ends[1].time - ends[0].time;
+            Hermite { span, values: ends.map(|key| key.value), slopes: ends.map(|key| key.slope) }
+        };
+        range_of(self.keys.iter().map(|key| key.value), smooth.map(cubic))
     }
 }
 

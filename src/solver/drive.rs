@@ -1,7 +1,7 @@
 //! Numbers that change in time.
 
 use super::hand::Hand;
-use crate::geometry::hermite::Hermite;
+use crate::geometry::hermite::{Hermite, range_of};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -215,9 +215,7 @@ fn span(from: Key, to: Key) -> Hermite {
 
 /// The least and the greatest value.
 fn extremes(keys: &[Key], between: Between) -> [f64; 2] {
-    let at_keys = keys.iter().map(|key| [key.value; 2]);
-    let ranges = at_keys.chain(spans(keys, between).map(|(_, span)| span.range()));
-    ranges.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], [a, b]| [least.min(a), most.max(b)])
+    range_of(keys.iter().map(|key| key.value), spans(keys, between).map(|(_, span)| span))
 }
 
 fn keyed(keys: &[Key], between: Between, after: After, time: f64) -> (f64, f64) {

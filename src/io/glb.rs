@@ -138,15 +138,26 @@ fn to_glb(model: &Model, name: &str) -> Result<Vec<u8>, IoError> {
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "name": name}],
         "meshes": [{"name": name, "primitives": [{"attributes": attributes, "indices": indices, "material": 0}]}],
-        "materials": [{"pbrMetallicRoughness": {
-            "baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.55
-        }}],
+        "materials": [material(&colour)],
         "accessors": accessors,
         "bufferViews": views,
         "buffers": [{"byteLength": bin.len()}]
     });
-    let mut out = container_head(&document, bin.len())?;
-    out.extend(bin);
+    container(&document, bin)
+}
+
+/// The material of our own models, of a colour.
+pub(super) fn material(colour: &[f32; 4]) -> Value {
+    json!({"pbrMetallicRoughness": {"baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.55}})
+}
+
+/// A document and its data, whole.
+///
+/// # Errors
+/// More than four bytes can count.
+pub(super) fn container(document: &Value, data: Vec<u8>) -> Result<Vec<u8>, IoError> {
+    let mut out = container_head(document, data.len())?;
+    out.extend(data);
     Ok(out)
 }
 

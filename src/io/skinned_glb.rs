@@ -1,7 +1,7 @@
 //! Models that hang on a skeleton, out, as GLB.
 
 use super::finite::{check_points, check_single};
-use super::glb::{FLOAT, Parts, container_head, indices_into};
+use super::glb::{FLOAT, Parts, container, indices_into, material};
 use super::{IoError, write_atomically};
 use crate::geometry::model::Model;
 use crate::geometry::skeleton::{Clip, Moves, Place, Skeleton};
@@ -77,18 +77,14 @@ fn to_glb(model: &Model, skeleton: &Skeleton, name: &str) -> Result<Vec<u8>, IoE
         "scenes": [{"nodes": shown}],
         "nodes": nodes,
         "meshes": [{"name": name, "primitives": [{"attributes": attributes, "indices": indices, "material": 0}]}],
-        "materials": [{"pbrMetallicRoughness": {
-            "baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.55
-        }}],
+        "materials": [material(&colour)],
         "skins": [{"joints": joints, "inverseBindMatrices": bound}],
         "animations": animations,
         "accessors": accessors,
         "bufferViews": views,
         "buffers": [{"byteLength": bin.len()}]
     });
-    let mut out = container_head(&document, bin.len())?;
-    out.extend(bin);
-    Ok(out)
+    container(&document, bin)
 }
 
 fn node(skeleton: &Skeleton, index: usize) -> Value {

@@ -194,8 +194,9 @@ pub(super) struct Resistance {
 }
 
 impl Resistance {
-    /// Of a body under `forces`, the `softer` ones that are left without fibres and sheets, and besides them a contact that
-    /// may come and springs that lead particles; `air` is the rate of air drag among the forces. None where `stop`, asked again and again, says that it is no longer wanted.
+    /// Of a body under `forces`, the `softer` ones that are left without fibres, sheets and elements, and besides them a contact
+    /// that may come and springs that lead particles; `air` is the rate of air drag among the forces. None where `stop`, asked
+    /// again and again, says that it is no longer wanted.
     pub(super) fn measured(
         forces: &[Box<dyn Force>],
         softer: Softer,

@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// Particles held or moved along some world axes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Constraint {
-    /// Identifier of the scene's pin; none of what holds a body by itself.
+    /// Identifier of the scene's pin; none of what holds a body by itself, or follows a motion.
     pub id: Option<Arc<str>>,
     /// The particles.
     pub particles: Vec<u32>,

@@ -4,12 +4,12 @@ use super::{Window, advance, button, click, click_on, drag, hold, open, press_ke
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Rect, Vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use sinew::scene::{AfterLast, Drivable, Drive, DriveKeys, HeightKey, Interpolation, Panel, PanelMotion, Scene};
+use sinew::scene::{AfterLast, Drivable, Drive, DriveKeys, Interpolation, Scene};
 
 pub(super) const FRAME: f64 = 1.0 / 60.0;
 
 /// A bar with a fibre that follows a shared drive, one with a drive of its own, and a ring with gas.
-const SCENE: &str = r#"{
+pub(super) const SCENE: &str = r#"{
     "version": 1, "name": "Keys", "gravity": [0, 0, 0],
     "bodies": [{
         "id": "bar", "name": "Bar", "shape": {"box": {"size": [0.06, 0.02, 0.02]}},
@@ -95,7 +95,7 @@ pub(super) fn one_step(window: &mut Window, name: &str, change: impl FnOnce(&mut
     assert_eq!(*window.state().scene(), after);
 }
 
-fn click_at(window: &mut Window, at: Pos2) {
+pub(super) fn click_at(window: &mut Window, at: Pos2) {
     button(window, at, PointerButton::Primary, true);
     window.step();
     button(window, at, PointerButton::Primary, false);
@@ -123,13 +123,13 @@ fn shift_drag(window: &mut Window, from: Pos2, to: Pos2) {
     window.run_steps(14);
 }
 
-fn chosen(window: &Window, keys: &[(&str, usize)]) {
+pub(super) fn chosen(window: &Window, keys: &[(&str, usize)]) {
     let keys: Vec<(String, usize)> = keys.iter().map(|(name, index)| ((*name).to_owned(), *index)).collect();
     assert_eq!(window.state().selected_keys(), keys);
 }
 
 /// Types into the number field whose text begins so.
-fn type_into(window: &mut Window, begin: &str, text: &str) {
+pub(super) fn type_into(window: &mut Window, begin: &str, text: &str) {
     let is_it = |node: &egui_kittest::Node<'_>| node.value().is_some_and(|value| value.starts_with(begin));
     let field = window.get_all_by_role(Role::SpinButton).find(is_it).map(|node| node.rect().center());
     let field = field.unwrap_or_else(|| panic!("there is no field {begin}"));
@@ -143,7 +143,7 @@ fn type_into(window: &mut Window, begin: &str, text: &str) {
 }
 
 /// Chooses in a menu of a lane: the menu that shows `now` at the height of the lane.
-fn choose(window: &mut Window, name: &str, now: &str, then: &str) {
+pub(super) fn choose(window: &mut Window, name: &str, now: &str, then: &str) {
     let place = lane(window, name);
     let beside = |node: &egui_kittest::Node<'_>| place.y_range().contains(node.rect().center().y);
     let menus = window.query_all_by_role(Role::ComboBox).filter(|node| node.value().as_deref() == Some(now));
@@ -321,87 +321,4 @@ fn the_selected_key_is_typed_as_numbers() {
     chosen(&window, &[("pull, Bar", 1)]);
     type_into(&mut window, "is 1", "3/4");
     is_near(&pairs(&window, &pull()), &[(0.0, 0.0), (1.25, 0.75), (2.0, 0.5)], 1e-12);
-}
-
-#[test]
-fn a_handle_sets_how_steeply_the_course_goes_through_a_key() {
-    let mut window = lanes();
-    let name = "pull, Bar";
-    let key = at(&window, name, 1.0, 1.0);
-    let slope = |window: &Window| keys_of(window.state().scene(), &pull()).keys[1].slope;
-    let end = key + Vec2::new(26.0, 0.0);
-    // Where no key is selected, no handle is: a box is drawn.
-    drag(&mut window, &[end, end + Vec2::new(0.0, 20.0)]);
-    assert_eq!((slope(&window), window.state().undo_name()), (0.0, None));
-    click_at(&mut window, key);
-    let down = end + Vec2::new(0.0, 20.0);
-    one_step(&mut window, "Turn handle", |window| drag(window, &[end, end.lerp(down, 0.5), down]));
-    let lane = lane(&window, name);
-    let expected = -(20.0 * 1.32 / f64::from(lane.height() - 4.0)) / (26.0 * 5.0 / f64::from(lane.width()));
-    let found = slope(&window);
-    assert!((found / expected - 1.0).abs() < 0.06, "{found}, not {expected} a second");
-    assert_eq!(pairs(&window, &pull()), [(0.0, 0.0), (1.0, 1.0), (2.0, 0.5)], "the key stays");
-    chosen(&window, &[(name, 1)]);
-    // Nearly level is level. The lane has room for what the course overshoots now.
-    let steep = keys_of(window.state().scene(), &pull());
-    let most = steep.range()[1];
-    let up = ((1.0 + 0.16 * most) / (1.32 * most)) as f32;
-    let key_now = Pos2::new(key.x, lane.bottom() - 2.0 - up * (lane.height() - 4.0));
-    let rise = -slope(&window) / (1.32 * most) * f64::from(lane.height() - 4.0);
-    let way = Vec2::new(lane.width() / 5.0, rise as f32).normalized() * 26.0;
-    drag(&mut window, &[key_now + way, key_now + Vec2::new(30.0, 2.0)]);
-    assert_eq!(slope(&window), 0.0);
-    // The other end turns it as well.
-    let left = key - Vec2::new(26.0, 0.0);
-    drag(&mut window, &[left, left + Vec2::new(0.0, 20.0)]);
-    assert!((slope(&window) / -expected - 1.0).abs() < 0.06, "{}", slope(&window));
-    undo(&mut window);
-    one_step(&mut window, "Change drive", |window| type_into(window, "slope 0", "-0.5"));
-    assert_eq!(slope(&window), -0.5);
-    // A steady course has none.
-    choose(&mut window, name, "Smooth", "Linear");
-    drag(&mut window, &[end, down]);
-    assert_eq!(slope(&window), -0.5);
-}
-
-#[test]
-fn heights_of_a_panel_become_keys_in_a_lane() {
-    let mut document = scene(SCENE);
-    let heights = [(0.0, 0.2), (1.0, 0.15)].map(|(time, height)| HeightKey::new(time, height)).to_vec();
-    let lid = Panel { motion: PanelMotion::Driven(heights), ..Panel::falling("lid", 0.2, [0.1, 0.1]) };
-    document.scene.panels.push(lid);
-    let mut window = open(document);
-    hold(&mut window);
-    press_key(&mut window, Modifiers::ALT, Key::D);
-    reset(&mut window);
-    window.run_steps(2);
-    one_step(&mut window, "Make keys of its course", |window| click(window, "lid as keys"));
-    let of = Drivable::Panel("lid".into());
-    is_near(&pairs(&window, &of), &[(0.0, 0.0), (1.0, 1.0)], 1e-12);
-    assert_eq!(of.at_one(window.state().scene()).map(|(metres, _)| (1e3 * metres).round()), Some(-50.0));
-    assert!(window.query_by_label("lid as keys").is_none());
-}
-
-#[test]
-fn keys_are_clicked_and_dragged_between_two_pictures() {
-    let mut window = lanes();
-    let name = "pull, Bar";
-    let (first, last) = (at(&window, name, 1.0, 1.0), at(&window, name, 2.0, 0.5));
-    let press = |at: Pos2, pressed: bool| Event::PointerButton {
-        pos: at,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
-    for (key, index) in [(first, 1), (last, 2), (first, 1)] {
-        window.input_mut().events.extend([Event::PointerMoved(key), press(key, true), press(key, false)]);
-        window.step();
-        chosen(&window, &[(name, index)]);
-        window.run_steps(40);
-    }
-    let to = at(&window, name, 1.5, 1.0);
-    let ways = (0..=8).map(|k| Event::PointerMoved(first.lerp(to, 0.125 * k as f32)));
-    window.input_mut().events.extend([press(first, true)].into_iter().chain(ways).chain([press(to, false)]));
-    window.run_steps(2);
-    is_near(&pairs(&window, &pull()), &[(0.0, 0.0), (1.5, 1.0), (2.0, 0.5)], 1e-12);
 }

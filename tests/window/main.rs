@@ -6,6 +6,7 @@ mod autosave;
 mod bodies;
 mod commands;
 mod comparing;
+mod drive_courses;
 mod drive_fields;
 mod drives;
 mod editing;

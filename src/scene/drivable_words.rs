@@ -2,7 +2,6 @@
 //! there, and between which numbers that may lie.
 
 use super::drive::CONTRACTION;
-use super::element::MOST_TURNED;
 use super::{Activation, AnyBody, Drivable, Drive, Element, ElementLaw, Motion, PanelMotion, Scene, SheetActivation};
 use glam::DVec3;
 
@@ -201,8 +200,7 @@ fn bend(of: &SheetActivation) -> Option<(f64, &'static str)> {
 fn of_element(element: &Element) -> [f64; 2] {
     let Some(of) = &element.activation else { return ANY };
     let pulls = if matches!(element.law, ElementLaw::Muscle(_)) { [0.0, 1.0] } else { ANY };
-    let turns = if of.turn_degrees == 0.0 { f64::INFINITY } else { MOST_TURNED / of.turn_degrees.abs() };
-    both(both(pulls, shortening(of.contract)), [-turns, turns])
+    both(both(pulls, shortening(of.contract)), element.turn_limits(of.turn_degrees))
 }
 
 /// What an element does most.

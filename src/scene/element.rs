@@ -2,6 +2,7 @@
 
 use super::extra::is_zero;
 use super::{Drive, Extra, MusclePull};
+use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -13,6 +14,10 @@ pub const MAX_TABLE_POINTS: usize = 1000;
 
 /// Greatest angle by which one may want to be larger or smaller [degrees].
 pub(super) const MOST_TURNED: f64 = 170.0;
+
+/// Between which angles a bend stays that a drive turns [degrees]: a straight one has no direction in which to bend, and
+/// neither has one that is folded flat.
+pub(super) const BENT: [f64; 2] = [1e-6, 180.0 - 1e-6];
 
 /// One element of a body: an energy of what a few points that ride on the material measure.
 ///
@@ -60,6 +65,28 @@ impl Element {
     #[must_use]
     pub fn with_activation(self, activation: ElementActivation) -> Self {
         Self { activation: Some(activation), ..self }
+    }
+
+    /// Angle between the two legs of a bend as drawn [degrees]; none of what measures something else.
+    pub(super) fn drawn_bend(&self) -> Option<f64> {
+        let at = |k: usize| self.points.get(k).copied().map(DVec3::from_array);
+        match (self.measure, at(0), at(1), at(2)) {
+            (ElementMeasure::Turn, Some(a), Some(b), Some(c)) => Some((b - a).angle_between(c - b).to_degrees()),
+            _ => None,
+        }
+    }
+
+    /// Least and greatest number of a drive that turns it by so many degrees where it is 1.
+    pub(super) fn turn_limits(&self, degrees: f64) -> [f64; 2] {
+        if degrees == 0.0 {
+            return [f64::NEG_INFINITY, f64::INFINITY];
+        }
+        let bent = self.drawn_bend().map_or([-MOST_TURNED, MOST_TURNED], |drawn| {
+            let [least, most] = BENT.map(|angle| angle - drawn);
+            [least.max(-MOST_TURNED), most.min(MOST_TURNED)]
+        });
+        let [a, b] = bent.map(|angle| angle / degrees);
+        [a.min(b), a.max(b)]
     }
 }
 

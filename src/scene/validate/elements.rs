@@ -2,7 +2,7 @@
 
 use super::check::{At, Checked, Ids, finite, fraction, not_negative, number, positive, require, vector};
 use super::drives::{excitation, share, still};
-use crate::scene::element::MOST_TURNED;
+use crate::scene::element::{BENT, MOST_TURNED};
 use crate::scene::{
     Drive, Element, ElementActivation, ElementLaw, ElementMeasure, MAX_ELEMENTS, MAX_TABLE_POINTS, SharedDrive,
 };
@@ -85,18 +85,24 @@ fn table(at: &At<'_>, points: &[[f64; 2]], unit: &str) -> Checked {
     Ok(())
 }
 
-/// Checks that a bend which a drive turns stays one: at straight it has no direction in which to bend.
+/// Checks how far a drive turns what measures an angle, and that a bend stays one.
 fn turned(at: &At<'_>, degrees: f64, element: &Element, range: [f64; 2]) -> Checked {
-    let [a, b, c] = [0, 1, 2].map(|k| DVec3::from_array(element.points[k]));
-    let drawn = (b - a).angle_between(c - b).to_degrees();
+    let farthest = range.map(|value| (value * degrees).abs()).into_iter().fold(0.0, f64::max);
+    let problem = format!("is to turn by {} degrees", number(farthest));
+    let [least, most] = element.turn_limits(degrees);
+    let within = least <= range[0] && range[1] <= most;
+    require(at, &degrees, farthest <= MOST_TURNED || within, &problem, || {
+        format!("keep it from -{MOST_TURNED} to {MOST_TURNED}, times its drive")
+    })?;
+    let Some(drawn) = element.drawn_bend() else { return Ok(()) };
     let turned = range.map(|value| drawn + value * degrees);
     let (least, most) = (drawn.min(turned[0]).min(turned[1]), drawn.max(turned[0]).max(turned[1]));
     let problem = format!("turns a bend of {} degrees from {} to {}", number(drawn), number(least), number(most));
-    let stays = least > LEAST && most < 180.0;
+    let bent = (BENT[0]..=BENT[1]).contains(&drawn);
     require(
         at,
         &degrees,
-        stays,
+        bent && within,
         &problem,
         || "keep it above 0 and below 180, or measure a `dihedral`, which goes both ways",
     )
@@ -111,12 +117,7 @@ fn activation(at: &At<'_>, of: &ElementActivation, element: &Element, shared: &[
     let place = at.field("turn_degrees");
     finite(&place, of.turn_degrees, "degrees")?;
     let range = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
-    let farthest = range.map(|value| (value * of.turn_degrees).abs()).into_iter().fold(0.0, f64::max);
-    let problem = format!("is to turn by {} degrees", number(farthest));
-    require(&place, &of.turn_degrees, farthest <= MOST_TURNED, &problem, || {
-        format!("keep it from -{MOST_TURNED} to {MOST_TURNED}, times its drive")
-    })?;
-    if element.measure == ElementMeasure::Turn && of.turn_degrees != 0.0 {
+    if of.turn_degrees != 0.0 {
         turned(&place, of.turn_degrees, element, range)?;
     }
     let angle = element.measure.is_angle();

@@ -105,12 +105,14 @@ pub(super) fn draft(
         (fractions::matrix_fractions(&fractions), varied.stiffening),
         orientation,
     );
-    let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)));
+    let thinning = fractions::driven(body, &sample.points, kernel, (&placed, &surfaces))
+        .map(|driven| Box::new(matrix.thinning(driven, orientation)) as Box<dyn Force>);
+    let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)) as Box<dyn Force>);
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(in_precision(matrix, material.precision))];
     let lines = elements.iter().map(Structure::drawn).collect();
     let structures = (elements, placed.as_slice(), surfaces.as_slice());
     let (softer, strongest) = add_structures(body, (&embedder, volume, &state), structures, path, &mut forces)?;
-    forces.extend(inelastic.map(|inelastic| inelastic as Box<dyn Force>));
+    forces.extend(thinning.into_iter().chain(inelastic));
     forces.extend(weight_and_damping(scene, body, &neighbourhood, varied.damping.as_deref()));
     let flow = scene.wind.as_ref().and(skin.as_deref()).and_then(|skin| drives::wind(scene, skin.flow_surface()));
     forces.extend(flow.map(|flow| Box::new(flow) as Box<dyn Force>));

@@ -38,6 +38,40 @@ impl PlacedFibre {
         (body.fibres[self.fibre].volume_fraction, &self.vertices[self.active.clone()])
     }
 
+    /// Distance [m] of the nearest of its structure particles that carry force, and the way along the fibre to that [m].
+    pub(super) fn nearest(&self, at: DVec3) -> (f64, f64) {
+        let (mut nearest, mut along) = ((f64::INFINITY, 0.0), self.start);
+        for (k, vertex) in self.vertices.iter().enumerate() {
+            along += k.checked_sub(1).map_or(0.0, |before| vertex.distance(self.vertices[before]));
+            let distance = vertex.distance_squared(at);
+            if self.active.contains(&k) && distance < nearest.0 {
+                nearest = (distance, along);
+            }
+        }
+        (nearest.0.sqrt(), nearest.1)
+    }
+
+    /// Volume fraction at its centre line where its drive is 0, and where it is 1; none where it stays the same.
+    pub(super) fn thickening(&self, body: &Body) -> Option<[f64; 2]> {
+        let fibre = &body.fibres[self.fibre];
+        Some([fibre.volume_fraction, fibre.activation.as_ref()?.volume_fraction?])
+    }
+
+    /// The greatest volume fraction that it ever has at its centre line.
+    fn greatest_fraction(&self, body: &Body) -> f64 {
+        let fibre = &body.fibres[self.fibre];
+        match (self.thickening(body), &fibre.activation) {
+            (Some([own, at_one]), Some(of)) => {
+                let drive = drive(&of.drive, &body.drives);
+                [drive.least(), drive.greatest()]
+                    .map(|value| own + (at_one - own) * value)
+                    .into_iter()
+                    .fold(own, f64::max)
+            }
+            _ => fibre.volume_fraction,
+        }
+    }
+
     pub(super) fn line(&self) -> FibreLine {
         FibreLine { id: self.id.clone(), vertices: self.embedding.clone() }
     }
@@ -217,14 +251,14 @@ pub(super) fn rods(
                     _ => embedder.turn_weights(at),
                 })
                 .collect();
-            let share = fibre.volume_fraction;
+            let share = run.greatest_fraction(body);
             let mut rest = FibreRest::new(run.embedding[run.active.clone()].to_vec(), vertices, ea, ei, share, turns);
             if fibre.rest_shape == RestShape::Straight {
                 rest = rest.straightened();
             }
             let activation = activation(body, run, &format!("{path}/fibres/{}/activation", run.fibre))?;
             Ok(rest
-                .twisting(twist(fibre, embedder, vertices))
+                .twisting(twist((fibre, share), embedder, vertices))
                 .on_line(line as u32, run.active.start as u32)
                 .breaking(limits(fibre))
                 .yielding(yield_limits(fibre))
@@ -244,7 +278,9 @@ fn activation(body: &Body, run: &PlacedFibre, path: &str) -> Result<Option<Fibre
     let start = run.start + length_of(&run.vertices[..=run.active.start]).iter().sum::<f64>();
     let drive = drive(&of.drive, &body.drives);
     let longest = lengths.iter().copied().fold(0.0, f64::max);
-    let mut activation = FibreActivation::new(&drive, start, vertices).contracting(of.contract);
+    let share = run.greatest_fraction(body);
+    let thickness = run.thickening(body).map(|fractions| fractions.map(|fraction| fraction / share));
+    let mut activation = FibreActivation::new(&drive, start, vertices).contracting(of.contract).thickening(thickness);
     if let Some(curl) = &of.curl {
         let longest = lengths.windows(2).map(|edges| 0.5 * (edges[0] + edges[1])).fold(0.0, f64::max);
         within_reach(curl.degrees_per_metre, MOST_CURLED, drive.largest(), longest, &format!("{path}/curl"))?;
@@ -252,7 +288,7 @@ fn activation(body: &Body, run: &PlacedFibre, path: &str) -> Result<Option<Fibre
         activation = activation.curling(curl.degrees_per_metre.to_radians(), axis, &lengths);
     }
     if let Some(muscle) = &of.muscle {
-        activation = activation.pulling(Muscle::new(fibre.volume_fraction * muscle.force, muscle.width));
+        activation = activation.pulling(Muscle::new(share * muscle.force, muscle.width));
     }
     if let Some(twist) = &of.twist {
         within_reach(twist.degrees_per_metre, MOST_TWISTED, drive.largest(), longest, &format!("{path}/twist"))?;
@@ -272,10 +308,10 @@ fn within_reach(rate: f64, most: f64, largest: f64, longest: f64, path: &str) ->
     Err(BakeError::TurnsTooFar { path, rate, largest, longest, degrees, most })
 }
 
-/// How the part of a fibre that runs through these vertices resists twist; not at all where the turn of the material cannot
-/// be read.
-fn twist(fibre: &Fibre, embedder: &Embedder<'_>, vertices: &[DVec3]) -> Option<FibreTwist> {
-    let gj = fibre.volume_fraction * fibre.stiffness.twisting();
+/// How the part of a fibre of this volume fraction that runs through these vertices resists twist; not at all where the turn of
+/// the material cannot be read.
+fn twist((fibre, share): (&Fibre, f64), embedder: &Embedder<'_>, vertices: &[DVec3]) -> Option<FibreTwist> {
+    let gj = share * fibre.stiffness.twisting();
     if gj == 0.0 {
         return None;
     }
@@ -305,7 +341,7 @@ pub(super) fn strongest(body: &Body, placed: &[PlacedFibre], rods: &[FibreRest])
     carrying.zip(rods).max_by(|(_, a), (_, b)| a.stiffest().total_cmp(&b.stiffest())).map(|(run, _)| run.fibre)
 }
 
-/// A fibre of no volume fraction carries nothing and is left out, to the bit.
+/// A fibre that never has a volume fraction carries nothing and is left out, to the bit.
 fn carries(body: &Body, run: &PlacedFibre) -> bool {
-    body.fibres[run.fibre].volume_fraction > 0.0
+    run.greatest_fraction(body) > 0.0
 }

@@ -6,7 +6,7 @@
 //! fibres.
 
 use crate::scene::{Hold, TwoLayer};
-use crate::solver::forces::{ElementForce, FibreForce, Flow, Force, Inelastic, SheetForce, StepLimit};
+use crate::solver::forces::{ElementForce, FibreForce, Flow, Force, Inelastic, MatrixThinning, SheetForce, StepLimit};
 use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
 use crate::solver::stable_step::highest_frequency_squared;
@@ -109,6 +109,7 @@ fn is_driven(force: &dyn Force) -> bool {
     force.downcast_ref().is_some_and(FibreForce::is_driven)
         || force.downcast_ref().is_some_and(SheetForce::is_driven)
         || force.downcast_ref().is_some_and(ElementForce::is_driven)
+        || force.downcast_ref::<MatrixThinning>().is_some()
 }
 
 /// Share of the bound of a damping rate that the stiffest mode is sure to see.

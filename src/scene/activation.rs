@@ -23,6 +23,10 @@ pub struct Activation {
     /// Twist that the fibre wants to have; it takes a twisting stiffness `gj`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub twist: Option<TwistRate>,
+    /// Volume fraction that the fibre has where the drive is 1; it has its own where the drive is 0, and goes from one to the
+    /// other in proportion to it. As the fibre gets stiffer, the matrix around it gives way, and back.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume_fraction: Option<f64>,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
@@ -32,7 +36,7 @@ impl Activation {
     /// Shorter by a share, times a drive.
     pub fn contracting(contract: f64, drive: impl Into<Drive>) -> Self {
         let drive = drive.into();
-        Self { drive, contract, curl: None, muscle: None, twist: None, extra: Extra::new() }
+        Self { drive, contract, curl: None, muscle: None, twist: None, volume_fraction: None, extra: Extra::new() }
     }
 
     /// Curling about an axis of the model frame, of any length but zero, by so many degrees a metre times a drive.
@@ -51,6 +55,21 @@ impl Activation {
     pub fn twisting(degrees_per_metre: f64, drive: impl Into<Drive>) -> Self {
         let twist = TwistRate { degrees_per_metre, extra: Extra::new() };
         Self { twist: Some(twist), ..Self::contracting(0.0, drive) }
+    }
+
+    /// Of this volume fraction, from 0 to 1, where a drive is 1.
+    pub fn thickening(volume_fraction: f64, drive: impl Into<Drive>) -> Self {
+        Self { volume_fraction: Some(volume_fraction), ..Self::contracting(0.0, drive) }
+    }
+
+    /// Between which numbers a drive must stay for a fibre of this volume fraction to have one from 0 to 1.
+    pub(super) fn thickening_limits(&self, own: f64) -> [f64; 2] {
+        let any = [f64::NEG_INFINITY, f64::INFINITY];
+        let Some(more) = self.volume_fraction.map(|at_one| at_one - own).filter(|more| *more != 0.0) else {
+            return any;
+        };
+        let [a, b] = [-own, 1.0 - own].map(|way| way / more);
+        [a.min(b), a.max(b)]
     }
 }
 

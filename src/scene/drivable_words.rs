@@ -2,7 +2,9 @@
 //! there, and between which numbers that may lie.
 
 use super::drive::CONTRACTION;
-use super::{Activation, AnyBody, Drivable, Drive, Element, ElementLaw, Motion, PanelMotion, Scene, SheetActivation};
+use super::{
+    Activation, AnyBody, Drivable, Drive, Element, ElementLaw, Fibre, Motion, PanelMotion, Scene, SheetActivation,
+};
 use glam::DVec3;
 
 /// Any number.
@@ -109,7 +111,7 @@ impl Drivable {
             },
             Self::Collider(id) => way(&scene.colliders.iter().find(|collider| collider.id == *id)?.motion),
             Self::Shared { .. } => None,
-            Self::Fibre { .. } => act(self.activation(scene)?),
+            Self::Fibre { .. } => act(self.acting_fibre(scene)?.1),
             Self::Sheet { .. } => bend(self.sheet_activation(scene)?),
             Self::Element { .. } => pull(self.element(scene)?),
             Self::Pin { pin, .. } => way(&body()?.pins().iter().find(|one| one.id == *pin)?.motion),
@@ -122,9 +124,9 @@ impl Drivable {
     pub fn limits(&self, scene: &Scene) -> [f64; 2] {
         match self {
             Self::Pressure(_) => [0.0, f64::INFINITY],
-            Self::Fibre { .. } => self.activation(scene).map_or(ANY, |of| {
+            Self::Fibre { .. } => self.acting_fibre(scene).map_or(ANY, |(fibre, of)| {
                 let pulls = if of.muscle.is_some() { [0.0, 1.0] } else { ANY };
-                both(pulls, shortening(of.contract))
+                both(both(pulls, shortening(of.contract)), of.thickening_limits(fibre.volume_fraction))
             }),
             Self::Sheet { .. } => self.sheet_activation(scene).map_or(ANY, |of| {
                 let [along, across] = of.contract.map(shortening);
@@ -146,9 +148,10 @@ impl Drivable {
         }
     }
 
-    fn activation<'a>(&self, scene: &'a Scene) -> Option<&'a Activation> {
+    fn acting_fibre<'a>(&self, scene: &'a Scene) -> Option<(&'a Fibre, &'a Activation)> {
         let Self::Fibre { body, fibre } = self else { return None };
-        scene.body(body)?.fibres.iter().find(|one| one.id == *fibre)?.activation.as_ref()
+        let fibre = scene.body(body)?.fibres.iter().find(|one| one.id == *fibre)?;
+        Some((fibre, fibre.activation.as_ref()?))
     }
 
     fn springs_contract(&self, scene: &Scene) -> Option<f64> {

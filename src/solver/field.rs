@@ -2,7 +2,7 @@
 //! and at every edge of its fibres, how hard they pull.
 
 use super::body::Body;
-use super::forces::{FibreForce, Inelastic, MatrixForce};
+use super::forces::{FibreForce, Inelastic, MatrixForce, MatrixThinning};
 
 /// A scalar at every particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -50,7 +50,14 @@ impl Body {
                     None => read(MatrixForce::von_mises_stresses),
                 }
             }
-            FieldKind::VolumeFraction => read(|matrix, _| matrix.fibre_fractions()),
+            FieldKind::VolumeFraction => {
+                let mut fractions = read(|matrix, _| matrix.fibre_fractions());
+                let changing = self.parts().forces.iter().find_map(|force| force.downcast_ref::<MatrixThinning>());
+                if let Some(changing) = changing {
+                    changing.put_fractions(&mut fractions);
+                }
+                fractions
+            }
             FieldKind::Speed => state.velocities.iter().map(|velocity| velocity.length()).collect(),
         }
     }

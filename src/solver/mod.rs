@@ -12,6 +12,7 @@ pub(crate) mod collider;
 pub(crate) mod constraint;
 pub(crate) mod drive;
 pub(crate) mod driven;
+pub(crate) mod driven_fractions;
 pub(crate) mod dynamics;
 pub(crate) mod easing;
 pub(crate) mod embedding;

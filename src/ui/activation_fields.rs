@@ -45,6 +45,14 @@ const WIDTH: NumberField = NumberField::new(
     "Share by which it may be shorter or longer than drawn before the muscle no longer pulls",
 );
 
+const FRACTION: NumberField = NumberField::new(
+    "Volume fraction at 1",
+    "",
+    0.0..=1.0,
+    None,
+    "Volume fraction that it has where its drive is 1; where that is 0 it has its own. The matrix around gives way to it, and back",
+);
+
 /// Shows what a fibre does by itself; folded away where it does nothing.
 pub(super) fn activation_fields(ui: &mut Ui, cx: &mut Context, fibre: &mut Fibre, body: &str) {
     // One that yields does not act.
@@ -69,6 +77,11 @@ pub(super) fn activation_fields(ui: &mut Ui, cx: &mut Context, fibre: &mut Fibre
             }
         }
         muscle(ui, cx, &mut acts, &of);
+        let own = fibre.volume_fraction;
+        let mut at_one = acts.volume_fraction.unwrap_or(own);
+        if keyed_field(ui, cx, &FRACTION, &mut at_one, &of) {
+            acts.volume_fraction = (at_one != own).then_some(at_one);
+        }
         if let Some(before) = &before {
             driven_by(ui, cx, &before.drive, &of);
             if ui.button("Acts no more").on_hover_text("It only resists again; its drive goes with it").clicked() {

@@ -139,7 +139,7 @@ fn the_work_of_drives_closes_the_balance_to_second_order() {
 }
 
 /// Whether the energy of a fibre solid stays bounded over thousands of steps of so much of its stable step.
-fn holds(body: &Body, share: f64) -> bool {
+pub fn holds(body: &Body, share: f64) -> bool {
     let mut scene = in_space(body.clone());
     let dt = share * baked(&scene).world.bodies()[0].parts().stable_dt;
     scene.time.step = TimeStep::manual(dt, 100);

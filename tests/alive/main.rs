@@ -15,3 +15,4 @@ mod rig;
 mod rules;
 mod scenes;
 mod steps;
+mod thickening;

@@ -56,6 +56,13 @@ fn what_makes_no_sense_is_refused_where_it_stands() {
             at(activation, "/drive"),
             "from 0 to 1",
         ),
+        (at(activation, "/volume_fraction"), json!(1.2), at(activation, "/volume_fraction"), "1"),
+        (
+            activation.to_owned(),
+            json!({"drive": {"constant": 1.5}, "volume_fraction": 0.9}),
+            at(activation, "/volume_fraction"),
+            "takes a fibre of 0.25 from 1.225",
+        ),
         (
             "/bodies/0/pins".to_owned(),
             json!([{"id": "p", "region": "all", "motion": {"driven": {"drive": {"shared": "left"}}}}]),

@@ -124,8 +124,17 @@ fn activation() -> impl Strategy<Value = Activation> {
     });
     let muscle =
         (above_zero(), 0.1..=1.0, extra()).prop_map(|(force, width, extra)| MusclePull { force, width, extra });
-    (drive(), -0.5..=0.8, proptest::option::of(curl), proptest::option::of(muscle), extra()).prop_map(
-        |(drive, contract, curl, muscle, extra)| Activation { drive, contract, curl, muscle, twist: None, extra },
+    let thick = proptest::option::of(0.0..=1.0);
+    (drive(), -0.5..=0.8, proptest::option::of(curl), proptest::option::of(muscle), thick, extra()).prop_map(
+        |(drive, contract, curl, muscle, volume_fraction, extra)| Activation {
+            drive,
+            contract,
+            curl,
+            muscle,
+            twist: None,
+            volume_fraction,
+            extra,
+        },
     )
 }
 
@@ -275,12 +284,16 @@ fn body() -> impl Strategy<Value = Body> {
             (hidden, color),
             shape,
             placement,
-            material,
+            mut material,
             initial,
             select,
             (fibre, paint, pin, sheet, (element, follow)),
             extra,
         )| {
+            // A matrix that yields keeps its share.
+            if fibre.activation.as_ref().is_some_and(|acts| acts.volume_fraction.is_some()) {
+                material.plasticity = None;
+            }
             Body {
                 id: "body \"\\ \u{1F9B4}\n".to_owned(),
                 name,

@@ -46,7 +46,10 @@ pub fn act_of(fibre: &Fibre, length: f64, drives: &[SharedDrive]) -> Option<Act>
     let activation = fibre.activation.as_ref()?;
     let Some(Drive::Wave(wave)) = activation.drive.resolved(drives) else { return None };
     let swings_from_nothing = wave.mean == wave.amplitude && wave.start == 0.0;
-    let only_contracts = activation.curl.is_none() && activation.muscle.is_none() && activation.twist.is_none();
+    let only_contracts = activation.curl.is_none()
+        && activation.muscle.is_none()
+        && activation.twist.is_none()
+        && activation.volume_fraction.is_none();
     let muscle = match &activation.drive {
         Drive::Shared(id) => id.clone(),
         _ => fibre.id.clone(),

@@ -5,7 +5,7 @@ use super::check::{
     At, Checked, Ids, direction, finite, fraction, increasing, not_negative, number, positive, require,
 };
 use crate::scene::drive::CONTRACTION;
-use crate::scene::{Activation, AfterLast, Drive, DriveKeys, SharedDrive, Stiffness, Wave};
+use crate::scene::{Activation, AfterLast, Drive, DriveKeys, Fibre, SharedDrive, Wave};
 
 /// Checks the drives that a body shares.
 pub(super) fn shared(at: &At<'_>, drives: &[SharedDrive]) -> Checked {
@@ -100,10 +100,13 @@ pub(super) fn not_below_zero(at: &At<'_>, of: &Drive, shared: &[SharedDrive]) ->
     require(at, of, least >= 0.0, &problem, || "keep it from 0 on")
 }
 
-/// Checks how a fibre of this stiffness acts.
-pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness), shared: &[SharedDrive]) -> Checked {
+/// Checks how a fibre acts.
+pub(super) fn activation(at: &At<'_>, (of, fibre): (&Activation, &Fibre), shared: &[SharedDrive]) -> Checked {
     drive(&at.field("drive"), &of.drive, shared)?;
     contraction(&at.field("contract"), of, shared)?;
+    if let Some(at_one) = of.volume_fraction {
+        thickening(&at.field("volume_fraction"), (at_one, fibre.volume_fraction), of, shared)?;
+    }
     if let Some(curl) = &of.curl {
         let at = at.field("curl");
         finite(&at.field("degrees_per_metre"), curl.degrees_per_metre, "degrees/m")?;
@@ -120,7 +123,7 @@ pub(super) fn activation(at: &At<'_>, (of, stiffness): (&Activation, &Stiffness)
     let at = at.field("twist");
     let rate = at.field("degrees_per_metre");
     finite(&rate, twist.degrees_per_metre, "degrees/m")?;
-    let resists = stiffness.twisting() > 0.0;
+    let resists = fibre.stiffness.twisting() > 0.0;
     require(
         &at,
         twist,
@@ -135,6 +138,18 @@ pub(super) fn excitation(at: &At<'_>, of: &Drive, shared: &[SharedDrive]) -> Che
     let [least, greatest] = of.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
     let problem = format!("excites a muscle from {} to {}", number(least), number(greatest));
     require(at, of, least >= 0.0 && greatest <= 1.0, &problem, || "keep it from 0 to 1")
+}
+
+/// Checks that a fibre has a volume fraction from 0 to 1 whatever its drive is.
+fn thickening(at: &At<'_>, (at_one, own): (f64, f64), of: &Activation, shared: &[SharedDrive]) -> Checked {
+    fraction(at, at_one)?;
+    let range = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+    let [least, greatest] = of.thickening_limits(own);
+    let reached = range.map(|value| own + (at_one - own) * value);
+    let (low, high) = (reached[0].min(reached[1]), reached[0].max(reached[1]));
+    let problem = format!("takes a fibre of {} from {} to {}", number(own), number(low), number(high));
+    let within = least <= range[0] && range[1] <= greatest;
+    require(at, &at_one, within, &problem, || "keep its drive from 0 to 1, or where it stays from 0 to 1")
 }
 
 fn contraction(at: &At<'_>, of: &Activation, shared: &[SharedDrive]) -> Checked {

@@ -177,7 +177,18 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
         fibres.add(&at.field("id"), &one.id)?;
         fibre(&at, one)?;
         if let Some(activation) = &one.activation {
-            drives::activation(&at.field("activation"), (activation, &one.stiffness), &body.drives)?;
+            drives::activation(&at.field("activation"), (activation, one), &body.drives)?;
+            if let Some(fraction) = activation.volume_fraction {
+                let (at, problem) = (at.field("activation"), "changes the share of a matrix that yields");
+                let keeps_its_shape = body.material.plasticity.is_none();
+                require(
+                    &at.field("volume_fraction"),
+                    &fraction,
+                    keeps_its_shape,
+                    problem,
+                    || "leave this or the material's `plasticity` out",
+                )?;
+            }
         }
     }
     sheets(&at.field("sheets"), &body.sheets, &body.drives)?;

@@ -34,7 +34,7 @@ pub(crate) use gravity::Gravity;
 pub(crate) use grip::Grip;
 pub(crate) use led_springs::LedSprings;
 pub use matrix::{Elasticity, EvaluationKind, MatrixForce};
-pub(crate) use matrix::{Inelastic, InelasticLaw, Plasticity, Viscosity};
+pub(crate) use matrix::{Inelastic, InelasticLaw, MatrixThinning, Plasticity, Viscosity};
 pub(crate) use pair_damping::PairDamping;
 pub(crate) use pressure::Pressure;
 pub(crate) use self_contact::{SelfContact, SelfTouching, surface_particles};

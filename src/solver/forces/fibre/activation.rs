@@ -21,6 +21,8 @@ pub(crate) struct FibreActivation {
     muscle: Option<Muscle>,
     /// Angle [rad] by which every edge wants to be twisted where the drive is 1.
     twist: Vec<f64>,
+    /// Share of its stiffness that it has where the drive is 0, and where it is 1; none where it is as stiff at all times.
+    thickness: Option<[f64; 2]>,
     /// Whether it stands for all that it may ever be: see [`Self::at_extreme`].
     stiffest: bool,
 }
@@ -40,6 +42,7 @@ impl FibreActivation {
             curl: None,
             muscle: None,
             twist: Vec::new(),
+            thickness: None,
             stiffest: false,
         }
     }
@@ -63,6 +66,11 @@ impl FibreActivation {
     /// With a twist at rest [rad/m], of a fibre with edges of these lengths [m].
     pub(crate) fn twisting(self, twist: f64, lengths: &[f64]) -> Self {
         Self { twist: lengths.iter().map(|length| twist * length).collect(), ..self }
+    }
+
+    /// With shares of the stiffness where the drive is 0 and where it is 1.
+    pub(crate) fn thickening(self, thickness: Option<[f64; 2]>) -> Self {
+        Self { thickness, ..self }
     }
 
     /// An activation under which the fibre resists any move as much as it ever does under this one, with the drive at its
@@ -107,6 +115,20 @@ impl FibreActivation {
         let (turns, axis) = self.curl.as_ref()?;
         let value = self.inner.at(time);
         Some(move |bend: usize| 2.0 * (turns[bend] * value(bend)).tan() * *axis)
+    }
+
+    /// Shares of their stiffness that edges and bends have at a time [s]; nothing where these do not change.
+    pub(super) fn thicknesses(&self, time: f64) -> Option<[impl Fn(usize) -> f64 + '_; 2]> {
+        let [thin, thick] = self.thickness?;
+        Some([&self.edges, &self.inner].map(|along| {
+            let value = along.at(time);
+            move |place: usize| thin + (thick - thin) * value(place)
+        }))
+    }
+
+    /// Whether it gets thicker or thinner.
+    pub(super) fn thickens(&self) -> bool {
+        self.thickness.is_some()
     }
 
     /// Whether it curls.

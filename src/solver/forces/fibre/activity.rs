@@ -9,7 +9,7 @@
 //! adds where it ended. The sum of all energies less that work is kept to second order, as it is without drives.
 
 use super::breaking::Breakage;
-use super::corner::Corner;
+use super::corner::{Corner, straight_energy};
 use super::material_turn::turn_of_material;
 use super::rest::FibreRest;
 use glam::{DQuat, DVec3};
@@ -41,7 +41,8 @@ struct Booked {
     time: f64,
     /// Lengths of the edges [m].
     lengths: Vec<f64>,
-    /// Curvature binormals of fibres that curl, in the frame of the material around.
+    /// Curvature binormals of fibres that curl or get thicker, in the frame of the material around; where that is not read,
+    /// some vector whose square is the energy of a bend of stiffness one.
     binormals: Vec<DVec3>,
     /// Angles of twist [rad].
     angles: Vec<f64>,
@@ -55,10 +56,12 @@ impl Booked {
             if let Some(activation) = &fibre.activation {
                 let x: Vec<DVec3> = fibre.vertices.iter().map(|vertex| vertex.gather(of.positions)).collect();
                 booked.lengths.extend(x.windows(2).map(|edge| edge[0].distance(edge[1])));
-                if activation.curls() {
+                if activation.curls() || activation.thickens() {
                     booked.binormals.extend((0..fibre.bends.len()).map(|k| {
-                        let corner = Corner::at(&x, k);
-                        let (Some(corner), Some(rest)) = (corner, &fibre.bends[k].curved) else { return DVec3::ZERO };
+                        let Some(corner) = Corner::at(&x, k) else { return DVec3::ZERO };
+                        let Some(rest) = &fibre.bends[k].curved else {
+                            return DVec3::X * (4.0 * straight_energy(corner.cosine)).sqrt();
+                        };
                         let mut warm = of.turns[first_bend + k];
                         let (r, _) = turn_of_material(&rest.turn, of.positions, &mut warm);
                         r.transpose() * corner.binormal()
@@ -115,26 +118,34 @@ fn work_between(fibres: &[FibreRest], broken: &Breakage, [before, now]: [&Booked
             let whole = |edge: &usize| !broken.edges[first_edge + *edge];
             let (was, is) = (fibre.lengths_at(before.time), fibre.lengths_at(now.time));
             let muscles = activation.excitations(before.time).zip(activation.excitations(now.time));
+            let ([thin, thin_bend], [thick, thick_bend]) =
+                (fibre.thicknesses_at(before.time), fibre.thicknesses_at(now.time));
             for edge in (0..fibre.edges.len()).filter(whole) {
                 let (stiffness, drawn) = fibre.edges[edge];
                 let lengths = [before.lengths[length + edge], now.lengths[length + edge]];
                 // Half of `(k/2) ((L - to)² - (L - from)²)` at both lengths L.
                 let (from, to) = (was(edge), is(edge));
-                work += 0.5 * stiffness * (to - from) * (to + from - lengths[0] - lengths[1]);
+                work += 0.5 * thick(edge) * stiffness * (to - from) * (to + from - lengths[0] - lengths[1]);
+                let thicker = thick(edge) - thin(edge);
+                work += 0.25 * thicker * stiffness * lengths.map(|length| (length - from).powi(2)).iter().sum::<f64>();
                 if let Some(((muscle, was), (_, is))) = &muscles {
-                    let more = is(edge) - was(edge);
+                    let more = thick(edge) * is(edge) - thin(edge) * was(edge);
                     work += 0.5 * lengths.map(|length| muscle.energy(more, length / drawn, drawn)).iter().sum::<f64>();
                 }
             }
             length += fibre.edges.len();
-            if activation.curls() {
+            if activation.curls() || activation.thickens() {
                 let (was, is) = (fibre.binormals_at(before.time), fibre.binormals_at(now.time));
-                // Where the turn of the material cannot be read, nothing curls.
-                let acts = |bend: &usize| fibre.bends[*bend].curved.is_some() && !broken.bends[first_bend + *bend];
-                for bend in (0..fibre.bends.len()).filter(acts) {
-                    let (from, to) = (was(bend), is(bend));
-                    let found = before.binormals[binormal + bend] + now.binormals[binormal + bend];
-                    work += fibre.bends[bend].stiffness * (to - from).dot(to + from - found);
+                for bend in (0..fibre.bends.len()).filter(|bend| !broken.bends[first_bend + bend]) {
+                    // Where the turn of the material cannot be read, nothing curls.
+                    let curls = fibre.bends[bend].curved.is_some();
+                    let (from, to) = if curls { (was(bend), is(bend)) } else { (DVec3::ZERO, DVec3::ZERO) };
+                    let found = [before, now].map(|of| of.binormals[binormal + bend]);
+                    let stiffness = fibre.bends[bend].stiffness;
+                    work += thick_bend(bend) * stiffness * (to - from).dot(to + from - found[0] - found[1]);
+                    let thicker = thick_bend(bend) - thin_bend(bend);
+                    work +=
+                        0.5 * thicker * stiffness * found.map(|kb| (kb - from).length_squared()).iter().sum::<f64>();
                 }
                 binormal += fibre.bends.len();
             }
@@ -142,8 +153,11 @@ fn work_between(fibres: &[FibreRest], broken: &Breakage, [before, now]: [&Booked
                 let (was, is) = (activation.twists(before.time), activation.twists(now.time));
                 for edge in (0..twist.edges.len()).filter(whole) {
                     let (from, to) = (was(edge), is(edge));
-                    let found = before.angles[angle + edge] + now.angles[angle + edge];
-                    work += 0.5 * twist.edges[edge].stiffness * (to - from) * (to + from - found);
+                    let found = [before, now].map(|of| of.angles[angle + edge]);
+                    let stiffness = twist.edges[edge].stiffness;
+                    work += 0.5 * thick(edge) * stiffness * (to - from) * (to + from - found[0] - found[1]);
+                    let thicker = thick(edge) - thin(edge);
+                    work += 0.25 * thicker * stiffness * found.map(|angle| (angle - from).powi(2)).iter().sum::<f64>();
                 }
                 angle += twist.edges.len();
             }

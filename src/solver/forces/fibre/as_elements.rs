@@ -7,21 +7,22 @@ use crate::solver::forces::element::{ElementForce, Kind, Structure};
 use glam::{DQuat, DVec3};
 
 impl FibreRest {
-    /// Stretch of edge `k`, which rests at a length [m] and has become longer by another for good.
-    pub(super) fn edge(&self, k: usize, rest: f64, yielded: f64) -> Edge {
-        let (points, (stiffness, drawn)) = ([k as u32, k as u32 + 1], self.edges[k]);
+    /// Stretch of edge `k`, which rests at a length [m], has become longer by another for good, and is this share as stiff.
+    pub(super) fn edge(&self, k: usize, [rest, yielded]: [f64; 2], share: f64) -> Edge {
+        let (points, (whole, drawn)) = ([k as u32, k as u32 + 1], self.edges[k]);
+        let stiffness = share * whole;
         Edge { points, stiffness, drawn, contract: 0.0, rest, yielded }
     }
 
-    /// Pull of edge `k` by a muscle that is excited so far.
-    pub(super) fn pull(&self, k: usize, muscle: Muscle, excited: f64) -> Pull {
-        Pull { points: [k as u32, k as u32 + 1], muscle, drawn: self.edges[k].1, excited }
+    /// Pull of edge `k` by a muscle that is excited so far, and this share as strong.
+    pub(super) fn pull(&self, k: usize, muscle: Muscle, excited: f64, share: f64) -> Pull {
+        Pull { points: [k as u32, k as u32 + 1], muscle: muscle.scaled(share), drawn: self.edges[k].1, excited }
     }
 
-    /// Bend `k`, which rests at this curvature binormal of the model frame where it has any.
-    pub(super) fn bend(&self, k: usize, rest: DVec3) -> Kind {
+    /// Bend `k`, which rests at this curvature binormal of the model frame where it has any, and is this share as stiff.
+    pub(super) fn bend(&self, k: usize, rest: DVec3, share: f64) -> Kind {
         let points = [k as u32, k as u32 + 1, k as u32 + 2];
-        let stiffness = self.bends[k].stiffness;
+        let stiffness = share * self.bends[k].stiffness;
         if self.bends[k].curved.is_none() {
             return Kind::StraightBend(StraightBend { points, stiffness });
         }
@@ -38,15 +39,16 @@ impl FibreRest {
             turns = twist.turns.iter().cloned().map(Some).collect();
         }
         let (length, binormal, wanted) = (self.lengths_at(time), self.binormals_at(time), self.twists_at(time));
+        let [edges, bends] = self.thicknesses_at(time);
         let mut elements: Vec<Kind> = Vec::new();
-        elements.extend((0..self.edges.len()).map(|k| Kind::Edge(self.edge(k, length(k), 0.0))));
+        elements.extend((0..self.edges.len()).map(|k| Kind::Edge(self.edge(k, [length(k), 0.0], edges(k)))));
         if let Some((muscle, excited)) = self.activation.as_ref().and_then(|of| of.excitations(time)) {
-            elements.extend((0..self.edges.len()).map(|k| Kind::Pull(self.pull(k, muscle, excited(k)))));
+            elements.extend((0..self.edges.len()).map(|k| Kind::Pull(self.pull(k, muscle, excited(k), edges(k)))));
         }
-        elements.extend((0..self.bends.len()).map(|k| self.bend(k, binormal(k))));
+        elements.extend((0..self.bends.len()).map(|k| self.bend(k, binormal(k), bends(k))));
         let twists = self.twist.iter().flat_map(|twist| twist.edges.iter().enumerate());
         elements.extend(twists.map(|(k, of)| {
-            let (points, stiffness, axis) = ([k as u32, k as u32 + 1], of.stiffness, of.axis);
+            let (points, stiffness, axis) = ([k as u32, k as u32 + 1], edges(k) * of.stiffness, of.axis);
             Kind::Twist(EdgeTwist { points, stiffness, axis, wanted: wanted(k), rest: wanted(k) })
         }));
         Structure::new("", self.vertices.clone(), turns, elements)

@@ -66,6 +66,11 @@ impl CurvedBends {
         }
     }
 
+    /// Gives curved bend `k` another stiffness [N m].
+    pub(super) fn stiffen(&mut self, k: usize, stiffness: f64) {
+        self.packs[k / LANES].stiffness.0[k % LANES] = stiffness;
+    }
+
     /// Adds their gradients by edges to the rods, from the particles of the blocks; gives what turns the particles around them.
     #[inline(always)]
     pub(super) fn bend<S: Simd>(

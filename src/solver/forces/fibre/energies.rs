@@ -15,12 +15,13 @@ impl FibreForce {
             let rest_length = fibre.lengths_at(time);
             let muscle = fibre.activation.as_ref().and_then(|activation| activation.excitations(time));
             let binormal = fibre.binormals_at(time);
+            let [edges, bends] = fibre.thicknesses_at(time);
             for k in (0..fibre.edges.len()).filter(|k| !self.broken.edges[first_edge + k]) {
                 let at = Local { points: &x[k..k + 2], turns: &[] };
-                let edge = fibre.edge(k, rest_length(k), self.yielded.stretch(first_edge + k));
+                let edge = fibre.edge(k, [rest_length(k), self.yielded.stretch(first_edge + k)], edges(k));
                 energies.stretching += edge.energy(&at);
                 if let Some((muscle, excited)) = &muscle {
-                    energies.stretching += fibre.pull(k, *muscle, excited(k)).energy(&at);
+                    energies.stretching += fibre.pull(k, *muscle, excited(k), edges(k)).energy(&at);
                 }
             }
             for k in (0..fibre.bends.len()).filter(|k| !self.broken.bends[first_bend + k]) {
@@ -29,7 +30,8 @@ impl FibreForce {
                     turn_of_material(&curved.turn, positions, &mut turn);
                 }
                 let rest = binormal(k) + self.yielded.binormal(first_bend + k);
-                energies.bending += fibre.bend(k, rest).energy(&Local { points: &x[k..k + 3], turns: &[turn] });
+                energies.bending +=
+                    fibre.bend(k, rest, bends(k)).energy(&Local { points: &x[k..k + 3], turns: &[turn] });
             }
             first_edge += fibre.edges.len();
             first_bend += fibre.bends.len();

@@ -129,7 +129,7 @@ impl FibreForce {
         let Self { fibres, embedding, broken, yielded, workspace, .. } = self;
         let Workspace { rods, curved: packed, .. } =
             workspace.get_or_insert_with(|| Workspace::new(fibres, embedding, (broken, yielded)));
-        let (mut first, mut curved) = (0, 0);
+        let (mut first, mut curved, mut first_edge, mut first_bend) = (0, 0, 0, 0);
         for fibre in fibres.iter() {
             let bends = (0..fibre.bends.len()).filter(|&k| fibre.bends[k].curved.is_some());
             if let Some(activation) = &fibre.activation {
@@ -139,9 +139,24 @@ impl FibreForce {
                     let binormal = fibre.binormals_at(time);
                     bends.clone().zip(curved..).for_each(|(k, bend)| packed.rest_at(bend, binormal(k)));
                 }
+                if let Some([edge, bend]) = activation.thicknesses(time) {
+                    for k in (0..fibre.edges.len()).filter(|k| !broken.edges[first_edge + k]) {
+                        rods.stiffen_edge(first + k, edge(k) * fibre.edges[k].0);
+                    }
+                    for k in (0..fibre.bends.len()).filter(|&k| fibre.bends[k].curved.is_none()) {
+                        if !broken.bends[first_bend + k] {
+                            rods.stiffen_bend(first + k, bend(k) * fibre.bends[k].stiffness);
+                        }
+                    }
+                    for (k, at) in bends.clone().zip(curved..).filter(|(k, _)| !broken.bends[first_bend + k]) {
+                        packed.stiffen(at, bend(k) * fibre.bends[k].stiffness);
+                    }
+                }
             }
             first += fibre.vertices.len();
             curved += bends.count();
+            first_edge += fibre.edges.len();
+            first_bend += fibre.bends.len();
         }
     }
 
@@ -160,9 +175,10 @@ impl FibreForce {
         let (mut first, mut first_edge) = (0, 0);
         for fibre in fibres {
             if let Some((muscle, excited)) = fibre.activation.as_ref().and_then(|of| of.excitations(time)) {
+                let [thickness, _] = fibre.thicknesses_at(time);
                 for (k, &(_, drawn)) in fibre.edges.iter().enumerate().filter(|(k, _)| !broken.edges[first_edge + k]) {
                     let edge = rods.edge(first + k);
-                    let pull = muscle.pull(excited(k), edge.length / drawn);
+                    let pull = thickness(k) * muscle.pull(excited(k), edge.length / drawn);
                     rods.add(first + k, (pull * edge.tangent, DVec3::ZERO));
                 }
             }

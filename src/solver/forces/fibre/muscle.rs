@@ -26,6 +26,11 @@ impl Muscle {
         Self { stiffest: true, ..self }
     }
 
+    /// One that pulls by a share of this one's force.
+    pub(super) fn scaled(self, share: f64) -> Self {
+        Self { force: share * self.force, ..self }
+    }
+
     /// Pull [N] at a length over the drawn one.
     pub(super) fn pull(self, excited: f64, s: f64) -> f64 {
         if self.stiffest {

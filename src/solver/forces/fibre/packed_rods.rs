@@ -87,6 +87,18 @@ impl PackedRods {
         pack.rest_lengths.0[lane] = length;
     }
 
+    /// Gives the edge that begins with a vertex another stiffness [N/m].
+    pub(super) fn stiffen_edge(&mut self, vertex: usize, stiffness: f64) {
+        let (pack, lane) = self.pack(vertex);
+        pack.stretching.0[lane] = stiffness;
+    }
+
+    /// Gives the straight bend that begins with a vertex another stiffness [N m].
+    pub(super) fn stiffen_bend(&mut self, vertex: usize, stiffness: f64) {
+        let (pack, lane) = self.pack(vertex);
+        pack.bending.0[lane] = stiffness;
+    }
+
     /// Puts a vertex somewhere [m].
     #[inline(always)]
     pub(super) fn put(&mut self, vertex: usize, at: DVec3) {

@@ -204,6 +204,15 @@ impl FibreRest {
         move |edge| wanted.as_ref().map_or(0.0, |wanted| wanted(edge))
     }
 
+    /// Shares of their stiffness that its edges and its bends have at a time [s].
+    pub(super) fn thicknesses_at(&self, time: f64) -> [impl Fn(usize) -> f64 + '_; 2] {
+        let [edges, bends] = match self.activation.as_ref().and_then(|activation| activation.thicknesses(time)) {
+            Some([edges, bends]) => [Some(edges), Some(bends)],
+            None => [None, None],
+        };
+        [edges, bends].map(|of| move |k: usize| of.as_ref().map_or(1.0, |of| of(k)))
+    }
+
     /// The same fibre, as stiff as it ever gets while it acts, its drive at its greatest or its least.
     pub(super) fn at_extreme(&self, greatest: bool) -> Self {
         let Some(activation) = &self.activation else { return self.clone() };
@@ -240,11 +249,12 @@ impl FibreRest {
     pub(super) fn tensions<'a>(&'a self, x: &'a [DVec3], time: f64) -> impl Fn(usize) -> f64 + 'a {
         let rest_length = self.lengths_at(time);
         let muscle = self.activation.as_ref().and_then(|activation| activation.excitations(time));
+        let [thickness, _] = self.thicknesses_at(time);
         move |k| {
             let (stiffness, drawn) = self.edges[k];
             let length = x[k + 1].distance(x[k]);
             let pull = muscle.as_ref().map_or(0.0, |(muscle, excited)| muscle.pull(excited(k), length / drawn));
-            stiffness * (length - rest_length(k)) + pull
+            thickness(k) * (stiffness * (length - rest_length(k)) + pull)
         }
     }
 

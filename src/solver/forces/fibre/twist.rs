@@ -49,11 +49,11 @@ impl FibreTwist {
         self.edges.iter().zip(turns.windows(2)).map(|(edge, ends)| Between::new(edge.axis, ends).angle).collect()
     }
 
-    /// Adds its forces [N] on particles to `forces`, where edge k wants to be twisted by `at_rest` [rad] of it and carries
-    /// nothing where that is none.
+    /// Adds its forces [N] on particles to `forces`, where edge k wants to be twisted by the first of `at_rest` [rad] with the
+    /// second as a share of its stiffness, and carries nothing where that is none.
     pub(super) fn add_forces(
         &self,
-        at_rest: impl Fn(usize) -> Option<f64>,
+        at_rest: impl Fn(usize) -> Option<[f64; 2]>,
         positions: &[DVec3],
         warm: &mut [DQuat],
         forces: &mut [DVec3],
@@ -66,9 +66,9 @@ impl FibreTwist {
             .collect();
         let mut moments = vec![DVec3::ZERO; self.turns.len()];
         for (k, edge) in self.edges.iter().enumerate() {
-            let Some(at_rest) = at_rest(k) else { continue };
+            let Some([at_rest, thickness]) = at_rest(k) else { continue };
             let between = Between::new(edge.axis, &warm[k..k + 2]);
-            let moment = edge.stiffness * (between.angle - at_rest);
+            let moment = thickness * edge.stiffness * (between.angle - at_rest);
             let [a, b] = between.spins(edge.axis);
             moments[k] += moment * a;
             moments[k + 1] += moment * b;

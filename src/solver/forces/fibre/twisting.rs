@@ -9,11 +9,11 @@ impl FibreForce {
         let (mut energy, mut first_edge, mut first_end) = (0.0, 0, 0);
         for fibre in self.fibres.iter() {
             if let Some(twist) = &fibre.twist {
-                let wanted = fibre.twists_at(time);
+                let (wanted, [thickness, _]) = (fibre.twists_at(time), fibre.thicknesses_at(time));
                 let angles = twist.angles(positions, &self.ends[first_end..]);
                 for (k, (edge, angle)) in twist.edges.iter().zip(angles).enumerate() {
                     if !self.broken.edges[first_edge + k] {
-                        energy += 0.5 * edge.stiffness * (angle - wanted(k)).powi(2);
+                        energy += 0.5 * thickness(k) * edge.stiffness * (angle - wanted(k)).powi(2);
                     }
                 }
             }
@@ -28,8 +28,8 @@ impl FibreForce {
         let (mut first_edge, mut first_end) = (0, 0);
         for fibre in self.fibres.iter() {
             if let Some(twist) = &fibre.twist {
-                let wanted = fibre.twists_at(time);
-                let at_rest = |k: usize| (!self.broken.edges[first_edge + k]).then(|| wanted(k));
+                let (wanted, [thickness, _]) = (fibre.twists_at(time), fibre.thicknesses_at(time));
+                let at_rest = |k: usize| (!self.broken.edges[first_edge + k]).then(|| [wanted(k), thickness(k)]);
                 let warm = &mut self.ends[first_end..first_end + twist.len()];
                 twist.add_forces(at_rest, positions, warm, forces);
             }

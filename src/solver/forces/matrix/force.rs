@@ -6,6 +6,8 @@ use super::inelastic::{Inelastic, InelasticLaw};
 use super::pair_list::PairList;
 use super::reference::ReferenceConfiguration;
 use super::stencil;
+use super::thinning::MatrixThinning;
+use crate::solver::driven_fractions::DrivenFractions;
 use crate::solver::energy::Energies;
 use crate::solver::forces::force::Force;
 use crate::solver::neighbourhood::Neighbourhood;
@@ -93,6 +95,11 @@ impl MatrixForce {
     /// What goes on in the same matrix that is not elastic, of a body that starts turned by `orientation`.
     pub(crate) fn inelastic(&self, law: InelasticLaw, orientation: DQuat) -> Inelastic {
         Inelastic::new(self.reference.clone(), law, orientation)
+    }
+
+    /// What fibres of driven volume fractions do to the same matrix, of a body that starts turned by `orientation`.
+    pub(crate) fn thinning(&self, fractions: DrivenFractions, orientation: DQuat) -> MatrixThinning {
+        MatrixThinning::new(self.reference.clone(), fractions, orientation)
     }
 
     /// Fibre fraction `l_i` of every particle.

@@ -90,6 +90,7 @@ mod pair_list;
 mod reference;
 mod regions;
 mod stencil;
+mod thinning;
 mod von_mises;
 
 pub use elasticity::Elasticity;
@@ -97,3 +98,4 @@ pub use evaluation::EvaluationKind;
 pub(crate) use flow_rule::{Plasticity, Viscosity};
 pub use force::MatrixForce;
 pub(crate) use inelastic::{Inelastic, InelasticLaw};
+pub(crate) use thinning::MatrixThinning;

@@ -36,7 +36,18 @@ struct PairListBuffers {
 /// What a particle's neighbours feel of it: the columns of Q, then Y with `al` in the fourth lane.
 #[derive(Clone, Copy, Default)]
 #[repr(C, align(32))]
-struct ParticleStress([[f64; 4]; 4]);
+pub(super) struct ParticleStress([[f64; 4]; 4]);
+
+impl ParticleStress {
+    /// `w (Q X_ji + al u_ji + Y)` [N]: what the particle pulls itself by and a neighbour back, of weight w [1/m²] and weighted
+    /// offset w X_ji [1/m], whose deviation differs from its own by u_ji [m].
+    pub(super) fn pull(&self, weight: f64, weighted_offset: DVec3, u: DVec3) -> DVec3 {
+        let [q0, q1, q2, [x, y, z, al]] = self.0;
+        let column = |q: [f64; 4]| DVec3::new(q[0], q[1], q[2]);
+        let q = DMat3::from_cols(column(q0), column(q1), column(q2));
+        q * weighted_offset + weight * (al * u + DVec3::new(x, y, z))
+    }
+}
 
 impl PairList {
     /// The evaluation of particles that start with these rotations.
@@ -114,11 +125,11 @@ impl Evaluation for PairList {
 type FirstChunk<'a> = ((&'a mut [DQuat], &'a mut [ParticleStress]), &'a mut [DVec3]);
 
 /// The two passes of an evaluation and what they read, which all threads share.
-struct PairListPasses<'a> {
-    reference: &'a ReferenceConfiguration,
+pub(super) struct PairListPasses<'a> {
+    pub(super) reference: &'a ReferenceConfiguration,
     /// Rigid turn R_b of the whole body, and every particle's deviation u from it [m].
-    body_turn: DMat3,
-    deviations: &'a [[f64; 4]],
+    pub(super) body_turn: DMat3,
+    pub(super) deviations: &'a [[f64; 4]],
 }
 
 impl PairListPasses<'_> {
@@ -132,28 +143,51 @@ impl PairListPasses<'_> {
         stresses: &mut [ParticleStress],
         own: &mut [DVec3],
     ) {
-        let rest = &self.reference.neighbourhood;
         for (k, rotation) in rotations.iter_mut().enumerate() {
-            let i = first + k;
-            let here = f64x4::simd_from(simd, self.deviations[i]);
-            let zero = f64x4::splat(simd, 0.0);
-            let (mut c0, mut c1, mut c2, mut sum) = (zero, zero, zero, zero);
-            for (j, bond) in rest.bonds(i) {
-                let u = f64x4::simd_from(simd, self.deviations[j]) - here;
-                c0 = u.mul_add(f64x4::splat(simd, bond.weighted_offset.x), c0);
-                c1 = u.mul_add(f64x4::splat(simd, bond.weighted_offset.y), c1);
-                c2 = u.mul_add(f64x4::splat(simd, bond.weighted_offset.z), c2);
-                sum = u.mul_add(f64x4::splat(simd, bond.weight), sum);
-            }
-            let moment = DMat3::from_cols(vec3(c0), vec3(c1), vec3(c2));
-            (stresses[k], own[k]) = self.finish(i, moment, vec3(sum), rotation);
+            let share = self.reference.matrix_fraction[first + k];
+            (stresses[k], own[k]) = self.stress(simd, first + k, share, rotation);
         }
+    }
+
+    /// The same of particle i, where this share of the material is matrix; and the part of its force that is its own [N].
+    #[inline(always)]
+    pub(super) fn stress<S: Simd>(
+        &self,
+        simd: S,
+        i: usize,
+        share: f64,
+        rotation: &mut DQuat,
+    ) -> (ParticleStress, DVec3) {
+        let here = f64x4::simd_from(simd, self.deviations[i]);
+        let zero = f64x4::splat(simd, 0.0);
+        let (mut c0, mut c1, mut c2, mut sum) = (zero, zero, zero, zero);
+        for (j, bond) in self.reference.neighbourhood.bonds(i) {
+            let u = f64x4::simd_from(simd, self.deviations[j]) - here;
+            c0 = u.mul_add(f64x4::splat(simd, bond.weighted_offset.x), c0);
+            c1 = u.mul_add(f64x4::splat(simd, bond.weighted_offset.y), c1);
+            c2 = u.mul_add(f64x4::splat(simd, bond.weighted_offset.z), c2);
+            sum = u.mul_add(f64x4::splat(simd, bond.weight), sum);
+        }
+        let moment = DMat3::from_cols(vec3(c0), vec3(c1), vec3(c2));
+        self.finish((i, share), moment, vec3(sum), rotation)
+    }
+
+    /// Deviation of particle i [m].
+    pub(super) fn deviation(&self, i: usize) -> DVec3 {
+        let [x, y, z, _] = self.deviations[i];
+        DVec3::new(x, y, z)
     }
 
     /// Stress and what follows from it, once the sums of pass 1 are there.
     #[inline]
-    fn finish(&self, i: usize, moment: DMat3, sum: DVec3, rotation: &mut DQuat) -> (ParticleStress, DVec3) {
-        let ReferenceConfiguration { neighbourhood: rest, elasticity, volume, matrix_fraction, .. } = self.reference;
+    fn finish(
+        &self,
+        (i, share): (usize, f64),
+        moment: DMat3,
+        sum: DVec3,
+        rotation: &mut DQuat,
+    ) -> (ParticleStress, DVec3) {
+        let ReferenceConfiguration { neighbourhood: rest, elasticity, volume, .. } = self.reference;
         let inverse = rest.inverse_moment[i];
         let weighted_sum = rest.weighted_sum[i];
         let g = moment * inverse;
@@ -161,7 +195,7 @@ impl PairListPasses<'_> {
         let residual_sum = sum - g * weighted_sum;
         *rotation = nearest_rotation(f, *rotation);
         let (stress, _) = elasticity.stress(f, DMat3::from_quat(*rotation));
-        let scale = matrix_fraction[i] * volume;
+        let scale = share * volume;
         let Elasticity { residual_penalty: a, sum_penalty: beta, .. } = *elasticity;
         let q = scale * (stress * inverse - a * g - beta * outer(residual_sum, inverse * weighted_sum));
         let y = scale * beta * residual_sum;

@@ -50,6 +50,13 @@ impl ReferenceConfiguration {
 
     /// Elastic and zero-energy energy of particle i [J], whose rotation is near `start`.
     pub(super) fn energy(&self, i: usize, positions: &[DVec3], start: DQuat) -> (f64, f64) {
+        let scale = self.matrix_fraction[i] * self.volume;
+        let (elastic, zero_energy) = self.densities(i, positions, start);
+        (scale * elastic, scale * zero_energy)
+    }
+
+    /// The same for each volume of matrix [J/m³].
+    pub(super) fn densities(&self, i: usize, positions: &[DVec3], start: DQuat) -> (f64, f64) {
         let Elasticity { residual_penalty: a, sum_penalty: beta, .. } = self.elasticity;
         let (f, residual_sum) = self.deformation_gradient(i, positions);
         let rotation = nearest_rotation(f, start);
@@ -61,7 +68,6 @@ impl ReferenceConfiguration {
             .zip(offsets)
             .map(|((j, bond), (_, offset))| bond.weight * (positions[j] - positions[i] - f * offset).length_squared())
             .sum();
-        let scale = self.matrix_fraction[i] * self.volume;
-        (scale * density, 0.5 * scale * (a * residuals + beta * residual_sum.length_squared()))
+        (density, 0.5 * (a * residuals + beta * residual_sum.length_squared()))
     }
 }

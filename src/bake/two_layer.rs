@@ -69,7 +69,9 @@ pub(super) fn draft(
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
+    let squeeze = squeeze(&active, &layers.springs, &at_rest.positions);
     let probed = |body: &TwoLayer| {
+        let body = &TwoLayer { pressure: squeeze * body.pressure, ..body.clone() };
         let own = own_forces(scene, body, (&model, &active), &layers, (&state, &followed));
         let mut forces: Vec<_> = own.iter().map(|force| force.clone_at_extreme(true)).collect();
         if touches {
@@ -247,6 +249,23 @@ fn active_springs(
         all.push(ActiveSprings::new(&of.id, chosen, of.contract, drives::drive(&of.drive, &body.drives)));
     }
     Ok(all)
+}
+
+/// By what factor gas is stiffer where active springs have made the body as small as they ever do: a body that is shorter by
+/// a share c all over has `1 / (1 - c)²` times the slope of its pressure by a move, in two dimensions and in three. Taken of the
+/// mean over the structural springs.
+fn squeeze(active: &[ActiveSprings], springs: &Springs, positions: &[DVec3]) -> f64 {
+    let structural = springs.groups().iter().filter(|group| group.kind == SpringKind::Structural);
+    let mut lengths = vec![0.0; springs.ends().len()];
+    for spring in structural.flat_map(|group| group.springs.clone()) {
+        let [a, b] = springs.ends()[spring].map(|end| positions[end as usize]);
+        lengths[spring] = a.distance(b);
+    }
+    let shorter = active.iter().map(ActiveSprings::shortest);
+    let shorter: f64 =
+        shorter.map(|(by, which)| by * which.iter().map(|&spring| lengths[spring as usize]).sum::<f64>()).sum();
+    let whole: f64 = lengths.iter().sum();
+    if shorter > 0.0 { (1.0 - shorter / whole).powi(-2) } else { 1.0 }
 }
 
 /// The gas, where there is any. A body without an inner layer has all its gas in the outer one.

@@ -62,6 +62,28 @@ fn the_step_of_a_two_layer_body_holds_in_water() {
 }
 
 #[test]
+fn the_step_of_a_ball_holds_while_its_springs_squeeze_the_gas() {
+    let scene = |contract: f64| {
+        let mut ball = TwoLayer { pressure: 2e6, kd: 1.0, rkd: 1.0, air_drag: 0.5, ..TwoLayer::ball("ball") };
+        let come = DriveKeys::new([(0.0, 0.0), (0.05, 1.0)]);
+        ball.active_springs = vec![sinew::scene::ActiveSprings::new("all", "everything", contract, come)];
+        Scene::new("ball").with_gravity([0.0; 3]).with_two_layer(ball)
+    };
+    let [still, squeezed] = [0.0, 0.6].map(|contract| parts(&scene(contract)).stable_dt);
+    let ratio = still / squeezed;
+    println!("{still} s, squeezed {squeezed} s");
+    assert!(ratio > 1.2, "{ratio}");
+    let run = |share: f64| {
+        let mut scene = scene(0.6);
+        scene.time.step = TimeStep::manual(share * squeezed, 60);
+        let mut runner = runner(&scene);
+        (0..40).for_each(|_| runner.advance_frame());
+        runner.world().divergence().is_none() && runner.world().unbalanced().is_empty()
+    };
+    assert!(run(0.98), "it does not hold");
+}
+
+#[test]
 fn the_step_looks_at_the_strongest_wind_either_way_and_names_it() {
     let step = |last: f64| {
         let wind = Wind { density: 2e4, ..Wind::new([3.0, 0.0, 0.0]) };

@@ -71,9 +71,10 @@ fn text(editor: &Editor) -> String {
 fn commands_of_every_kind_are_tried_and_taken() {
     let mut runner = TestRunner::deterministic();
     let (mut taken, mut refused) = ([0; KINDS], 0);
+    let (any, document) = (any_command(), every_field());
     for _ in 0..2000 {
-        let command = any_command().new_tree(&mut runner).expect("a command").current();
-        match Editor::new(every_field()).apply(&command) {
+        let command = any.new_tree(&mut runner).expect("a command").current();
+        match Editor::new(document.clone()).apply(&command) {
             Ok(()) => taken[kind(&command)] += 1,
             Err(_) => refused += 1,
         }

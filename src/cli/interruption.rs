@@ -4,6 +4,10 @@
 //! the end of the frame or step at hand, so that what was computed until then can be written; a second one ends it at
 //! once.
 
+#[cfg(unix)]
+use crate::io::heeds_hang_ups;
+#[cfg(unix)]
+use signal_hook::consts::SIGHUP;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use std::fmt;
@@ -17,19 +21,38 @@ pub enum Signal {
     Interrupt,
     /// SIGTERM: somebody wants the program to end.
     Terminate,
+    /// SIGHUP: the terminal that it was started from is gone.
+    #[cfg(unix)]
+    HangUp,
 }
 
 impl Signal {
-    const ALL: [Self; 2] = [Self::Interrupt, Self::Terminate];
+    const ALL: &[Self] = &[
+        Self::Interrupt,
+        Self::Terminate,
+        #[cfg(unix)]
+        Self::HangUp,
+    ];
+
+    /// Whether it is to end this run.
+    fn is_heeded(self) -> bool {
+        match self {
+            #[cfg(unix)]
+            Self::HangUp => heeds_hang_ups(),
+            Self::Interrupt | Self::Terminate => true,
+        }
+    }
 
     fn number(self) -> i32 {
         match self {
             Self::Interrupt => SIGINT,
             Self::Terminate => SIGTERM,
+            #[cfg(unix)]
+            Self::HangUp => SIGHUP,
         }
     }
 
-    /// What the program ends with: 128 and the number of the signal, as shells give it; 130 or 143.
+    /// What the program ends with: 128 and the number of the signal, as shells give it; 130, 143 or 129.
     pub fn exit_code(self) -> u8 {
         128 + self.number() as u8
     }
@@ -40,6 +63,8 @@ impl fmt::Display for Signal {
         f.write_str(match self {
             Self::Interrupt => "SIGINT",
             Self::Terminate => "SIGTERM",
+            #[cfg(unix)]
+            Self::HangUp => "SIGHUP",
         })
     }
 }
@@ -56,7 +81,7 @@ impl Interruption {
     pub(super) fn listening() -> Self {
         let this = Self::default();
         this.at_once.store(true, Ordering::SeqCst);
-        for signal in Signal::ALL {
+        for signal in Signal::ALL.iter().filter(|signal| signal.is_heeded()) {
             let number = signal.number();
             // In this order: the signal that sets the flag is not the one that it lets through. Where nothing can be
             // registered, the system's own way holds, which is to end at once.
@@ -82,6 +107,6 @@ impl Interruption {
     /// The signal that was heard, if one was.
     pub(super) fn signal(&self) -> Option<Signal> {
         let number = self.number.load(Ordering::SeqCst);
-        Signal::ALL.into_iter().find(|signal| signal.number() as usize == number)
+        Signal::ALL.iter().copied().find(|signal| signal.number() as usize == number)
     }
 }

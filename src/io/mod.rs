@@ -13,6 +13,8 @@ mod finite;
 mod frames;
 mod gif;
 mod glb;
+#[cfg(unix)]
+mod hang_up;
 mod json;
 #[cfg(feature = "gui")]
 mod json_folder;
@@ -46,6 +48,8 @@ pub(crate) use collect::{collect_scene, with_models_from};
 pub use error::IoError;
 pub use frames::FrameFolder;
 pub use glb::write_glb;
+#[cfg(unix)]
+pub(crate) use hang_up::heeds_hang_ups;
 #[cfg(feature = "gui")]
 pub(crate) use json_folder::{JsonFile, JsonFolder};
 pub(crate) use json_out::write_json;

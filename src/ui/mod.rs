@@ -23,6 +23,7 @@ mod document;
 mod drives;
 mod editing;
 mod elements_section;
+mod ended;
 mod export;
 mod field;
 mod follows_section;
@@ -116,6 +117,7 @@ pub fn run(document: Document) -> Result<(), NoWindow> {
                 let mut app = App::new(&creation.egui_ctx, creation.wgpu_render_state.clone(), document);
                 if let Some(folder) = eframe::storage_dir(NAME) {
                     app = app.with_pattern_folder(folder.join("patterns")).with_recovery(folder.join("recovery"));
+                    app = app.with_ends_from_outside();
                 }
                 if let Some(storage) = creation.storage {
                     app.recall(&creation.egui_ctx, storage);

@@ -39,7 +39,7 @@ fn ended(child: Child) -> (Option<i32>, String, String) {
 
 #[test]
 fn a_run_that_is_interrupted_gives_what_it_has_and_says_that_it_is_a_part() {
-    for (signal, code) in [("INT", 130), ("TERM", 143)] {
+    for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
         let desk = Desk::new(&pressed());
         let child = started(&desk, "simulate scene.json --seconds 100000 --report r.json --series s.csv --out frames");
         wait_until(|| desk.path("frames/frame_000005.obj").exists());
@@ -62,6 +62,26 @@ fn a_run_that_is_interrupted_gives_what_it_has_and_says_that_it_is_a_part() {
         assert_eq!(whole["complete"], true);
         assert_eq!(whole["bodies"][0]["state_hash"], report["bodies"][0]["state_hash"]);
     }
+}
+
+/// `nohup` starts a program so.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_hang_up_that_is_kept_off_ends_nothing() {
+    let desk = Desk::new(&pressed());
+    let mut command = Command::new("sh");
+    let program = program().get_program().to_owned();
+    let line = "trap '' HUP; exec \"$0\" simulate scene.json --seconds 100000 --report r.json --out frames";
+    command.args(["-c", line]).arg(program).current_dir(desk.folder.path());
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("a shell");
+    wait_until(|| desk.path("frames/frame_000001.obj").exists());
+    send("HUP", &child);
+    let frames = names(&desk.path("frames")).len();
+    wait_until(|| names(&desk.path("frames")).len() > frames + 2);
+    send("INT", &child);
+    let (code, _, err) = ended(child);
+    assert_eq!(code, Some(130), "{err}");
+    assert!(err.starts_with("interrupted: by SIGINT"), "{err}");
 }
 
 #[test]

@@ -15,6 +15,7 @@ use super::comparison::Comparison;
 use super::context::{Context, OpenDocument, Severity, Simulation};
 use super::dialogs::Dialog;
 use super::document::Document;
+use super::ended::before_the_end;
 use super::gallery::Gallery;
 use super::input_order::InputOrder;
 use super::opening::Opening;
@@ -106,6 +107,14 @@ impl App {
     #[must_use]
     pub fn with_recovery(self, folder: impl Into<PathBuf>) -> Self {
         self.autosave.keep_in(folder.into());
+        self
+    }
+
+    /// Keeps changes before the program is ended from outside: by Ctrl-C in its terminal, by the end of that terminal or of the
+    /// session, by whoever wants it to end. It ends as it would have, then.
+    #[must_use]
+    pub fn with_ends_from_outside(self) -> Self {
+        before_the_end(self.autosave.keeping());
         self
     }
 

@@ -53,6 +53,11 @@ impl Autosave {
         self.thread.send(AutosaveRequest::Folder(folder));
     }
 
+    /// Has changes kept at once, from any thread; whether that was done.
+    pub(crate) fn keeping(&self) -> impl Fn() -> bool + Send + 'static {
+        self.thread.keeping()
+    }
+
     /// The document's file is another one, or was read or written anew.
     pub(crate) fn watch(&mut self, stamp: Option<FileStamp>) {
         self.watch += 1;

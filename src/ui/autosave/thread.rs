@@ -16,6 +16,8 @@ use std::time::{Duration, Instant};
 const QUIET: Duration = Duration::from_secs(5);
 /// and this long after its first one at the latest: who never pauses is kept too.
 const LATEST: Duration = Duration::from_secs(30);
+/// Who ends the program waits this long for the document to be kept.
+const PATIENCE: Duration = Duration::from_secs(3);
 /// The file of the document is looked at this often.
 const EVERY: Duration = Duration::from_secs(2);
 
@@ -34,6 +36,10 @@ pub(super) enum AutosaveRequest {
     Keep,
     /// Keeps at once what waits.
     KeepNow,
+    /// The same, and says when that is done.
+    KeepAndSay(Sender<()>),
+    /// Keeps what waits and ends.
+    End,
     /// Forgets documents up to this number: they are saved, or their changes are not wanted.
     Forget(u64),
     /// What was recovered goes as soon as it is kept here, or forgotten.
@@ -61,7 +67,7 @@ type LatestSlot = Arc<Mutex<Option<WaitingDocument>>>;
 
 /// The thread, seen from the window.
 pub(super) struct AutosaveThread {
-    requests: Option<Sender<AutosaveRequest>>,
+    requests: Sender<AutosaveRequest>,
     reports: Receiver<AutosaveReport>,
     slot: LatestSlot,
     /// Of the document that was put in the slot last.
@@ -87,13 +93,20 @@ impl AutosaveThread {
             wake: Box::new(wake),
         };
         let thread = std::thread::Builder::new().name("autosave".into()).spawn(move || autosaver.run(&asked)).ok();
-        Self { requests: Some(requests), reports, slot, number: 0, thread }
+        Self { requests, reports, slot, number: 0, thread }
     }
 
     pub(super) fn send(&self, request: AutosaveRequest) {
-        if let Some(requests) = &self.requests {
-            // The thread outlives every request; without it nothing is kept.
-            let _ = requests.send(request);
+        // The thread outlives every request; without it nothing is kept.
+        let _ = self.requests.send(request);
+    }
+
+    /// Has changes kept as they are by then, from any thread; whether they were, or there are none.
+    pub(super) fn keeping(&self) -> impl Fn() -> bool + Send + 'static {
+        let requests = self.requests.clone();
+        move || {
+            let (done, said) = channel();
+            requests.send(AutosaveRequest::KeepAndSay(done)).is_ok() && said.recv_timeout(PATIENCE).is_ok()
         }
     }
 
@@ -114,8 +127,7 @@ impl AutosaveThread {
 
 impl Drop for AutosaveThread {
     fn drop(&mut self) {
-        // Without a sender the thread does what it was asked for, keeps what still waits and ends.
-        self.requests = None;
+        self.send(AutosaveRequest::End);
         if let Some(thread) = self.thread.take() {
             let _ = thread.join();
         }
@@ -165,9 +177,9 @@ impl Autosaver {
     fn run(mut self, requests: &Receiver<AutosaveRequest>) {
         loop {
             match self.wait(requests) {
+                Ok(AutosaveRequest::End) | Err(RecvTimeoutError::Disconnected) => break,
                 Ok(request) => self.go(request),
                 Err(RecvTimeoutError::Timeout) => {}
-                Err(RecvTimeoutError::Disconnected) => break,
             }
             let now = Instant::now();
             if self.due.as_ref().is_some_and(|due| due.at() <= now) {
@@ -199,6 +211,13 @@ impl Autosaver {
             }
             AutosaveRequest::Keep => self.due.get_or_insert(Due { first: now, last: now }).last = now,
             AutosaveRequest::KeepNow => self.keep(),
+            AutosaveRequest::KeepAndSay(done) => {
+                self.keep();
+                // Whoever asked may have lost patience.
+                let _ = done.send(());
+            }
+            // The loop ends by it.
+            AutosaveRequest::End => {}
             AutosaveRequest::Forget(number) => self.forget(number),
             AutosaveRequest::Recovered(what) => self.recovered.push(what),
             AutosaveRequest::Watch(number, stamp) => {

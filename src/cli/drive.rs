@@ -34,7 +34,9 @@ const LONG: Duration = Duration::from_millis(200);
 
 /// Says what has gained energy that nothing gave it and was not `told` of before.
 pub(super) fn warn_unbalanced(world: &World, told: &mut usize, console: &mut Console) {
-    for unbalanced in world.unbalanced().iter().skip(*told) {
+    // A world that was put together anew begins again.
+    let first = if *told > world.unbalanced().len() { 0 } else { *told };
+    for unbalanced in world.unbalanced().iter().skip(first) {
         console.warn(unbalanced);
     }
     *told = world.unbalanced().len();

@@ -1,5 +1,6 @@
 //! `sinew replay`: the motion of a journal made again, frame by frame, and held against what it came to in the window.
 
+use super::drive::warn_unbalanced;
 use super::error::printable;
 use super::interruption::Interruption;
 use super::output;
@@ -78,10 +79,13 @@ fn again(
     let (frames, scene) = (journal.frames(), journal.scenes().last().cloned());
     let begun = Instant::now();
     let mut rerun = Rerun::new(journal, assets).map_err(refused)?;
-    let mut differs = None;
+    let (mut differs, mut told) = (None, 0);
     console.begin();
     while interruption.signal().is_none() && rerun.advance().map_err(refused)? {
         console.progress(rerun.frame(), frames, "frames");
+        if let Some(runner) = rerun.runner() {
+            warn_unbalanced(runner.world(), &mut told, console);
+        }
         if differs.is_none() && !rerun.agrees() {
             differs = Some(rerun.frame());
         }

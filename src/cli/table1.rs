@@ -1,6 +1,6 @@
 //! `sinew table1`: the fibre paper's Table 1, measured again beside its print.
 
-use super::drive::drive;
+use super::drive::{drive, warn_unbalanced};
 use super::interruption::Interruption;
 use super::output;
 use super::prepare::{Sets, load, put_together};
@@ -112,7 +112,7 @@ pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliEr
         let path = args.scenes.join(printed.file);
         let mut loaded = load(Some(&path), &Sets::default(), None, console)?;
         let baked = put_together(&mut loaded, Some(&path), console)?;
-        let (mut row, stopped) = measured(printed.model, baked)?;
+        let (mut row, stopped) = measured(printed.model, baked, console)?;
         let scene = loaded.scene.clone();
         loaded.scene.time.frames_per_second = SEEN;
         let at_sixty = put_together(&mut loaded, Some(&path), console)?;
@@ -125,7 +125,7 @@ pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliEr
             loaded.scene = under(scene.clone(), kind);
             let frame_seconds = loaded.scene.time.frame_seconds();
             let baked = put_together(&mut loaded, Some(&path), console)?;
-            let real_time_factor = real_time(baked, frame_seconds)?;
+            let real_time_factor = real_time(baked, frame_seconds, console)?;
             row.shares.push(Share { integrator: kind.word(), real_time_factor });
         }
         rows.push(row);
@@ -160,7 +160,7 @@ fn under(mut scene: Scene, kind: IntegratorKind) -> Scene {
 }
 
 /// Simulated over wall seconds once the first frame, in which much is prepared, is over.
-fn real_time(baked: Baked, frame_seconds: f64) -> Result<f64, CliError> {
+fn real_time(baked: Baked, frame_seconds: f64, console: &mut Console) -> Result<f64, CliError> {
     /// Frames of a step each that are timed.
     const FRAMES: f64 = 12.0;
     let mut runner = Runner::new(baked);
@@ -171,16 +171,18 @@ fn real_time(baked: Baked, frame_seconds: f64) -> Result<f64, CliError> {
     drive(&mut runner, 1, false, &none, &mut |_| Ok(()))?;
     let begun = runner.world().time();
     let ran = drive(&mut runner, 1 + frames as u64, false, &none, &mut |_| Ok(()))?;
+    warn_unbalanced(runner.world(), &mut 0, console);
     Ok((runner.world().time() - begun) / ran.wall_seconds.max(f64::MIN_POSITIVE))
 }
 
 /// Runs one scene for a while, then times its forces in the state that it has come to; tells whether it diverged.
-fn measured(model: &'static str, baked: Baked) -> Result<(Row, bool), CliError> {
+fn measured(model: &'static str, baked: Baked, console: &mut Console) -> Result<(Row, bool), CliError> {
     let mut runner = Runner::new(baked);
     let dt = runner.world().bodies().first().map_or(0.0, |body| body.parts().dt);
     let frames = runner.frames_for(STEPS * dt).max(1);
     let ran = drive(&mut runner, frames, false, &Interruption::default(), &mut |_| Ok(()))?;
     let world = runner.world();
+    warn_unbalanced(world, &mut 0, console);
     let mut row = Row {
         model,
         particles: 0,

@@ -4,7 +4,7 @@ use super::{Desk, pressed};
 use serde_json::{Value, json};
 
 /// A strained block that nothing damps or holds, under explicit Euler.
-fn gaining() -> Value {
+pub(super) fn gaining() -> Value {
     let mut scene = pressed();
     let block = &mut scene["bodies"][0];
     block["pins"] = json!([]);

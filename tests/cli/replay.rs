@@ -1,6 +1,7 @@
 //! A journal's motion is made again, to the same bits or to a sentence that says where it parts.
 
 use super::Desk;
+use super::balance::gaining;
 use serde_json::{Value, json};
 use sinew::io::scene_from_json;
 use sinew::sim::{SimCommand, Worker};
@@ -13,9 +14,6 @@ fn desk() -> Desk {
     let scene = json!({"version": 1, "bodies": [{"id": "cube", "name": "Cube",
         "shape": {"box": {"size": [0.03, 0.03, 0.03]}},
         "material": {"young_modulus": 1e5, "mass": {"per_particle": 4e-4}, "support_radius": 0.015}}]});
-    let desk = Desk::new(&scene);
-    let scene = scene_from_json(&scene.to_string()).expect("a scene");
-    let worker = Worker::start(Arc::new(scene), Arc::default(), false, || {});
     let asked = [
         SimCommand::Step,
         SimCommand::Strike { body: 0, impulse: [1e-3, 0.0, 0.0].into() },
@@ -24,11 +22,19 @@ fn desk() -> Desk {
         SimCommand::Step,
         SimCommand::Step,
     ];
+    recorded(&scene, asked, 4)
+}
+
+/// The journal of a scene to which this was done, for so many frames.
+fn recorded(scene: &Value, asked: impl IntoIterator<Item = SimCommand>, frames: u64) -> Desk {
+    let desk = Desk::new(scene);
+    let scene = scene_from_json(&scene.to_string()).expect("a scene");
+    let worker = Worker::start(Arc::new(scene), Arc::default(), false, || {});
     for command in asked {
         assert!(worker.send(command));
     }
     let begun = Instant::now();
-    while worker.journal().frames() < 4 {
+    while worker.journal().frames() < frames {
         assert!(begun.elapsed() < Duration::from_mins(2), "the frames never came");
         std::thread::yield_now();
     }
@@ -53,6 +59,15 @@ fn a_journal_comes_to_the_same_bits_on_any_number_of_threads_and_a_changed_one_i
     fs::write(desk.path("changed.json"), changed.to_string()).expect("it is written");
     let said = desk.run("replay changed.json");
     assert!(said.code == Some(1) && said.out.contains("other bits from frame 2 on"), "{said:?}");
+}
+
+#[test]
+fn what_gained_energy_is_told_again() {
+    let desk = recorded(&gaining(), std::iter::repeat_n(SimCommand::Step, 3), 3);
+    let said = desk.run("replay journal.json");
+    assert_eq!(said.code, Some(0), "{said:?}");
+    let warnings: Vec<&str> = said.err.lines().filter(|line| line.contains("that nothing gave")).collect();
+    assert!(warnings.len() == 1 && warnings[0].contains("body \"Block\" gained"), "{said:?}");
 }
 
 #[test]

@@ -128,8 +128,13 @@ impl Timeline {
             return;
         }
         let most = (0.5 * ui.ctx().content_rect().height()).max(LEAST);
-        let panel = egui::Panel::bottom("timeline with drives").resizable(true).frame(frame);
-        let shown = panel.default_size(LANES).size_range(LEAST..=most).show(ui, |ui| {
+        // Where nothing is driven yet, one line says how something is.
+        let panel = if Lanes::count(cx.scene()) == 0 {
+            egui::Panel::bottom("timeline without drives").exact_size(LEAST)
+        } else {
+            egui::Panel::bottom("timeline with drives").resizable(true).default_size(LANES).size_range(LEAST..=most)
+        };
+        let shown = panel.frame(frame).show(ui, |ui| {
             let (scale, columns) = self.row(ui, cx);
             self.lanes.show(ui, cx, &scale, columns);
         });

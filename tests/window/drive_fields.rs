@@ -98,6 +98,8 @@ fn what_a_fibre_does_is_typed_and_undone() {
     one_step(&mut window, "Change Gamma", |window| type_in(window, "Contracts by", "0.25"));
     type_in(&mut window, "Curls by", "400");
     type_in(&mut window, "Muscle pulls", "2");
+    window.set_size(Vec2::new(1280.0, 1000.0));
+    window.run_steps(3);
     type_in(&mut window, "Volume fraction at 1", "0.75");
     let acts = |window: &Window| window.state().scene().bodies[0].fibres[2].activation.clone().expect("it acts");
     let now = acts(&window);
@@ -105,8 +107,6 @@ fn what_a_fibre_does_is_typed_and_undone() {
     assert_eq!(now.curl.map(|curl| (curl.degrees_per_metre, curl.axis)), Some((400.0, [0.0, 0.0, 1.0])));
     assert_eq!(now.muscle.map(|muscle| (muscle.force, muscle.width)), Some((2.0, 0.5)));
     assert_eq!(now.volume_fraction, Some(0.75));
-    window.set_size(Vec2::new(1280.0, 1000.0));
-    window.run_steps(3);
     click(&mut window, "Acts no more");
     assert_eq!(window.state().scene().bodies[0].fibres[2].activation, None);
 }

@@ -59,17 +59,7 @@ impl PlacedFibre {
 
     /// The greatest volume fraction that it ever has at its centre line.
     fn greatest_fraction(&self, body: &Body) -> f64 {
-        let fibre = &body.fibres[self.fibre];
-        match (self.thickening(body), &fibre.activation) {
-            (Some([own, at_one]), Some(of)) => {
-                let drive = drive(&of.drive, &body.drives);
-                [drive.least(), drive.greatest()]
-                    .map(|value| own + (at_one - own) * value)
-                    .into_iter()
-                    .fold(own, f64::max)
-            }
-            _ => fibre.volume_fraction,
-        }
+        body.fibres[self.fibre].greatest_fraction(&body.drives)
     }
 
     pub(super) fn line(&self) -> FibreLine {
@@ -217,7 +207,7 @@ impl Placing<'_> {
         let material = &self.body.material;
         let (ea, _) = fibre.stiffness.rigidity(material.spacing().powi(3));
         let displaced = material.young_modulus * 0.2 * PI * material.support_radius.powi(2);
-        if ea < displaced && fibre.volume_fraction > 0.0 {
+        if ea < displaced && fibre.greatest_fraction(&self.body.drives) > 0.0 {
             let text = format!(
                 "EA = {ea:.3e} N is less than the {displaced:.3e} N of the material that the fibre displaces, so it \
                  weakens the solid; raise EA or lower the material's Young's modulus"

@@ -119,7 +119,7 @@ fn converge(args: &Converge, interruption: &Interruption, console: &mut Console)
             (study.complete, interrupted) = (false, Some(signal));
             break;
         }
-        warn_unbalanced(runner.world(), &mut 0, console);
+        warn_unbalanced(runner.world(), &mut Vec::new(), console);
         if let Some(divergence) = runner.world().divergence() {
             console.error(&format!("{layers} layers: {divergence}"));
             diverged = true;

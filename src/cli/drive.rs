@@ -33,13 +33,15 @@ pub(super) struct Drive {
 const LONG: Duration = Duration::from_millis(200);
 
 /// Says what has gained energy that nothing gave it and was not `told` of before.
-pub(super) fn warn_unbalanced(world: &World, told: &mut usize, console: &mut Console) {
-    // A world that was put together anew begins again.
-    let first = if *told > world.unbalanced().len() { 0 } else { *told };
-    for unbalanced in world.unbalanced().iter().skip(first) {
-        console.warn(unbalanced);
+pub(super) fn warn_unbalanced(world: &World, told: &mut Vec<String>, console: &mut Console) {
+    for unbalanced in world.unbalanced() {
+        let text = unbalanced.to_string();
+        // A world that was put together anew has forgotten what was told of the one before.
+        if !told.contains(&text) {
+            console.warn(&text);
+            told.push(text);
+        }
     }
-    *told = world.unbalanced().len();
 }
 
 /// Advances `runner` by at most `frames` frames; `each` sees it before the first and after every frame. An interruption ends it

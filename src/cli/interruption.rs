@@ -5,7 +5,7 @@
 //! once.
 
 #[cfg(unix)]
-use crate::io::heeds_hang_ups;
+use crate::io::heeds;
 #[cfg(unix)]
 use signal_hook::consts::SIGHUP;
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -34,13 +34,16 @@ impl Signal {
         Self::HangUp,
     ];
 
-    /// Whether it is to end this run.
+    /// Whether it is to end this run. Of a hang-up that must be sure: where it is not, the system's own way holds.
+    #[cfg(unix)]
     fn is_heeded(self) -> bool {
-        match self {
-            #[cfg(unix)]
-            Self::HangUp => heeds_hang_ups(),
-            Self::Interrupt | Self::Terminate => true,
-        }
+        heeds(self.number()).unwrap_or(self != Self::HangUp)
+    }
+
+    /// The same where nothing is kept off a program.
+    #[cfg(not(unix))]
+    fn is_heeded(self) -> bool {
+        true
     }
 
     fn number(self) -> i32 {

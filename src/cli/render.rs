@@ -61,7 +61,7 @@ fn render(args: &Render, interruption: &Interruption, console: &mut Console) -> 
         console.say("interrupted", &format!("by {signal} at {done} s of {all} s; no picture is written"));
         return Ok(Outcome::Interrupted(signal));
     }
-    warn_unbalanced(runner.world(), &mut 0, console);
+    warn_unbalanced(runner.world(), &mut Vec::new(), console);
     let divergence = runner.world().divergence();
     if let Some(divergence) = divergence {
         console.error(divergence);

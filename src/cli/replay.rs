@@ -79,7 +79,7 @@ fn again(
     let (frames, scene) = (journal.frames(), journal.scenes().last().cloned());
     let begun = Instant::now();
     let mut rerun = Rerun::new(journal, assets).map_err(refused)?;
-    let (mut differs, mut told) = (None, 0);
+    let (mut differs, mut told) = (None, Vec::new());
     console.begin();
     while interruption.signal().is_none() && rerun.advance().map_err(refused)? {
         console.progress(rerun.frame(), frames, "frames");

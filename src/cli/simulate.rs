@@ -138,7 +138,7 @@ fn watch(
     let frames = frames_to(limit, runner, console).min(last);
     let pieces = if args.span.until_rest { "frames at most" } else { "frames" };
     let mut stopped = vec![false; runner.world().bodies().len()];
-    let mut told = 0;
+    let mut told = Vec::new();
     let mut tell = |world: &World, console: &mut Console| {
         warn_unbalanced(world, &mut told, console);
         for (body, stopped) in world.bodies().iter().zip(&mut stopped) {

@@ -171,7 +171,7 @@ fn real_time(baked: Baked, frame_seconds: f64, console: &mut Console) -> Result<
     drive(&mut runner, 1, false, &none, &mut |_| Ok(()))?;
     let begun = runner.world().time();
     let ran = drive(&mut runner, 1 + frames as u64, false, &none, &mut |_| Ok(()))?;
-    warn_unbalanced(runner.world(), &mut 0, console);
+    warn_unbalanced(runner.world(), &mut Vec::new(), console);
     Ok((runner.world().time() - begun) / ran.wall_seconds.max(f64::MIN_POSITIVE))
 }
 
@@ -182,7 +182,7 @@ fn measured(model: &'static str, baked: Baked, console: &mut Console) -> Result<
     let frames = runner.frames_for(STEPS * dt).max(1);
     let ran = drive(&mut runner, frames, false, &Interruption::default(), &mut |_| Ok(()))?;
     let world = runner.world();
-    warn_unbalanced(world, &mut 0, console);
+    warn_unbalanced(world, &mut Vec::new(), console);
     let mut row = Row {
         model,
         particles: 0,

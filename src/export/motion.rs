@@ -129,12 +129,17 @@ fn mesh_of_file(of: AnyBody<'_>, assets: &Assets) -> Option<FileMesh> {
     assets.solid(of.model()?)?.model.file.as_deref().cloned()
 }
 
-/// The width of a fibre [m], by its identifier: that of a round rod which fills its share of a particle's section.
+/// The width of a fibre [m], by its identifier: that of a round rod which fills its share of a particle's section, the
+/// greatest one where a drive changes that.
 fn width<'a>(of: Option<AnyBody<'a>>, body: &Body) -> impl Fn(&str) -> f64 + use<'a> {
     let reach = body.parts().reach;
     move |id| {
         let Some(AnyBody::Solid(solid)) = of else { return 0.0 };
-        let share = solid.fibres.iter().find(|fibre| fibre.id == id).map_or(0.0, |fibre| fibre.volume_fraction);
+        let share = solid
+            .fibres
+            .iter()
+            .find(|fibre| fibre.id == id)
+            .map_or(0.0, |fibre| fibre.greatest_fraction(&solid.drives));
         2.0 * reach * solid.material.spacing_ratio * (share / PI).sqrt()
     }
 }

@@ -14,7 +14,7 @@ mod frames;
 mod gif;
 mod glb;
 #[cfg(unix)]
-mod hang_up;
+mod heeded;
 mod json;
 #[cfg(feature = "gui")]
 mod json_folder;
@@ -49,7 +49,7 @@ pub use error::IoError;
 pub use frames::FrameFolder;
 pub use glb::write_glb;
 #[cfg(unix)]
-pub(crate) use hang_up::heeds_hang_ups;
+pub(crate) use heeded::heeds;
 #[cfg(feature = "gui")]
 pub(crate) use json_folder::{JsonFile, JsonFolder};
 pub(crate) use json_out::write_json;

@@ -1,7 +1,7 @@
 //! Fibres: strokes or vertices, stiffness, rest shape.
 
 use super::extra::{is_false, is_zero};
-use super::{Activation, Extra};
+use super::{Activation, Drive, Extra, SharedDrive};
 use crate::sketch::{LiftOptions, Lifted, SketchError, Stroke, View, lift};
 use glam::DVec2;
 use schemars::JsonSchema;
@@ -110,6 +110,16 @@ impl Fibre {
     #[must_use]
     pub fn with_activation(self, activation: Activation) -> Self {
         Self { activation: Some(activation), ..self }
+    }
+
+    /// The greatest volume fraction that it ever has at its centre line, in a body that shares these drives.
+    pub(crate) fn greatest_fraction(&self, shared: &[SharedDrive]) -> f64 {
+        let own = self.volume_fraction;
+        let Some((of, at_one)) = self.activation.as_ref().and_then(|of| Some((of, of.volume_fraction?))) else {
+            return own;
+        };
+        let range = of.drive.resolved(shared).and_then(Drive::range).unwrap_or([0.0; 2]);
+        range.map(|value| own + (at_one - own) * value).into_iter().fold(own, f64::max)
     }
 }
 

@@ -303,6 +303,13 @@ impl DriveAlong {
         if greatest { self.drive.greatest() } else { self.drive.least() }
     }
 
+    /// The larger of what a number that is the first of two where it is 0 and the second where it is 1 comes to where it is at
+    /// its greatest and at its least, or the smaller of both.
+    pub(crate) fn thickest(&self, [at_zero, at_one]: [f64; 2], larger: bool) -> f64 {
+        let [a, b] = [true, false].map(|greatest| at_zero + (at_one - at_zero) * self.extreme(greatest));
+        if larger { a.max(b) } else { a.min(b) }
+    }
+
     /// Where it stands still at that value.
     pub(crate) fn at_extreme(&self, greatest: bool) -> Self {
         Self { drive: Drive::Constant(self.extreme(greatest)), turns: Vec::new() }

@@ -55,9 +55,13 @@ impl DrivenFractions {
         }
     }
 
-    /// Where all drives stand still at their greatest values, or at their least.
-    pub(crate) fn at_extreme(&self, greatest: bool) -> Self {
-        let still = |run: &DrivenRun| DrivenRun { drive: run.drive.at_extreme(greatest), ..run.clone() };
+    /// Where all fibres stay as thick as they ever get, or as thin.
+    pub(crate) fn at_extreme(&self, thickest: bool) -> Self {
+        let still = |run: &DrivenRun| DrivenRun {
+            fractions: [run.drive.thickest(run.fractions, thickest); 2],
+            drive: run.drive.at_extreme(thickest),
+            ..run.clone()
+        };
         Self { runs: self.runs.iter().map(still).collect(), ..self.clone() }
     }
 }

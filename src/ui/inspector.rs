@@ -98,7 +98,8 @@ fn stiffness(ui: &mut Ui, fibre: &mut Fibre, material: &Material) {
         let Rigidity { ea, ei, .. } = rigidity_of(material, times);
         fibre.stiffness = with_rigidity(&fibre.stiffness, ea, ei, volume);
     }
-    if times < 1.0 && fibre.volume_fraction > 0.0 {
+    let driven = fibre.activation.as_ref().and_then(|of| of.volume_fraction).unwrap_or(0.0);
+    if times < 1.0 && fibre.volume_fraction.max(driven) > 0.0 {
         let warning = ui.visuals().warn_fg_color;
         ui.colored_label(
             warning,

@@ -290,9 +290,9 @@ fn body() -> impl Strategy<Value = Body> {
             (fibre, paint, pin, sheet, (element, follow)),
             extra,
         )| {
-            // A matrix that yields keeps its share.
+            // A matrix that flows or yields keeps its share.
             if fibre.activation.as_ref().is_some_and(|acts| acts.volume_fraction.is_some()) {
-                material.plasticity = None;
+                (material.plasticity, material.viscosity) = (None, None);
             }
             Body {
                 id: "body \"\\ \u{1F9B4}\n".to_owned(),

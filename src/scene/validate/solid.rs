@@ -179,14 +179,14 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
         if let Some(activation) = &one.activation {
             drives::activation(&at.field("activation"), (activation, one), &body.drives)?;
             if let Some(fraction) = activation.volume_fraction {
-                let (at, problem) = (at.field("activation"), "changes the share of a matrix that yields");
-                let keeps_its_shape = body.material.plasticity.is_none();
+                let (at, problem) = (at.field("activation"), "changes the share of a matrix that flows or yields");
+                let is_elastic = body.material.plasticity.is_none() && body.material.viscosity.is_none();
                 require(
                     &at.field("volume_fraction"),
                     &fraction,
-                    keeps_its_shape,
+                    is_elastic,
                     problem,
-                    || "leave this or the material's `plasticity` out",
+                    || "leave this or the material's `plasticity` and `viscosity` out",
                 )?;
             }
         }

@@ -53,8 +53,8 @@ impl Autosave {
         self.thread.send(AutosaveRequest::Folder(folder));
     }
 
-    /// Has changes kept at once, from any thread; whether that was done.
-    pub(crate) fn keeping(&self) -> impl Fn() -> bool + Send + 'static {
+    /// Has changes kept at once, from any thread, and waits for that a while.
+    pub(crate) fn keeping(&self) -> impl Fn() + Send + 'static {
         self.thread.keeping()
     }
 

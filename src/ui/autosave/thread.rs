@@ -101,12 +101,15 @@ impl AutosaveThread {
         let _ = self.requests.send(request);
     }
 
-    /// Has changes kept as they are by then, from any thread; whether they were, or there are none.
-    pub(super) fn keeping(&self) -> impl Fn() -> bool + Send + 'static {
+    /// Has changes kept as they are by then, from any thread, and waits for that a while.
+    pub(super) fn keeping(&self) -> impl Fn() + Send + 'static {
         let requests = self.requests.clone();
         move || {
             let (done, said) = channel();
-            requests.send(AutosaveRequest::KeepAndSay(done)).is_ok() && said.recv_timeout(PATIENCE).is_ok()
+            if requests.send(AutosaveRequest::KeepAndSay(done)).is_ok() {
+                // What a disk holds up is given up.
+                let _ = said.recv_timeout(PATIENCE);
+            }
         }
     }
 

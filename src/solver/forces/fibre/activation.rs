@@ -77,13 +77,17 @@ impl FibreActivation {
     /// greatest or at its least.
     pub(super) fn at_extreme(&self, greatest: bool) -> Self {
         let (edges, inner) = (self.edges.at_extreme(greatest), self.inner.at_extreme(greatest));
-        Self { edges, inner, stiffest: true, ..self.clone() }
+        // Of several fibres all are thick in one copy and thin in the other, whichever way their drives go.
+        let thickness = self.thickness.map(|ends| [self.edges.thickest(ends, greatest); 2]);
+        Self { edges, inner, thickness, stiffest: true, ..self.clone() }
     }
 
     /// Length over the drawn one to which it shortens an edge that nothing holds, with the drive at its greatest or at its
     /// least; 1 where it does not.
     pub(super) fn shortest(&self, greatest: bool) -> f64 {
-        1.0 - (self.contract * self.edges.extreme(greatest)).max(0.0)
+        let shorter = |greatest: bool| (self.contract * self.edges.extreme(greatest)).max(0.0);
+        // One may be thick at one end of its drive and short at the other.
+        1.0 - if self.thickens() { shorter(true).max(shorter(false)) } else { shorter(greatest) }
     }
 
     /// Has a hand lead a shared drive, or none.

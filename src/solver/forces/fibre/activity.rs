@@ -60,7 +60,8 @@ impl Booked {
                     booked.binormals.extend((0..fibre.bends.len()).map(|k| {
                         let Some(corner) = Corner::at(&x, k) else { return DVec3::ZERO };
                         let Some(rest) = &fibre.bends[k].curved else {
-                            return DVec3::X * (4.0 * straight_energy(corner.cosine)).sqrt();
+                            // By round-off a cosine may be above one.
+                            return DVec3::X * (4.0 * straight_energy(corner.cosine)).max(0.0).sqrt();
                         };
                         let mut warm = of.turns[first_bend + k];
                         let (r, _) = turn_of_material(&rest.turn, of.positions, &mut warm);

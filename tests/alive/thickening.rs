@@ -169,7 +169,7 @@ fn sag(drive: impl Into<Drive>) -> f64 {
 fn a_bar_that_sags_rises_as_its_fibres_get_thicker() {
     let (soft, stiff, risen) = (sag(0.0), sag(1.0), sag(DriveKeys::new([(0.0, 0.0), (0.3, 0.0), (0.5, 1.0)])));
     println!("{soft:.3} {stiff:.3} {risen:.3}");
-    assert!(stiff < 0.6 * soft && stiff > 0.05, "{soft} {stiff}");
+    assert!(stiff < 0.7 * soft && stiff > 0.05, "{soft} {stiff}");
     assert!((risen / stiff - 1.0).abs() < 0.02, "{risen} {stiff}");
 }
 

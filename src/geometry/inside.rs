@@ -5,7 +5,7 @@
 
 use super::holes::OpenSurface;
 use super::row_index::RowIndex;
-use super::scanline::{crossings, inside_stretches, joined};
+use super::scanline::{crossings, crossings_within, inside_stretches, joined};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -40,9 +40,14 @@ pub(crate) struct Measured {
 }
 
 impl Inside {
-    /// Sorts oriented faces: those of all closed pieces, and those with holes, a surface for each group of pieces.
-    pub(crate) fn new(points: &[DVec3], closed: Vec<[u32; 3]>, open: Vec<OpenSurface>) -> Self {
-        let index = RowIndex::new(points, &closed);
+    /// Sorts oriented faces: those of all closed pieces, each with the span of its piece along x [m], and those with holes,
+    /// a surface for each group of pieces.
+    pub(crate) fn new(
+        points: &[DVec3],
+        (closed, spans): (Vec<[u32; 3]>, Vec<[f64; 2]>),
+        open: Vec<OpenSurface>,
+    ) -> Self {
+        let index = RowIndex::of_spans(points, &closed, spans);
         Self { faces: closed, index, open }
     }
 
@@ -51,6 +56,19 @@ impl Inside {
         let closed = inside_stretches(&crossings(points, &self.faces, &self.index, [y, z]));
         let open = self.open.iter().filter(|open| open.is_near([y, z]));
         open.fold(closed, |all, open| joined(all, open.row([y, z]).inside))
+    }
+
+    /// [`Self::row`] as far as it is asked for from one place along x to another [m]: outside of that it may lack pieces that
+    /// lie there. Of many pieces in a row only those are looked at that reach into it.
+    pub(crate) fn row_within(&self, points: &[DVec3], row: [f64; 2], part: [f64; 2]) -> Vec<[f64; 2]> {
+        let closed = inside_stretches(&crossings_within(points, &self.faces, &self.index, row, part));
+        let open = self.open.iter().filter(|open| open.is_near(row));
+        open.fold(closed, |all, open| joined(all, open.row(row).inside))
+    }
+
+    /// Faces of closed pieces that a row looks at, on average.
+    pub(crate) fn faces_a_row(&self) -> f64 {
+        self.index.faces_a_row()
     }
 
     /// Signed volume of the surfaces with holes within a box that holds whole ones, their holes closed by caps [m³].

@@ -78,11 +78,24 @@ pub(crate) fn nearest_face(
     bvh: &Bvh,
     x: DVec3,
 ) -> Option<(u32, [f64; 3], DVec3)> {
-    let mut best: Option<(f64, u32, [f64; 3], DVec3)> = None;
+    nearest_face_within(points, faces, bvh, x, f64::INFINITY)
+}
+
+/// [`nearest_face`], if it is nearer than a distance [m]. What is about as far from everywhere, as the middle of a ball is,
+/// is found soon to be so.
+pub(crate) fn nearest_face_within(
+    points: &[DVec3],
+    faces: &[[u32; 3]],
+    bvh: &Bvh,
+    x: DVec3,
+    distance: f64,
+) -> Option<(u32, [f64; 3], DVec3)> {
+    let mut least = distance * distance;
+    let mut best: Option<(u32, [f64; 3], DVec3)> = None;
     let mut open = Vec::with_capacity(64);
     open.extend(bvh.nodes().first().map(|root| (distance_squared(root, x), 0)));
     while let Some((square, index)) = open.pop() {
-        if best.is_some_and(|(least, ..)| square > least) {
+        if square > least {
             continue;
         }
         if !bvh.nodes()[index].is_leaf() {
@@ -97,12 +110,14 @@ pub(crate) fn nearest_face(
             let weights = closest_on_triangle(x, corners);
             let point = mix(weights, corners);
             let square = x.distance_squared(point);
-            if best.is_none_or(|(least, first, ..)| square < least || (square == least && face < first)) {
-                best = Some((square, face, weights, point));
+            let is_first = best.is_none() && distance == f64::INFINITY;
+            if square < least || is_first || (square == least && best.is_some_and(|(first, ..)| face < first)) {
+                least = square;
+                best = Some((face, weights, point));
             }
         }
     }
-    best.map(|(_, face, weights, point)| (face, weights, point))
+    best
 }
 
 fn face_normal([a, b, c]: [DVec3; 3]) -> DVec3 {

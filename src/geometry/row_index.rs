@@ -13,9 +13,13 @@ pub(crate) struct RowIndex {
     /// Cells to a metre.
     scale: DVec2,
     cells: [usize; 2],
-    /// Faces of every cell: those of cell `c` are `starts[c]..starts[c + 1]`.
+    /// Faces of every cell, by where their spans begin: those of cell `c` are `starts[c]..starts[c + 1]`.
     starts: Vec<u32>,
     faces: Vec<u32>,
+    /// Span along x of every face [m]; none where rows are only met as a whole.
+    spans: Vec<[f64; 2]>,
+    /// The longest span in every cell [m].
+    longest: Vec<f64>,
 }
 
 /// Share of the extent by which faces are taken for wider: round-off in the test of a row against an edge is far less.
@@ -60,8 +64,13 @@ impl Seen {
 }
 
 impl RowIndex {
-    /// Sorts faces.
+    /// Sorts faces that are to be met by whole rows.
     pub(crate) fn new(points: &[DVec3], faces: &[[u32; 3]]) -> Self {
+        Self::of_spans(points, faces, Vec::new())
+    }
+
+    /// Sorts faces each of which counts only where a row runs through its span along x [m]; all do where there are none.
+    pub(crate) fn of_spans(points: &[DVec3], faces: &[[u32; 3]], spans: Vec<[f64; 2]>) -> Self {
         let corners = faces.iter().flatten().map(|&i| points[i as usize]);
         let (low, high) = corners.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(a, b), p| (a.min(p), b.max(p)));
         if faces.is_empty() {
@@ -71,6 +80,7 @@ impl RowIndex {
         let wider = WIDER * size.max_element();
         let mut this =
             Self { min: DVec2::new(low.y, low.z) - wider, max: DVec2::new(high.y, high.z) + wider, ..Self::default() };
+        this.spans = spans;
         let seen: Vec<Seen> = faces.iter().map(|&face| Seen::new(points, face, wider)).collect();
         // Seen along a plane they all lie in, they have no area.
         let least = (size.y.max(size.z) / MOST_CELLS).max(f64::MIN_POSITIVE);
@@ -100,11 +110,16 @@ impl RowIndex {
         // A little more than half a cell: round-off decides which one a row on the border looks into.
         let half = 0.500_1 * width;
         let mut entries: Vec<[u32; 2]> = Vec::with_capacity(2 * seen.len());
-        for (face, seen) in seen.iter().enumerate() {
+        let mut order: Vec<u32> = (0..seen.len() as u32).collect();
+        if !self.spans.is_empty() {
+            order.sort_by(|&a, &b| self.spans[a as usize][0].total_cmp(&self.spans[b as usize][0]));
+        }
+        for face in order {
+            let seen = &seen[face as usize];
             for [y, z] in self.covered(seen) {
                 let middle = self.min + width * DVec2::new(y as f64 + 0.5, z as f64 + 0.5);
                 if seen.turn == 0.0 || !seen.is_beside(middle, half) {
-                    entries.push([(z * self.cells[0] + y) as u32, face as u32]);
+                    entries.push([(z * self.cells[0] + y) as u32, face]);
                 }
             }
         }
@@ -117,11 +132,22 @@ impl RowIndex {
         }
         let mut next = starts.clone();
         self.faces = vec![0; entries.len()];
+        self.longest = vec![0.0; if self.spans.is_empty() { 0 } else { next.len() - 1 }];
         for [cell, face] in entries {
             self.faces[next[cell as usize] as usize] = face;
             next[cell as usize] += 1;
+            if let Some([from, to]) = self.spans.get(face as usize) {
+                let longest = &mut self.longest[cell as usize];
+                *longest = longest.max(to - from);
+            }
         }
         self.starts = starts;
+    }
+
+    /// Faces that a row looks at, on average over the rows that look at any.
+    pub(crate) fn faces_a_row(&self) -> f64 {
+        let used = self.starts.windows(2).filter(|pair| pair[0] < pair[1]).count();
+        self.faces.len() as f64 / used.max(1) as f64
     }
 
     fn cell(&self, at: DVec2) -> [usize; 2] {
@@ -137,16 +163,41 @@ impl RowIndex {
     }
 
     /// Calls `found` for every face that the row through (y, z) may meet, in order.
-    pub(crate) fn visit(&self, [y, z]: [f64; 2], mut found: impl FnMut(u32)) {
+    pub(crate) fn visit(&self, row: [f64; 2], mut found: impl FnMut(u32)) {
+        if let Some(cell) = self.cell_of(row) {
+            self.faces_in(cell).iter().for_each(|&face| found(face));
+        }
+    }
+
+    /// Calls `found` for every face that the row through (y, z) may meet and whose span meets a part of it along x [m].
+    pub(crate) fn visit_within(&self, row: [f64; 2], [from, to]: [f64; 2], mut found: impl FnMut(u32)) {
+        if self.spans.is_empty() {
+            return self.visit(row, found);
+        }
+        let Some(cell) = self.cell_of(row) else { return };
+        let (faces, span) = (self.faces_in(cell), |face: u32| self.spans[face as usize]);
+        // What begins before this ends before the part does.
+        let least = from - self.longest[cell] - WIDER * from.abs();
+        let first = faces.partition_point(|&face| span(face)[0] < least);
+        for &face in faces[first..].iter().take_while(|&&face| span(face)[0] <= to) {
+            if span(face)[1] >= from {
+                found(face);
+            }
+        }
+    }
+
+    /// The cell into which a row looks; none where it passes all faces.
+    fn cell_of(&self, [y, z]: [f64; 2]) -> Option<usize> {
         let at = DVec2::new(y, z);
         if self.starts.is_empty() || at.cmplt(self.min).any() || at.cmpgt(self.max).any() {
-            return;
+            return None;
         }
         let [y, z] = self.cell(at);
-        let cell = z * self.cells[0] + y;
-        for &face in &self.faces[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
-            found(face);
-        }
+        Some(z * self.cells[0] + y)
+    }
+
+    fn faces_in(&self, cell: usize) -> &[u32] {
+        &self.faces[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 }
 
@@ -181,11 +232,25 @@ mod tests {
         }
         let faces: Vec<[u32; 3]> = (0..300).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         let index = RowIndex::new(&points, &faces);
-        let mut met = 0;
+        let spans: Vec<[f64; 2]> = faces
+            .iter()
+            .map(|face| face.map(|i| points[i as usize].x))
+            .map(|[a, b, c]| [a.min(b).min(c), a.max(b).max(c)])
+            .collect();
+        let of_spans = RowIndex::of_spans(&points, &faces, spans.clone());
+        let (mut met, mut parts) = (0, 0);
         for k in 0..2000 {
             let DVec3 { y, z, .. } = 1.2 * random(k, 1.0) - 0.1;
             let mut found = vec![false; faces.len()];
             index.visit([y, z], |face| found[face as usize] = true);
+            // Of a part of the row those that reach into it, and no other.
+            let (from, to) = (0.3 + 0.1 * y, 0.3 + 0.4 * z.abs());
+            let mut within = vec![false; faces.len()];
+            of_spans.visit_within([y, z], [from, to], |face| within[face as usize] = true);
+            for ((found, within), [least, most]) in found.iter().zip(&within).zip(&spans) {
+                assert_eq!(*within, *found && *least <= to && *most >= from, "{y} {z}");
+                parts += usize::from(*within);
+            }
             for (face, found) in faces.iter().zip(found) {
                 let [a, b, c] = face.map(|i| DVec2::new(points[i as usize].y - y, points[i as usize].z - z));
                 let sides = [a.perp_dot(b), b.perp_dot(c), c.perp_dot(a)];
@@ -194,6 +259,6 @@ mod tests {
                 met += usize::from(meets);
             }
         }
-        assert!(met > 1000, "{met}");
+        assert!(met > 1000 && parts > 1000, "{met} {parts}");
     }
 }

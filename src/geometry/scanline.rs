@@ -29,9 +29,26 @@ pub(crate) fn visit_crossings(
 pub(crate) fn crossings(points: &[DVec3], faces: &[[u32; 3]], index: &RowIndex, row: [f64; 2]) -> Vec<(f64, i32)> {
     let mut found = Vec::new();
     visit_crossings(points, faces, index, row, |_, x, step| found.push((x, step)));
-    // Entries before exits at the same place, so that faces which touch leave no gap.
-    found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
-    found
+    in_order(found)
+}
+
+/// [`crossings`] of those faces whose spans in the index meet a part of the row along x [m].
+pub(crate) fn crossings_within(
+    points: &[DVec3],
+    faces: &[[u32; 3]],
+    index: &RowIndex,
+    [y, z]: [f64; 2],
+    part: [f64; 2],
+) -> Vec<(f64, i32)> {
+    let mut found = Vec::new();
+    index.visit_within([y, z], part, |face| found.extend(crossing(points, faces[face as usize], y, z)));
+    in_order(found)
+}
+
+/// Entries before exits at the same place, so that faces which touch leave no gap.
+fn in_order(mut crossings: Vec<(f64, i32)>) -> Vec<(f64, i32)> {
+    crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+    crossings
 }
 
 /// The stretches of a row with these crossings that lie inside a closed surface, in order: where it turns around the row

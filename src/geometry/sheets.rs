@@ -96,7 +96,7 @@ fn tried(surface: &Welded, pieces: &[Piece], chosen: Vec<usize>) -> Tried {
     let rows = (each * faces.len()).clamp(least, most);
     let surface = OpenSurface::new(points, &faces);
     let capped_volume = surface.capped_volume(min);
-    let mut alone = Inside::new(points, Vec::new(), vec![surface]);
+    let mut alone = Inside::new(points, <(Vec<_>, Vec<_>)>::default(), vec![surface]);
     // Where these are all the pieces there are their volume is measured along the same rows and some more.
     alone.remember([min, max], rows);
     let measured = alone.measure(points, [min, max], rows);

@@ -136,9 +136,19 @@ impl Solid {
         self.inside.row(&self.surface.points, y, z)
     }
 
+    /// Stretches of the row through (y, z) along x that lie inside [m], as far as a part of it is concerned.
+    pub(crate) fn scanline_within(&self, row: [f64; 2], part: [f64; 2]) -> Vec<[f64; 2]> {
+        self.inside.row_within(&self.surface.points, row, part)
+    }
+
+    /// Faces that are looked at for a row, on average.
+    pub(crate) fn faces_a_row(&self) -> f64 {
+        self.inside.faces_a_row()
+    }
+
     /// Whether a point lies inside.
     pub fn contains(&self, point: DVec3) -> bool {
-        self.scanline(point.y, point.z).iter().any(|[from, to]| (*from..=*to).contains(&point.x))
+        self.scanline_within([point.y, point.z], [point.x; 2]).iter().any(|[from, to]| (*from..=*to).contains(&point.x))
     }
 
     /// Boxes outside of which nothing is inside: least and greatest corners [m].
@@ -198,7 +208,12 @@ impl Solid {
 
 fn inside(surface: &Welded, oriented: &Orientation, open: Vec<OpenSurface>) -> Inside {
     let closed = |&(face, _): &(usize, &[u32; 3])| oriented.pieces[oriented.piece_of[face] as usize].closed;
-    let faces = surface.faces.iter().enumerate().filter(closed).map(|(_, face)| *face).collect();
+    let span = |face: usize| {
+        let piece = &oriented.pieces[oriented.piece_of[face] as usize];
+        [piece.min.x, piece.max.x]
+    };
+    let faces = surface.faces.iter().enumerate().filter(closed);
+    let faces = faces.map(|(index, face)| (*face, span(index))).unzip();
     Inside::new(&surface.points, faces, open)
 }
 

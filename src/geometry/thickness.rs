@@ -7,7 +7,7 @@
 
 use super::bvh::Bvh;
 use super::inside::spread;
-use super::nearest::nearest_face;
+use super::nearest::{nearest_face, nearest_face_within};
 use super::solid::Solid;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -26,6 +26,9 @@ const POINTS: f64 = 3000.0;
 const ROWS: usize = 1600;
 const LEAST_ROWS: usize = 4;
 const MOST_BOXES: usize = 2000;
+
+/// Share of half the way through at which a face at its middle counts as nearer than those at its ends.
+const NEARER: f64 = 0.95;
 
 /// Share of the extent beyond a face at which it is looked whether that lies in another piece.
 const BEYOND: f64 = 1e-8;
@@ -71,8 +74,8 @@ fn points_inside(solid: &Solid) -> Vec<DVec3> {
             let area = (max.y - min.y) * (max.z - min.z) / rows_each as f64;
             // What lies in another box is looked at there.
             let within = |[from, to]: [f64; 2]| [from.max(min.x), to.min(max.x)];
-            let inside = solid.scanline(at.y, at.z).into_iter().map(within).filter(|[from, to]| from < to);
-            (at, area, inside.collect())
+            let inside = solid.scanline_within([at.y, at.z], [min.x, max.x]);
+            (at, area, inside.into_iter().map(within).filter(|[from, to]| from < to).collect())
         })
         .collect();
     let volume: f64 = rows.iter().flat_map(|(_, area, inside)| inside.iter().map(move |[a, b]| area * (b - a))).sum();
@@ -123,8 +126,12 @@ impl<'a> Surface<'a> {
     fn thickness(&self, point: DVec3) -> Option<(f64, DVec3)> {
         let (along, place) = self.normal(point)?;
         let [ahead, back] = self.through(point, along)?;
-        let across = self.normal(point + 0.5 * (ahead - back) * along);
-        let across = across.and_then(|(across, _)| self.through(point, across));
+        // At the middle of a ball or along the axis of a bar all faces are equally near: none counts but one that is nearer.
+        let nearer = NEARER * 0.5 * (ahead + back);
+        let middle = point + 0.5 * (ahead - back) * along;
+        let across = nearest_face_within(self.points, &self.skin, &self.skin_bvh, middle, nearer);
+        let across = across.and_then(|(.., place)| (middle - place).try_normalize());
+        let across = across.and_then(|across| self.through(point, across));
         let way = across.map_or(f64::INFINITY, |[ahead, back]| ahead + back);
         Some((way.min(ahead + back), place))
     }

@@ -9,11 +9,21 @@ use rayon::prelude::*;
 /// Neighbours that only touch do not count, nor do faces that lie in one plane: what matters is whether the surface
 /// has an inside, and touching leaves it one.
 pub(crate) fn crossing_pairs(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> Vec<[u32; 2]> {
+    // Most faces of leaves that meet do not: their boxes tell.
+    let boxes: Vec<[DVec3; 2]> = faces
+        .par_iter()
+        .map(|face| face.map(|i| points[i as usize]))
+        .map(|[a, b, c]| [a.min(b).min(c), a.max(b).max(c)])
+        .collect();
+    let meet = |a: u32, b: u32| {
+        let ([least, most], [from, to]) = (boxes[a as usize], boxes[b as usize]);
+        least.cmple(to).all() && from.cmple(most).all()
+    };
     let of_leaves = |&[m, n]: &[u32; 2]| {
         let (left, right) = (bvh.triangles(m as usize), bvh.triangles(n as usize));
         let from = move |k: usize| if m == n { k + 1 } else { 0 };
         let pairs = left.iter().enumerate().flat_map(move |(k, &a)| right[from(k)..].iter().map(move |&b| [a, b]));
-        pairs.filter(|&[a, b]| crosses(points, faces[a as usize], faces[b as usize]))
+        pairs.filter(|&[a, b]| meet(a, b) && crosses(points, faces[a as usize], faces[b as usize]))
     };
     bvh.overlapping_leaves().par_iter().flat_map_iter(of_leaves).collect()
 }

@@ -162,6 +162,20 @@ mod tests {
     }
 
     #[test]
+    fn what_is_no_nearer_than_a_distance_is_not_found() {
+        let surface = cube(0.3);
+        let (points, faces, bvh) = (&surface.points, &surface.faces, &surface.bvh);
+        for k in 0..100 {
+            let k = f64::from(k);
+            let x = 2.0 * DVec3::new((1.3 * k).sin(), (2.1 * k).cos(), (0.7 * k).sin());
+            let found = nearest_face(points, faces, bvh, x).expect("a surface");
+            let distance = x.distance(found.2);
+            assert_eq!(nearest_face_within(points, faces, bvh, x, 1.01 * distance), Some(found));
+            assert_eq!(nearest_face_within(points, faces, bvh, x, 0.99 * distance), None);
+        }
+    }
+
+    #[test]
     fn normals_point_out_of_faces_edges_and_corners() {
         // However finely the cube is divided, and whichever face of an edge is met first.
         for edge in [2.0, 0.3] {

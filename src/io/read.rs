@@ -11,7 +11,7 @@ use std::path::Path;
 /// [`IoError::Missing`], [`IoError::NotAFile`] or [`IoError::Read`].
 pub(super) fn open_file(path: &Path) -> Result<(File, u64), IoError> {
     let metadata = fs::metadata(path).map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => IoError::Missing,
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => IoError::Missing,
         _ => IoError::Read(error),
     })?;
     // Asked before opening: opening a pipe would wait for somebody to write to it.

@@ -1,10 +1,11 @@
-//! A document that is being read: on a thread of its own, since a model may take minutes, and the window goes on meanwhile.
+//! A document or a model that is being read: on a thread of its own, since that may take long, and the window goes on meanwhile.
 
 use super::autosave::RecoveryOffer;
+use super::bodies::Layers;
 use super::document::Document;
 use super::gallery::shipped_assets;
 use super::theme::GRID;
-use crate::io::{FileStamp, IoError, Origin, is_model, load_assets};
+use crate::io::{FileStamp, IoError, OpenedModel, Origin, is_model, load_assets, open_model};
 use egui::{Context, RichText, Ui};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
@@ -23,32 +24,54 @@ pub(crate) enum Source {
     File(PathBuf),
     /// A document that was left behind.
     Recovery(RecoveryOffer),
+    /// A model that is to be a body of the scene that is open.
+    Model(PathBuf, Layers),
+}
+
+/// What was read.
+pub(crate) enum Read {
+    /// A document.
+    Document(Box<Document>),
+    /// A model for a body of the scene that is open.
+    Model {
+        /// Its file.
+        path: PathBuf,
+        /// What becomes of it.
+        layers: Layers,
+        /// What it holds.
+        opened: Box<OpenedModel>,
+    },
 }
 
 impl Source {
     /// What a person calls it.
     fn name(&self) -> String {
         match self {
-            Self::File(path) => path.display().to_string(),
+            Self::File(path) | Self::Model(path, _) => path.display().to_string(),
             Self::Recovery(offer) => offer.name().to_owned(),
         }
     }
 
-    fn load(self, progress: &mut dyn FnMut(&str)) -> Result<Document, IoError> {
-        match self {
-            Self::File(path) => Document::load_with_progress(Some(path), progress),
+    fn load(self, progress: &mut dyn FnMut(&str)) -> Result<Read, IoError> {
+        let document = match self {
+            Self::Model(path, layers) => {
+                let opened = Box::new(open_model(&path, progress)?);
+                return Ok(Read::Model { path, layers, opened });
+            }
+            Self::File(path) => Document::load_with_progress(Some(path), progress)?,
             Self::Recovery(offer) => {
                 let scene = offer.document.load()?;
                 let Origin { file, folder, shipped, .. } = offer.document.origin;
                 let assets = if shipped { shipped_assets(&scene) } else { load_assets(&scene, &folder, progress) };
-                Ok(Document { scene, assets: Arc::new(assets?), path: file, folder, note: None })
+                Document { scene, assets: Arc::new(assets?), path: file, folder, note: None }
             }
-        }
+        };
+        Ok(Read::Document(Box::new(document)))
     }
 }
 
-/// A document that was read, or why it could not be.
-pub(crate) type Loaded = Result<Document, String>;
+/// What was read, or why it could not be.
+pub(crate) type Loaded = Result<Read, String>;
 
 /// How far a document that is being read has come.
 pub(crate) enum Progress {
@@ -67,7 +90,7 @@ pub(crate) struct Loading {
     /// How the file was before it was read: what is written in between is found later then.
     pub(crate) stamp: Option<FileStamp>,
     stage: Arc<Mutex<String>>,
-    loaded: Receiver<Result<Document, IoError>>,
+    loaded: Receiver<Result<Read, IoError>>,
 }
 
 impl Loading {
@@ -76,6 +99,7 @@ impl Loading {
         let file = match &source {
             Source::File(path) => Some(path),
             Source::Recovery(offer) => offer.document.origin.file.as_ref().filter(|_| is_known(offer)),
+            Source::Model(..) => None,
         };
         let stamp = file.filter(|path| !is_model(path)).and_then(|path| FileStamp::of(path).ok());
         let stage = Arc::new(Mutex::new(String::new()));
@@ -137,7 +161,7 @@ pub(crate) fn is_known(offer: &RecoveryOffer) -> bool {
     !offer.is_older && !offer.document.origin.doubtful
 }
 
-fn read(source: Source, stage: &Mutex<String>, sender: &Sender<Result<Document, IoError>>, ctx: &Context) {
+fn read(source: Source, stage: &Mutex<String>, sender: &Sender<Result<Read, IoError>>, ctx: &Context) {
     let loaded = source.load(&mut |said| {
         said.clone_into(&mut stage.lock().unwrap_or_else(PoisonError::into_inner));
         ctx.request_repaint();

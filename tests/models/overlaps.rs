@@ -89,3 +89,33 @@ fn patches_with_gaps_between_them_enclose_something_together() {
     let triangles = (0..ball.triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
     holds(&single(positions, triangles), solid(&ball).volume);
 }
+
+/// Many pieces in a row along each axis: a place is inside if it is in any of them, however many lie before and behind it.
+#[test]
+fn places_in_a_long_row_of_pieces_are_told_from_those_beside_it() {
+    let corner = |k: u32, axis: usize, apart: f64| {
+        let mut at = [0.0, 0.01 * f64::from(k % 5), 0.0];
+        at[axis] += apart * f64::from(k);
+        DVec3::from_array(at)
+    };
+    for axis in 0..3 {
+        for apart in [0.8, 1.3] {
+            let one = cube([0.5; 3], 1.0);
+            let cubes: Vec<_> = (0..120).map(|k| moved(&one, corner(k, axis, apart))).collect();
+            let solid = solid(&joined(&cubes.iter().collect::<Vec<_>>()));
+            let mut inside = 0;
+            for k in 0..3000_u32 {
+                let share = |step: f64| (f64::from(k + 1) * step).fract();
+                let mut at = DVec3::new(share(0.618), share(0.754_87), share(0.569_84)) * 1.2 - 0.1;
+                at[axis] += apart * 119.0 * share(0.831_43);
+                let expected = (0..120).any(|k| {
+                    let within = at - corner(k, axis, apart);
+                    within.cmpgt(DVec3::ZERO).all() && within.cmplt(DVec3::ONE).all()
+                });
+                assert_eq!(solid.contains(at), expected, "{axis} {apart}: {at}");
+                inside += u32::from(expected);
+            }
+            assert!((500..2900).contains(&inside), "{inside}");
+        }
+    }
+}

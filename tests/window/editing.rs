@@ -238,8 +238,12 @@ impl egui::DroppedFile for Dropped {
     }
 }
 
+pub(super) fn dropped(path: PathBuf) -> Arc<dyn egui::DroppedFile + Send + Sync> {
+    Arc::new(Dropped(path))
+}
+
 pub(super) fn drop_file(window: &mut Window, path: PathBuf) {
-    window.input_mut().dropped_files.push(Arc::new(Dropped(path)));
+    window.input_mut().dropped_files.push(dropped(path));
     window.step();
     until(window, |app| !app.is_loading());
 }

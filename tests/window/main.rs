@@ -20,6 +20,7 @@ mod hashes;
 mod hurried;
 mod in_sight;
 mod journal;
+mod loading;
 mod patterns;
 mod picture;
 mod plots;

@@ -2,7 +2,6 @@
 
 use super::App;
 use crate::ui::autosave::{Loss, Question, Reply};
-use crate::ui::bodies::add_model;
 use crate::ui::colliders_section::add_mesh;
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{self, Answer, Dialog, PathPurpose};
@@ -33,7 +32,7 @@ impl App {
                 }
             }
             (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Add(layers), .. }) => {
-                add_model(&path, layers, &mut self.cx);
+                self.add_body_of(ctx, path, layers);
             }
             (Answer::Path(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => {
                 export::export_to(&mut self.cx, path);

@@ -3,11 +3,12 @@
 use super::App;
 use crate::io::{FileStamp, save_scene};
 use crate::ui::autosave::{Question, RecoveryOffer};
+use crate::ui::bodies::{Layers, add_model};
 use crate::ui::context::{ActiveBody, OpenDocument, Severity};
 use crate::ui::dialogs::{Dialog, PathPurpose};
 use crate::ui::document::{Document, moved};
 use crate::ui::gallery::{Example, with_models_in};
-use crate::ui::loading::{Loaded, Loading, Source, opened};
+use crate::ui::loading::{Loaded, Loading, Read, Source, opened};
 use crate::ui::next::Next;
 use std::path::{Path, PathBuf};
 
@@ -31,6 +32,11 @@ impl App {
         self.load(ctx, Source::Recovery(offer.clone()));
     }
 
+    /// Reads a model and adds a body in its shape to the scene.
+    pub(super) fn add_body_of(&mut self, ctx: &egui::Context, path: PathBuf, layers: Layers) {
+        self.load(ctx, Source::Model(path, layers));
+    }
+
     /// Reads a document and takes it up; while that goes on, what is worked on stands over the window.
     fn load(&mut self, ctx: &egui::Context, source: Source) {
         let loading = Loading::start(source, ctx);
@@ -44,20 +50,21 @@ impl App {
     pub(super) fn loaded(&mut self, loading: &Loading, loaded: Loaded) {
         let stamp = loading.stamp.clone();
         match (loaded, &loading.source) {
-            (Ok(document), Source::File(path)) => {
+            (Ok(Read::Model { path, layers, opened }), _) => add_model(&path, *opened, layers, &mut self.cx),
+            (Ok(Read::Document(document)), Source::File(path) | Source::Model(path, _)) => {
                 self.recent.add(path);
                 let said = opened(&document, path);
-                self.take_up(document, stamp);
+                self.take_up(*document, stamp);
                 self.cx.say(Severity::Note, said);
             }
-            (Ok(document), Source::Recovery(offer)) => {
-                self.take_up(document, stamp);
+            (Ok(Read::Document(document)), Source::Recovery(offer)) => {
+                self.take_up(*document, stamp);
                 self.cx.document.is_example = offer.document.origin.shipped;
                 self.cx.document.editor.mark_unsaved();
                 self.autosave.recovered(offer, &self.cx.document);
                 self.cx.say(Severity::Note, format!("Recovered {}; save it to keep it", offer.name()));
             }
-            (Err(problem), Source::File(_)) => self.cx.say(Severity::Error, problem),
+            (Err(problem), Source::File(_) | Source::Model(..)) => self.cx.say(Severity::Error, problem),
             (Err(problem), Source::Recovery(offer)) => {
                 self.cx.say(Severity::Error, format!("{} cannot be recovered: {problem}", offer.name()));
             }

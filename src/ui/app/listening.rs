@@ -4,7 +4,7 @@ use super::App;
 use crate::io::is_model;
 use crate::sim::Published;
 use crate::ui::action::Action;
-use crate::ui::bodies::{Layers, add_model};
+use crate::ui::bodies::Layers;
 use crate::ui::clipboard;
 use crate::ui::context::Severity;
 use crate::ui::drives;
@@ -28,7 +28,7 @@ impl App {
             if is_model(&path)
                 && (self.cx.document.editor.is_changed() || self.cx.scene().all_bodies().next().is_none())
             {
-                add_model(&path, Layers::Filled, &mut self.cx);
+                self.add_body_of(ctx, path, Layers::Filled);
                 self.carry_out(ctx);
             } else {
                 self.leave(ctx, Next::Open(path));

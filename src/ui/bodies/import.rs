@@ -7,7 +7,7 @@ use crate::draw::Bounds;
 use crate::edit::body_ops::{placed, scaled, scaled_two_layer};
 use crate::geometry::model::UpAxis;
 use crate::geometry::solid::Solid;
-use crate::io::{add_leader, open_model};
+use crate::io::{OpenedModel, add_leader};
 use crate::scene::{Body, ClosedMesh, Leader, MeshShape, ModelFile, OwnedBody, Shape, TwoLayer, TwoLayerShape};
 use crate::ui::context::{Context, Severity};
 use crate::ui::document::named_from;
@@ -23,12 +23,8 @@ const MOST_VERTICES: usize = 3000;
 /// Greatest extent of the paper's two-layer ball [m], whose parameters a new body has in proportion.
 const PAPERS: f64 = 4.0;
 
-/// Adds a body in the shape of a model to the scene.
-pub(crate) fn add_model(path: &Path, layers: Layers, cx: &mut Context) {
-    let opened = match open_model(path, &mut |_| {}) {
-        Ok(opened) => opened,
-        Err(error) => return cx.say(Severity::Error, error.to_string()),
-    };
+/// Adds a body in the shape of a model, which was read from a file, to the scene.
+pub(crate) fn add_model(path: &Path, opened: OpenedModel, layers: Layers, cx: &mut Context) {
     let Some(body) = opened.scene.bodies.into_iter().next() else { return };
     let Shape::Mesh(shape) = &body.shape else { return };
     let Some(solid) = opened.assets.solid(shape).cloned() else { return };

@@ -1,0 +1,95 @@
+//! Models that take long: how far reading and filling have come is seen, and both end where they are not wanted.
+
+use super::editing::drop_file;
+use super::{click_on, still, until, until_seen};
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable;
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+
+/// A ball of `rings` rings as a file has it.
+fn ball(rings: u32) -> String {
+    let sides = 2 * rings;
+    let mut text = "v 0 0 0.05\nv 0 0 -0.05\n".to_owned();
+    let mut line = |line: std::fmt::Arguments<'_>| text.write_fmt(line).expect("a string takes it");
+    for ring in 1..=rings {
+        let (sine, cosine) = (std::f64::consts::PI * f64::from(ring) / f64::from(rings + 1)).sin_cos();
+        for side in 0..sides {
+            let (y, x) = (std::f64::consts::TAU * f64::from(side) / f64::from(sides)).sin_cos();
+            line(format_args!("v {} {} {}\n", 0.05 * sine * x, 0.05 * sine * y, 0.05 * cosine));
+        }
+    }
+    let index = |ring: u32, side: u32| 3 + ring * sides + side % sides;
+    for side in 0..sides {
+        line(format_args!("f 1 {} {}\n", index(0, side), index(0, side + 1)));
+        line(format_args!("f 2 {} {}\n", index(rings - 1, side + 1), index(rings - 1, side)));
+        for ring in 0..rings - 1 {
+            let [a, b] = [index(ring, side), index(ring + 1, side)];
+            line(format_args!("f {a} {b} {} {}\n", index(ring + 1, side + 1), index(ring, side + 1)));
+        }
+    }
+    text
+}
+
+fn folder(name: &str, text: &str) -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    put(folder.path(), name, text);
+    folder
+}
+
+fn put(folder: &Path, name: &str, text: &str) {
+    fs::write(folder.join(name), text).expect("written");
+}
+
+#[test]
+fn a_model_that_takes_long_to_read_is_told_of_and_cancelled() {
+    let folder = folder("large.obj", &ball(200));
+    let mut window = still();
+    let before = window.state().scene().clone();
+    window.input_mut().dropped_files.push(super::editing::dropped(folder.path().join("large.obj")));
+    window.step();
+    until_seen(&mut window, |window| window.query_by_label_contains("large.obj: ").is_some());
+    assert!(window.state().is_loading());
+    window.get_by_role_and_label(Role::Button, "Cancel").click();
+    window.run_steps(2);
+    assert!(!window.state().is_loading());
+    // What was read all the same is heard by nobody, and the window takes another.
+    drop_file(&mut window, folder.path().join("nowhere.obj"));
+    until(&mut window, |app| app.message().is_some_and(|said| said.contains("nowhere.obj")));
+    assert_eq!(*window.state().scene(), before);
+}
+
+#[test]
+fn filling_a_model_tells_how_far_it_is_and_stops() {
+    let folder = folder("ball.obj", &ball(12));
+    // More particles than are soon found.
+    put(
+        folder.path(),
+        "many.json",
+        r#"{"version": 1, "name": "Many", "bodies": [{"id": "ball", "name": "Ball",
+            "shape": {"mesh": {"path": "ball.obj", "particles": 1500000}},
+            "material": {"young_modulus": 1e5, "mass": {"density": 1000}, "support_radius": 0.01}}]}"#,
+    );
+    let mut window = still();
+    drop_file(&mut window, folder.path().join("many.json"));
+    until_seen(&mut window, |window| {
+        let told = window.query_by_label_contains("Putting together Ball: filling the shape with particles, ");
+        told.is_some()
+    });
+    click_on(&mut window, Role::Button, "Stop");
+    until(&mut window, |app| app.published().status.stopped && app.published().status.baking.is_none());
+    assert!(window.query_by_label_contains("Stopped before it was put together").is_some());
+    // With fewer it is put together.
+    put(
+        folder.path(),
+        "few.json",
+        &fs::read_to_string(folder.path().join("many.json")).expect("text").replace("1500000", "200"),
+    );
+    drop_file(&mut window, folder.path().join("few.json"));
+    until(&mut window, |app| {
+        let bodies = &app.published().at_rest.bodies;
+        bodies.len() == 1 && (150..250).contains(&bodies[0].particles.len())
+    });
+}

@@ -75,12 +75,13 @@ fn filling_a_model_tells_how_far_it_is_and_stops() {
     let mut window = still();
     drop_file(&mut window, folder.path().join("many.json"));
     until_seen(&mut window, |window| {
-        let told = window.query_by_label_contains("Putting together Ball: filling the shape with particles, ");
-        told.is_some()
+        let told = "Putting together Ball: filling the shape with particles, ";
+        window.query_all_by_label_contains(told).next().is_some()
     });
     click_on(&mut window, Role::Button, "Stop");
     until(&mut window, |app| app.published().status.stopped && app.published().status.baking.is_none());
-    assert!(window.query_by_label_contains("Stopped before it was put together").is_some());
+    window.step();
+    assert!(window.query_all_by_label_contains("Stopped before it was put together").next().is_some());
     // With fewer it is put together.
     put(
         folder.path(),

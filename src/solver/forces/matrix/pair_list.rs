@@ -14,7 +14,7 @@ use glam::{DMat3, DQuat, DVec3};
 use rayon::prelude::*;
 
 /// Particles a thread works on at a time; a body of fewer than [`PARALLEL_FROM`] stays on one thread.
-const CHUNK: usize = 128;
+pub(super) const CHUNK: usize = 128;
 const PARALLEL_FROM: usize = 512;
 
 /// The evaluation by pairs: warm starts and buffers.

@@ -7,9 +7,8 @@
 //! What drives do to the shares is work: of a step half of what the change adds to the energy where the step began, and half of
 //! what it adds where it ended.
 
-use super::force::CHUNK;
 use super::mean_rotation::mean_rotation;
-use super::pair_list::{PairListPasses, ParticleStress};
+use super::pair_list::{CHUNK, PairListPasses, ParticleStress};
 use super::reference::ReferenceConfiguration;
 use crate::solver::driven_fractions::DrivenFractions;
 use crate::solver::energy::Energies;

@@ -75,7 +75,7 @@ pub(super) fn draft(
     let kernel = Kernel::new(material.support_radius);
     let volume = spacing.powi(3);
 
-    let ParticleSampling { sample, volume: shape_volume, size, .. } = sampling;
+    let ParticleSampling { sample, volume: shape_volume, size, shares, .. } = sampling;
     let (neighbourhood, embedder) = surroundings(body, sampling, kernel, path, progress)?;
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
@@ -87,22 +87,30 @@ pub(super) fn draft(
         Mass::Density(density) => density * shape_volume / sampling.whole as f64,
         Mass::PerParticle(mass) => mass,
     };
-    let filled = (mass * sample.points.len() as f64, volume * sample.points.len() as f64);
+    let cells = shares.as_ref().map_or(sample.points.len() as f64, |of| of.volumes.iter().sum());
+    let filled = (mass * sample.points.len() as f64, volume * sample.stretch.element_product() * cells);
     notes.extend(regime::notes(scene, body, *size, filled, path));
     let orientation = body.placement.rotation.quaternion();
     let regions = supports::regions(body, sample, path)?;
     let rest: Arc<[DVec3]> = sample.points.iter().map(|&x| to_world(&body.placement, x)).collect();
     let varied = varied(body, &regions, &sample.points, [mass, shape_volume / sampling.whole as f64], path)?;
-    let masses = varied.masses.unwrap_or_else(|| vec![mass; sample.points.len()]);
+    let mut masses = varied.masses.unwrap_or_else(|| vec![mass; sample.points.len()]);
+    if let (Some(shares), Mass::Density(_)) = (shares, &material.mass) {
+        share_out(&mut masses, &shares.volumes);
+    }
     let state = initial_state(body, &sample.points, &regions, masses, path)?;
 
     let fractions = fractions::fractions(body, &sample.points, kernel, (&placed, &surfaces));
-    let matrix = MatrixForce::stiffened(
+    let matrix = MatrixForce::varied(
         Arc::clone(&neighbourhood),
         sample.points.as_slice().into(),
         Elasticity::new(material.young_modulus, material.poisson_ratio, spacing),
-        volume,
-        (fractions::matrix_fractions(&fractions), varied.stiffening),
+        volume * sample.stretch.element_product(),
+        (
+            fractions::matrix_fractions(&fractions),
+            varied.stiffening,
+            shares.as_ref().map(|shares| shares.stiffness.as_slice().into()),
+        ),
         orientation,
     );
     let thinning = fractions::driven(body, &sample.points, kernel, (&placed, &surfaces))
@@ -175,6 +183,19 @@ pub(super) fn draft(
     };
     note_pins(scene, &holders(&body.pins, &body.follows, path), &parts, Following::of_solid(body), notes);
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
+}
+
+/// Share of the mean mass that a particle has at least: a lighter one would make the stable step short.
+const LIGHTEST: f64 = 0.5;
+
+/// Gives particles masses by the volumes that they stand for, of the same sum.
+fn share_out(masses: &mut [f64], volumes: &[f64]) {
+    let whole: f64 = masses.iter().sum();
+    for (mass, volume) in masses.iter_mut().zip(volumes) {
+        *mass *= volume.max(LIGHTEST);
+    }
+    let scale = whole / masses.iter().sum::<f64>();
+    masses.iter_mut().for_each(|mass| *mass *= scale);
 }
 
 /// Contact with the room, with colliders and with itself, as far as there is any.

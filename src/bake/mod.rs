@@ -23,6 +23,7 @@ mod pins;
 mod regime;
 mod region_materials;
 mod room;
+mod section_notes;
 mod self_contact;
 mod sheet_shape;
 mod sheets;

@@ -3,15 +3,19 @@
 use super::error::BakeError;
 use super::mesh_filling::Meshed;
 use super::note::Note;
+use super::section_notes::{radius_note, section_notes};
 use super::stage::{BakeStage, Tell};
 use super::voids::Hollowing;
+use crate::geometry::cell_shares::{CellShares, cell_shares};
 use crate::geometry::clip::DrawnSurface;
 use crate::geometry::fill::FillProgress;
 use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box_unless};
+use crate::geometry::lattice_fit::FittedLattice;
 use crate::geometry::mesh::box_surface;
 use crate::geometry::model::{MeshData, Model};
+use crate::geometry::rows::AskewBox;
 use crate::geometry::solid::Solid;
 use crate::scene::{Assets, Body, BoxShape, Rotation, Shape};
 use crate::solver::skin::{Skin, SkinShape};
@@ -33,6 +37,8 @@ pub(super) struct ParticleSampling<'a> {
     pub(super) size: DVec3,
     /// Particles in parts of hardly more than one layer, where that is said.
     pub(super) thin: Vec<u32>,
+    /// What each particle stands for; a whole cell where nothing is said.
+    pub(super) shares: Option<CellShares>,
     source: Source<'a>,
 }
 
@@ -63,7 +69,7 @@ pub(super) fn sample_particles<'a>(
     let mut filled = |done, of| progress(body.title(), BakeStage::Sampling { done, of });
     filled(0, 1)?;
     let mut sampling = match &body.shape {
-        Shape::Box(shape) => fill_box_shape(body, shape, path, &mut || filled(0, 1).is_err())?,
+        Shape::Box(shape) => fill_box_shape(body, shape, path, notes, &mut || filled(0, 1).is_err())?,
         Shape::Mesh(shape) => {
             let file = format!("{path}/shape/mesh/path");
             let solid = assets.solid(shape).ok_or_else(|| BakeError::NotLoaded { path: file.clone() })?;
@@ -81,6 +87,7 @@ pub(super) fn sample_particles<'a>(
                 thin: Meshed::thin_places(&mut filling),
                 whole: filling.sample.points.len(),
                 hollows: Hollows::default(),
+                shares: None,
                 sample: filling.sample,
                 volume: solid.volume,
                 size: solid.size(),
@@ -105,19 +112,53 @@ fn fill_box_shape<'a>(
     body: &Body,
     shape: &BoxShape,
     path: &str,
+    notes: &mut Vec<Note>,
     stop: &mut dyn FnMut() -> bool,
 ) -> Result<ParticleSampling<'a>, BakeError> {
     let spacing = body.material.spacing();
     let solid = Cuboid { center: DVec3::from_array(shape.center), size: DVec3::from_array(shape.size) };
     let axes = lattice_axes(&shape.lattice_rotation);
-    let sample = fill_box_unless(&solid, spacing, axes, stop).ok_or(BakeError::Cancelled)?;
+    let (sample, shares) = filled_box(&solid, spacing, axes, stop).ok_or(BakeError::Cancelled)?;
     if sample.points.is_empty() {
         return Err(BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing });
     }
+    notes.extend(radius_note(body, &sample, path));
     let (volume, size) = (solid.volume(), solid.size);
     let whole = sample.points.len();
     let (thin, hollows, source) = (Vec::new(), Hollows::default(), Source::Box(solid));
-    Ok(ParticleSampling { sample, whole, hollows, volume, size, thin, source })
+    Ok(ParticleSampling { sample, whole, hollows, volume, size, thin, shares, source })
+}
+
+/// A box filled, askew to the lattice by the lattice that fits it best.
+fn filled_box(
+    solid: &Cuboid,
+    spacing: f64,
+    axes: DMat3,
+    stop: &mut dyn FnMut() -> bool,
+) -> Option<(LatticeSample, Option<CellShares>)> {
+    if axes == DMat3::IDENTITY {
+        return Some((fill_box_unless(solid, spacing, axes, stop)?, None));
+    }
+    let shape = AskewBox::new(solid, axes);
+    let mut go_on = || if stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let ControlFlow::Continue(fitted) = FittedLattice::to(&shape, spacing, &mut go_on) else { return None };
+    let (lattice, mut sample) = match fitted {
+        Some(lattice) => (lattice, lattice.collect(&shape)),
+        None => {
+            let sample = fill_box_unless(solid, spacing, axes, stop)?;
+            let (Some(&point), Some(cell)) = (sample.points.first(), sample.cells.first()) else {
+                return Some((sample, None));
+            };
+            let origin = axes.transpose() * (point - solid.center) - spacing * cell.as_dvec3();
+            (FittedLattice { spacing, stretch: DVec3::ONE, origin }, sample)
+        }
+    };
+    if fitted.is_some() {
+        sample.axes = axes;
+        sample.points.iter_mut().for_each(|point| *point = solid.center + axes * *point);
+    }
+    let shares = cell_shares(&shape, &lattice, &sample.cells);
+    Some((sample, shares))
 }
 
 fn fill_round_shape<'a>(
@@ -138,6 +179,7 @@ fn fill_round_shape<'a>(
         thin: Meshed::thin_places(&mut filling),
         whole: filling.sample.points.len(),
         hollows: Hollows::default(),
+        shares: None,
         sample: filling.sample,
         volume: shape.volume().unwrap_or(solid.volume),
         size: solid.size(),
@@ -166,13 +208,14 @@ impl ParticleSampling<'_> {
         // Thin places by their new numbers.
         let now = carved.kept.iter().zip(0_u32..).filter(|(before, _)| self.thin.binary_search(before).is_ok());
         self.thin = now.map(|(_, now)| now).collect();
+        self.shares = self.shares.take().map(|shares| shares.chosen(&carved.kept));
         (self.sample, self.hollows) = (carved.sample, hollows);
         Ok(())
     }
 
     /// The body with the support radius that its particles were given in the end.
     pub(super) fn effective<'b>(&self, body: &'b Body) -> Cow<'b, Body> {
-        if matches!(self.source, Source::Box(_)) || self.sample.spacing == body.material.spacing() {
+        if self.sample.spacing == body.material.spacing() {
             return Cow::Borrowed(body);
         }
         let mut body = body.clone();
@@ -259,7 +302,8 @@ impl ParticleSampling<'_> {
                 warning: true,
             });
         }
-        let error = self.sample.points.len() as f64 * self.sample.spacing.powi(3) / self.volume - 1.0;
+        let cells = self.shares.as_ref().map_or(self.whole as f64, |of| of.volumes.iter().sum());
+        let error = cells * self.sample.cell_volume() / self.volume - 1.0;
         if error.abs() > VOLUME_ERROR {
             let cause = match self.source {
                 Source::Box(_) => "its extents are not whole multiples of the spacing",
@@ -275,6 +319,7 @@ impl ParticleSampling<'_> {
                 warning: true,
             });
         }
+        notes.extend(section_notes(&self.sample, self.shares.as_ref(), path));
         Ok(())
     }
 }

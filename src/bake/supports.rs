@@ -21,7 +21,8 @@ pub(super) fn regions(body: &Body, sample: &LatticeSample, path: &str) -> Result
 pub(super) fn chosen(regions: &[Region], points: &[DVec3], path: &str) -> Result<Regions, BakeError> {
     let extent = points.iter().map(|x| x.abs().max_element()).fold(0.0, f64::max);
     let cells = vec![IVec3::ZERO; points.len()];
-    let sample = LatticeSample { spacing: extent, axes: DMat3::IDENTITY, points: points.to_vec(), cells };
+    let sample =
+        LatticeSample { spacing: extent, axes: DMat3::IDENTITY, stretch: DVec3::ONE, points: points.to_vec(), cells };
     select(regions, &sample, path)
 }
 

@@ -1,10 +1,10 @@
 //! Filling a solid with particles: the lattice is placed, and its spacing changed a little, so that the particles'
-//! volume comes closest to the solid's.
+//! volume comes closest to the solid's; where its faces are flat, between two layers ([`super::lattice_fit`]).
 //!
 //! A section three or four spacings wide holds 0.88 to 1.18 of its area depending on where the lattice falls. Geometry
 //! dominates every other error there, so the search is worth its time.
 
-use super::placement::{Filling, LatticePlacement, collect, looked_at, placements, prune};
+use super::placement::{Filling, LatticePlacement, collect, looked_at, placements, prune, refilled};
 use super::solid::Solid;
 use super::two_layers::{BOX_SHARE, FINER_TRIES, two_layer_spacing};
 use std::ops::ControlFlow;
@@ -152,7 +152,14 @@ pub(crate) fn fill_with_progress(
     match best(solid, &candidates, reach, &mut tried)? {
         Some(filling) if !is_flat(&filling) => {
             tried.reach(LATTICES)?;
-            Ok(filling)
+            if matches!(resolution, FillResolution::Particles(_)) {
+                // As many as were asked for.
+                return Ok(filling);
+            }
+            match refilled(solid, filling, reach, &mut || tried.tell()) {
+                ControlFlow::Continue(filling) => Ok(filling),
+                ControlFlow::Break(()) => Err(FillError::Cancelled),
+            }
         }
         best => {
             let (flat, total) = best.map_or((0, 0), |found| (found.pruned, found.pruned + found.sample.points.len()));

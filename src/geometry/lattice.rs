@@ -1,6 +1,9 @@
 //! Filling a shape with points on a cubic lattice.
 
+use super::whole_layers::{price, stretch_to, whole_changes};
 use glam::{DMat3, DVec3, IVec3};
+use std::array::from_fn;
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 /// Points of a cubic lattice inside a shape, ordered by z, then y, then x of the lattice (rows along x are contiguous).
@@ -10,9 +13,11 @@ pub struct LatticeSample {
     pub spacing: f64,
     /// Unit axes of the lattice, as columns.
     pub axes: DMat3,
+    /// By how much it is stretched along each of them, so that its layers fit the shape.
+    pub stretch: DVec3,
     /// Positions [m].
     pub points: Vec<DVec3>,
-    /// Lattice index of every point: `points[i] = origin + spacing * axes * cells[i]`.
+    /// Lattice index of every point: `points[i] = origin + spacing * axes * (stretch * cells[i])`.
     pub cells: Vec<IVec3>,
 }
 
@@ -45,9 +50,9 @@ const OFFSETS_PER_AXIS: u32 = 4;
 
 /// Fills a box with points of a lattice with unit `axes` at `spacing` [m].
 ///
-/// Along the lattice the box gets `round(size / spacing)` layers (at least one), centred, so that a box of whole
-/// spacings is filled exactly. A box askew to the lattice gets the points inside it, for that position of the lattice
-/// at which the sampled volume comes closest to the box's.
+/// Along the lattice the box is filled exactly by whole layers: the spacing changes to where its thinnest side is a whole
+/// number of them, and the lattice is stretched along the others. A box askew to the lattice gets the points inside it, for that position of the lattice at which the
+/// sampled volume comes closest to the box's.
 pub fn fill_box(shape: &Cuboid, spacing: f64, axes: DMat3) -> LatticeSample {
     fill_box_unless(shape, spacing, axes, &mut || false).unwrap_or_else(|| empty(spacing, axes))
 }
@@ -64,7 +69,7 @@ pub(crate) fn fill_box_unless(
 }
 
 fn empty(spacing: f64, axes: DMat3) -> LatticeSample {
-    LatticeSample { spacing, axes, points: Vec::new(), cells: Vec::new() }
+    LatticeSample { spacing, axes, stretch: DVec3::ONE, points: Vec::new(), cells: Vec::new() }
 }
 
 /// Lattice points that filling a box looks at: as many as it gets along the lattice, those of its bounds askew to it.
@@ -79,9 +84,22 @@ pub(crate) fn points_looked_at(size: DVec3, spacing: f64, axes: DMat3) -> f64 {
 }
 
 fn fill_aligned(shape: &Cuboid, spacing: f64) -> LatticeSample {
-    let layers = (shape.size / spacing).round().max(DVec3::ONE).as_ivec3();
-    let origin = shape.center - 0.5 * spacing * (layers - IVec3::ONE).as_dvec3();
-    empty(spacing, DMat3::IDENTITY).collect([IVec3::ZERO, layers - IVec3::ONE], origin, |_| true)
+    let size = shape.size.to_array();
+    let changes = size.into_iter().flat_map(|length| whole_changes(length, spacing));
+    let mut best: Option<(f64, f64, IVec3, DVec3)> = None;
+    for change in [1.0].into_iter().chain(changes) {
+        let spacing = change * spacing;
+        let layers = (shape.size / spacing).round().max(DVec3::ONE);
+        let stretch = DVec3::from_array(from_fn(|k| stretch_to(size[k], layers[k], spacing)));
+        let price = price(change, stretch);
+        if best.is_none_or(|(least, ..)| price < least - 1e-12) {
+            best = Some((price, spacing, layers.as_ivec3(), stretch));
+        }
+    }
+    let Some((_, spacing, layers, stretch)) = best else { return empty(spacing, DMat3::IDENTITY) };
+    let origin = shape.center - 0.5 * spacing * (stretch * (layers - IVec3::ONE).as_dvec3());
+    let lattice = LatticeSample { stretch, ..empty(spacing, DMat3::IDENTITY) };
+    lattice.collect([IVec3::ZERO, layers - IVec3::ONE], origin, |_| true)
 }
 
 fn fill_askew(shape: &Cuboid, spacing: f64, axes: DMat3, stop: &mut dyn FnMut() -> bool) -> Option<LatticeSample> {
@@ -106,13 +124,27 @@ fn fill_askew(shape: &Cuboid, spacing: f64, axes: DMat3, stop: &mut dyn FnMut() 
 }
 
 impl LatticeSample {
+    /// Volume of a cell [m³].
+    pub fn cell_volume(&self) -> f64 {
+        self.spacing.powi(3) * self.stretch.element_product()
+    }
+
+    /// The points as they would lie if the lattice were not stretched [m].
+    pub(crate) fn unstretched(&self) -> Cow<'_, [DVec3]> {
+        if self.stretch == DVec3::ONE {
+            return Cow::Borrowed(&self.points);
+        }
+        let shrunk = |x: &DVec3| self.axes * (self.axes.transpose() * *x / self.stretch);
+        Cow::Owned(self.points.iter().map(shrunk).collect())
+    }
+
     /// Adds the lattice points between two corners that lie inside.
     fn collect(mut self, [first, last]: [IVec3; 2], origin: DVec3, mut inside: impl FnMut(DVec3) -> bool) -> Self {
         for z in first.z..=last.z {
             for y in first.y..=last.y {
                 for x in first.x..=last.x {
                     let cell = IVec3::new(x, y, z);
-                    let point = origin + self.axes * (self.spacing * cell.as_dvec3());
+                    let point = origin + self.axes * (self.spacing * (self.stretch * cell.as_dvec3()));
                     if inside(point) {
                         self.points.push(point);
                         self.cells.push(cell);
@@ -178,6 +210,21 @@ mod tests {
         let mean = sample.points.iter().sum::<DVec3>() / 588.0;
         assert!(mean.distance(DVec3::new(0.1, 0.2, 0.3)) < 1e-12);
         assert_eq!(sample.pieces().1, 1);
+    }
+
+    #[test]
+    fn a_box_of_any_size_is_filled_exactly() {
+        for layers in [2.6, 3.25, 3.5, 4.75] {
+            let shape = boxed(DVec3::new(0.006 * layers, 0.006 * layers, 0.08));
+            let sample = fill_box(&shape, 0.006, DMat3::IDENTITY);
+            let volume = sample.points.len() as f64 * sample.cell_volume();
+            assert!((volume / shape.volume() - 1.0).abs() < 1e-12, "{layers}: {volume}");
+            assert!((sample.stretch - DVec3::ONE).abs().max_element() < 0.04, "{layers}: {}", sample.stretch);
+            assert!((sample.spacing / 0.006 - 1.0).abs() < 0.2, "{layers}: {}", sample.spacing);
+            let half = sample.points.iter().map(|x| x.x - 0.1).fold(0.0, f64::max);
+            let half = half + 0.5 * sample.spacing * sample.stretch.x;
+            assert!((half - 0.003 * layers).abs() < 1e-12, "{layers}: {half}");
+        }
     }
 
     #[test]

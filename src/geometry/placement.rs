@@ -1,11 +1,13 @@
 //! A lattice placed in a solid: which of its points lie inside, and which of those others hold.
 
+use super::cell_shares::cell_shares;
 use super::lattice::LatticeSample;
+use super::lattice_fit::FittedLattice;
 use super::solid::Solid;
 use super::thinness::{Thinness, thinness};
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 
 /// A filled solid.
 #[derive(Clone, Debug, PartialEq)]
@@ -141,7 +143,7 @@ pub(crate) fn collect(solid: &Solid, lattice: LatticePlacement) -> LatticeSample
         .collect();
     let cells: Vec<IVec3> = rows.into_iter().flatten().collect();
     let points = cells.iter().map(|cell| origin + spacing * cell.as_dvec3()).collect();
-    LatticeSample { spacing, axes: DMat3::IDENTITY, points, cells }
+    LatticeSample { spacing, axes: DMat3::IDENTITY, stretch: DVec3::ONE, points, cells }
 }
 
 /// Leaves out points that have hardly any others around them, as at a tip finer than the lattice: nothing could hold
@@ -157,6 +159,35 @@ pub(crate) fn prune(solid: &Solid, mut sample: LatticeSample, reach: f64) -> Fil
         sample.cells.retain(|_| keep.next().unwrap_or(true));
         (found, stray) = thinness(&sample.cells, reach);
     }
-    let volume_error = sample.points.len() as f64 * sample.spacing.powi(3) / solid.volume - 1.0;
+    let volume_error = sample.points.len() as f64 * sample.cell_volume() / solid.volume - 1.0;
     Filling { volume_error, thinness: found, pruned: before - sample.points.len(), sample }
+}
+
+/// The same solid filled by a lattice that its faces fit so well that each particle stands for a whole cell, where there is
+/// one. A surface with holes stays as it is, since its rows cost too much. `progress` is asked from time to time whether to go
+/// on.
+pub(crate) fn refilled(
+    solid: &Solid,
+    filling: Filling,
+    reach: f64,
+    progress: &mut dyn FnMut() -> ControlFlow<()>,
+) -> ControlFlow<(), Filling> {
+    let (Some(&point), Some(cell), true) =
+        (filling.sample.points.first(), filling.sample.cells.first(), solid.report.closed)
+    else {
+        return ControlFlow::Continue(filling);
+    };
+    let spacing = filling.sample.spacing;
+    let Some(fitted) = FittedLattice::between_faces(solid, spacing) else { return ControlFlow::Continue(filling) };
+    let is_whole = |lattice: &FittedLattice, cells: &[IVec3]| cell_shares(solid, lattice, cells).is_none();
+    let lattice = FittedLattice { spacing, stretch: DVec3::ONE, origin: point - spacing * cell.as_dvec3() };
+    progress()?;
+    if is_whole(&lattice, &filling.sample.cells) {
+        return ControlFlow::Continue(filling);
+    }
+    progress()?;
+    let refilled = prune(solid, fitted.collect(solid), reach);
+    let is_better = refilled.pruned == 0 && refilled.thinness.single <= filling.thinness.single;
+    let is_better = is_better && !refilled.sample.points.is_empty() && is_whole(&fitted, &refilled.sample.cells);
+    ControlFlow::Continue(if is_better { refilled } else { filling })
 }

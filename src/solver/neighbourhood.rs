@@ -32,8 +32,11 @@ pub struct Lattice {
     pub cells: Arc<[IVec3]>,
     /// Spacing D [m].
     pub spacing: f64,
-    /// Unit axes in the model frame, as columns: particles whose indices differ by `o` are `D axes o` apart.
+    /// Unit axes in the model frame, as columns.
     pub axes: DMat3,
+    /// By how much it is stretched along them: particles whose indices differ by `o` are `D axes (stretch o)` apart. The
+    /// kernel is stretched along, so that weights hang on `|o|²` alone.
+    pub stretch: DVec3,
     kernel: Kernel,
     volume: f64,
 }
@@ -118,10 +121,11 @@ impl Neighbourhood {
         hollows: &Hollows,
         stop: &mut dyn FnMut() -> bool,
     ) -> Result<Option<Self>, TooThin> {
-        let LatticeSample { points, cells, spacing, axes } = sample;
-        let grid = PointGrid::new(points, kernel.support_radius);
-        let together = |point: DVec3| {
-            let mut near = grid.within(point);
+        let LatticeSample { points, cells, spacing, axes, stretch } = sample;
+        let even = sample.unstretched();
+        let grid = PointGrid::new(&even, kernel.support_radius);
+        let together = |(&even, &point): (&DVec3, &DVec3)| {
+            let mut near = grid.within(even);
             let all = near.len();
             if !hollows.is_empty() {
                 near.retain(|&j| !hollows.separate(point, points[j as usize]));
@@ -129,15 +133,22 @@ impl Neighbourhood {
             (all - near.len(), near)
         };
         let mut lists: Vec<(usize, Vec<u32>)> = Vec::with_capacity(points.len());
-        for some in points.chunks(ASK_EVERY) {
+        for (even, some) in even.chunks(ASK_EVERY).zip(points.chunks(ASK_EVERY)) {
             if stop() {
                 return Ok(None);
             }
-            lists.par_extend(some.par_iter().map(|&point| together(point)));
+            lists.par_extend(even.par_iter().zip(some).map(together));
         }
         let mut this = Self {
             is_cut: lists.iter().any(|(cut, _)| *cut > 0),
-            lattice: Lattice { cells: cells.as_slice().into(), spacing: *spacing, axes: *axes, kernel, volume },
+            lattice: Lattice {
+                cells: cells.as_slice().into(),
+                spacing: *spacing,
+                axes: *axes,
+                stretch: *stretch,
+                kernel,
+                volume,
+            },
             starts: vec![0],
             neighbours: Vec::new(),
             bonds: Vec::new(),
@@ -167,7 +178,8 @@ impl Neighbourhood {
     }
 
     fn add_bond(&mut self, step: IVec3) -> u32 {
-        let offset = self.lattice.axes * (self.lattice.spacing * step.as_dvec3());
+        let Lattice { axes, spacing, stretch, .. } = self.lattice;
+        let offset = axes * (spacing * (stretch * step.as_dvec3()));
         // From |o|², so that offsets of one length have one weight to the last bit.
         let weight = self.lattice.weight(step.length_squared() as u32);
         self.palette.push(RestBond { weighted_offset: weight * offset, weight });

@@ -1,6 +1,6 @@
 //! How a lattice is cut into bricks.
 
-use glam::{DMat3, IVec3};
+use glam::{DMat3, DVec3, IVec3, Vec3Swizzles};
 use std::collections::HashSet;
 
 /// Which axis of the lattice the rows run along, how long the bricks are and where they begin on it.
@@ -56,6 +56,11 @@ impl Alignment {
             1 => DMat3::from_cols(y, z, x),
             _ => DMat3::from_cols(z, x, y),
         }
+    }
+
+    /// Numbers along the lattice's axes in the same order.
+    pub(crate) fn along(self, values: DVec3) -> DVec3 {
+        [values, values.yzx(), values.zxy()][self.axis]
     }
 
     /// Cells of a brick.

@@ -39,31 +39,36 @@ impl MatrixForce {
         matrix_fraction: Arc<[f64]>,
         orientation: DQuat,
     ) -> Self {
-        let stiffening = None;
-        let positions = rest;
-        Self::of(
-            ReferenceConfiguration { neighbourhood, positions, elasticity, volume, matrix_fraction, stiffening },
-            orientation,
-        )
+        Self::varied(neighbourhood, rest, elasticity, volume, (matrix_fraction, None, None), orientation)
     }
 
-    /// [`Self::new`] over a material that is stiffer by a factor at every particle.
-    pub(crate) fn stiffened(
+    /// [`Self::new`] over a material that is stiffer by a factor at every particle, each of which counts as a share of the
+    /// volume.
+    pub(crate) fn varied(
         neighbourhood: Arc<Neighbourhood>,
         rest: Arc<[DVec3]>,
         elasticity: Elasticity,
         volume: f64,
-        (matrix_fraction, stiffening): (Arc<[f64]>, Option<Arc<[f64]>>),
+        (matrix_fraction, stiffening, volume_shares): (Arc<[f64]>, Option<Arc<[f64]>>, Option<Arc<[f64]>>),
         orientation: DQuat,
     ) -> Self {
-        // The energy is in proportion to both.
-        let matrix_fraction = match &stiffening {
-            None => matrix_fraction,
-            Some(by) => matrix_fraction.iter().zip(by.iter()).map(|(share, by)| share * by).collect(),
+        // The energy is in proportion to all three.
+        let times = |all: Arc<[f64]>, by: &Option<Arc<[f64]>>| match by {
+            None => all,
+            Some(by) => all.iter().zip(by.iter()).map(|(share, by)| share * by).collect(),
         };
+        let matrix_fraction = times(times(matrix_fraction, &stiffening), &volume_shares);
         let positions = rest;
         Self::of(
-            ReferenceConfiguration { neighbourhood, positions, elasticity, volume, matrix_fraction, stiffening },
+            ReferenceConfiguration {
+                neighbourhood,
+                positions,
+                elasticity,
+                volume,
+                matrix_fraction,
+                stiffening,
+                volume_shares,
+            },
             orientation,
         )
     }
@@ -104,7 +109,8 @@ impl MatrixForce {
 
     /// Fibre fraction `l_i` of every particle.
     pub fn fibre_fractions(&self) -> Vec<f64> {
-        (0..self.reference.positions.len()).map(|i| 1.0 - self.reference.share(i)).collect()
+        let of = |i: usize| 1.0 - self.reference.share(i) / self.reference.volume_share(i);
+        (0..self.reference.positions.len()).map(of).collect()
     }
 
     /// Memory of the rest data, which copies share [bytes].

@@ -16,10 +16,12 @@ pub(super) struct ReferenceConfiguration {
     pub(super) elasticity: Elasticity,
     /// Volume V of a particle [m³].
     pub(super) volume: f64,
-    /// Matrix fraction of every particle, `s_i = 1 - l_i`, times the stiffening there.
+    /// Matrix fraction of every particle, `s_i = 1 - l_i`, times the stiffening there and the share of V that it counts as.
     pub(super) matrix_fraction: Arc<[f64]>,
     /// By how much the matrix is stiffer at every particle than `elasticity`; nowhere unless given.
     pub(super) stiffening: Option<Arc<[f64]>>,
+    /// Share of V that every particle counts as; all of it unless given.
+    pub(super) volume_shares: Option<Arc<[f64]>>,
 }
 
 impl ReferenceConfiguration {
@@ -40,7 +42,17 @@ impl ReferenceConfiguration {
         self.stiffening.as_ref().map_or(1.0, |stiffening| stiffening[i])
     }
 
-    /// Share of matrix in the material at particle i.
+    /// Share of V that particle i counts as.
+    pub(super) fn volume_share(&self, i: usize) -> f64 {
+        self.volume_shares.as_ref().map_or(1.0, |shares| shares[i])
+    }
+
+    /// What the share of matrix at particle i is multiplied by.
+    pub(super) fn weight(&self, i: usize) -> f64 {
+        self.stiffening(i) * self.volume_share(i)
+    }
+
+    /// Share of matrix in the material at particle i, of the V that it counts as.
     pub(super) fn share(&self, i: usize) -> f64 {
         match &self.stiffening {
             None => self.matrix_fraction[i],

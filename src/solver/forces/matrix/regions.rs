@@ -39,9 +39,11 @@ impl MatrixForce {
         })
     }
 
-    /// Volume of the body as it is now [m³]: of each particle V det F.
+    /// Volume of the body as it is now [m³]: of each particle its share of V times det F.
     pub(in crate::solver) fn present_volume(&self, positions: &[DVec3]) -> f64 {
-        let grown = (0..positions.len()).map(|i| self.reference.deformation_gradient(i, positions).0.determinant());
+        let grown = (0..positions.len()).map(|i| {
+            self.reference.volume_share(i) * self.reference.deformation_gradient(i, positions).0.determinant()
+        });
         self.reference.volume * grown.sum::<f64>()
     }
 

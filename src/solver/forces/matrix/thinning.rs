@@ -95,10 +95,11 @@ impl MatrixThinning {
         }
     }
 
-    /// How much more of the material is matrix than where all drives are 0, where these are the fractions of fibre.
+    /// How much more of the material is matrix than where all drives are 0, where these are the fractions of fibre; in shares of
+    /// V, times the stiffening.
     fn gains(&self, fractions: &[f64]) -> Vec<f64> {
         let changes = self.fractions.particles.iter().zip(self.drawn.iter().zip(fractions));
-        changes.map(|(&i, (drawn, fraction))| self.reference.stiffening(i as usize) * (drawn - fraction)).collect()
+        changes.map(|(&i, (drawn, fraction))| self.reference.weight(i as usize) * (drawn - fraction)).collect()
     }
 
     /// Energies [J] of the matrix of every particle, elastic and zero-energy, where all of it is there.

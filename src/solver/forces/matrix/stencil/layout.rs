@@ -14,6 +14,8 @@ pub(super) struct Layout {
     pub(super) bricks: Bricks,
     /// Axes of the stencil in the model frame: those of the lattice, perhaps in another order.
     pub(super) axes: DMat3,
+    /// By how much the lattice is stretched along them.
+    pub(super) stretch: DVec3,
     /// Lattice index of every brick's first place, from the mean of all particles, along the stencil's axes.
     pub(super) corners: Vec<DVec3>,
     /// Consecutive bricks that are worked on together.
@@ -43,6 +45,7 @@ impl Layout {
         let corner = |brick: &IVec3| IVec3::new(alignment.length() * brick.x, brick.y, brick.z).as_dvec3() - mean;
         let mut layout = Self {
             axes: alignment.axes(&lattice.axes),
+            stretch: alignment.along(lattice.stretch),
             corners: bricks.positions.iter().map(corner).collect(),
             chunks: Vec::new(),
             sites: Vec::new(),

@@ -10,7 +10,7 @@ use super::row_table::DISTANCES;
 use crate::solver::forces::bricks::NO_PARTICLE;
 use crate::solver::wide::{Lanes, Vec3x, Wide};
 use fearless_simd::Simd;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 /// What an evaluation reads, which all threads share; for stencils of |o|² up to M, over N rows.
 pub(super) struct StencilPasses<'a, L, const M: usize, const N: usize> {
@@ -36,7 +36,9 @@ impl<L: Lanes, const M: usize, const N: usize> StencilPasses<'_, L, M, N> {
     /// Deviations from the rigid turn of the bricks from `first` on.
     pub(super) fn deviate(&self, first: usize, positions: &[DVec3], deviations: &mut [BrickVectors<L>]) {
         let layout = &self.fixed.layout;
-        let step = self.fixed.spacing * self.law.body_turn;
+        let spacings = self.fixed.spacings;
+        let DMat3 { x_axis, y_axis, z_axis } = self.law.body_turn;
+        let step = DMat3::from_cols(spacings.x * x_axis, spacings.y * y_axis, spacings.z * z_axis);
         let to_body = self.law.body_turn.transpose();
         let [origin, mean] = self.origin;
         for (k, deviations) in deviations.iter_mut().enumerate() {
@@ -45,7 +47,7 @@ impl<L: Lanes, const M: usize, const N: usize> StencilPasses<'_, L, M, N> {
                 if i != NO_PARTICLE {
                     let x = (positions[i as usize] - origin) - mean;
                     let u = if L::SHORT {
-                        to_body * x - self.fixed.spacing * (layout.corners[first + k] + lane as f64 * DVec3::X)
+                        to_body * x - spacings * (layout.corners[first + k] + lane as f64 * DVec3::X)
                     } else {
                         x - (corner + lane as f64 * step.x_axis)
                     };

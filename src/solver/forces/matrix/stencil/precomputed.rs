@@ -7,6 +7,7 @@ use super::row_table::{MAX_NORM_SQUARED, rows_within};
 use crate::solver::forces::bricks::Palette;
 use crate::solver::forces::matrix::reference::ReferenceConfiguration;
 use crate::solver::wide::Lanes;
+use glam::DVec3;
 use std::array::from_fn;
 
 /// Rows of a stencil of |o|² up to 6.
@@ -40,8 +41,8 @@ pub(super) struct Precomputed<L> {
     pub(super) size: StencilSize,
     pub(super) rest: Palette<BrickRest<L>>,
     pub(super) matrix_volumes: Vec<MatrixVolume<L>>,
-    /// Spacing D [m].
-    pub(super) spacing: f64,
+    /// Spacings along the stencil's axes [m].
+    pub(super) spacings: DVec3,
 }
 
 impl<L: Lanes> Precomputed<L> {
@@ -62,8 +63,8 @@ impl<L: Lanes> Precomputed<L> {
         };
         let layout = Layout::new(lattice, size.norm_squared(), L::COUNT);
         Some(Self {
-            weights: StencilWeights::new(weights, lattice.spacing),
-            spacing: lattice.spacing,
+            weights: StencilWeights::new(weights, lattice.spacing * layout.stretch),
+            spacings: lattice.spacing * layout.stretch,
             size,
             rest: rest_data(reference, &layout.bricks, &layout.axes),
             matrix_volumes: matrix_volumes(reference, &layout.bricks),

@@ -13,23 +13,25 @@ use super::line_buffer::{LINES, Line, LineBuffer, read};
 use super::row_table::{DISTANCES, Group, MAX_NORM_SQUARED, for_every_group, rows_within};
 use crate::solver::wide::{Lanes, Mat3x, Vec3x, Wide};
 use fearless_simd::{Simd, prelude::*};
+use glam::DVec3;
 
 /// Weights of the offsets by |o|².
 pub(super) struct StencilWeights<L> {
     /// `w` [1/m²].
     plain: [L; MAX_NORM_SQUARED + 1],
-    /// `a D w` [1/m], the weight of an offset with a component of a spacings along some axis.
-    slope: [[L; MAX_NORM_SQUARED + 1]; DISTANCES],
-    /// Spacing D [m].
+    /// `a D w` [1/m], the weight of an offset with a component of a spacings along x, y or z.
+    slope: [[[L; MAX_NORM_SQUARED + 1]; DISTANCES]; 3],
+    /// Spacing D along x [m].
     spacing: f64,
 }
 
 impl<L: Lanes> StencilWeights<L> {
-    /// Weights of |o|² = 0, 1, ... [1/m²] at a spacing D [m]; a particle is no neighbour of itself.
-    pub(super) fn new(mut weights: [f64; MAX_NORM_SQUARED + 1], spacing: f64) -> Self {
+    /// Weights of |o|² = 0, 1, ... [1/m²] at spacings D along the axes [m]; a particle is no neighbour of itself.
+    pub(super) fn new(mut weights: [f64; MAX_NORM_SQUARED + 1], spacings: DVec3) -> Self {
         weights[0] = 0.0;
         let times = |factor: f64| weights.map(|weight| L::splat(factor * weight));
-        Self { plain: times(1.0), slope: [0.0, 1.0, 2.0, 3.0].map(|a| times(a * spacing)), spacing }
+        let sloped = |spacing: f64| [0.0, 1.0, 2.0, 3.0].map(|a| times(a * spacing));
+        Self { plain: times(1.0), slope: spacings.to_array().map(sloped), spacing: spacings.x }
     }
 }
 
@@ -141,9 +143,15 @@ impl<S: Simd, L: Lanes, const M: usize, const N: usize> RowStencil<'_, S, L, M, 
     }
 
     #[inline(always)]
-    fn sloped<const K: usize>(&self, a: usize, c: usize, row: L::Register<S>, sum: &mut [L::Register<S>; DISTANCES]) {
+    fn sloped<const K: usize, const AXIS: usize>(
+        &self,
+        a: usize,
+        c: usize,
+        row: L::Register<S>,
+        sum: &mut [L::Register<S>; DISTANCES],
+    ) {
         if K * K + c <= M && K * K + c > 0 {
-            sum[K] = row.mul_add(L::Register::load(self.simd, &self.weights.slope[a][K * K + c]), sum[K]);
+            sum[K] = row.mul_add(L::Register::load(self.simd, &self.weights.slope[AXIS][a][K * K + c]), sum[K]);
         }
     }
 
@@ -156,11 +164,17 @@ impl<S: Simd, L: Lanes, const M: usize, const N: usize> RowStencil<'_, S, L, M, 
     }
 
     #[inline(always)]
-    fn all_sloped(&self, a: usize, c: usize, row: L::Register<S>, sum: &mut [L::Register<S>; DISTANCES]) {
-        self.sloped::<0>(a, c, row, sum);
-        self.sloped::<1>(a, c, row, sum);
-        self.sloped::<2>(a, c, row, sum);
-        self.sloped::<3>(a, c, row, sum);
+    fn all_sloped<const AXIS: usize>(
+        &self,
+        a: usize,
+        c: usize,
+        row: L::Register<S>,
+        sum: &mut [L::Register<S>; DISTANCES],
+    ) {
+        self.sloped::<0, AXIS>(a, c, row, sum);
+        self.sloped::<1, AXIS>(a, c, row, sum);
+        self.sloped::<2, AXIS>(a, c, row, sum);
+        self.sloped::<3, AXIS>(a, c, row, sum);
     }
 
     #[inline(always)]
@@ -175,10 +189,10 @@ impl<S: Simd, L: Lanes, const M: usize, const N: usize> RowStencil<'_, S, L, M, 
             let GroupSums { even, odd_y, odd_z } = self.group_sums::<G, 3>(around.group::<G>(), component);
             self.all_plain(c, even, plain);
             if Group::<G>::A > 0 {
-                self.all_sloped(Group::<G>::A, c, odd_y, over_y);
+                self.all_sloped::<1>(Group::<G>::A, c, odd_y, over_y);
             }
             if Group::<G>::B > 0 {
-                self.all_sloped(Group::<G>::B, c, odd_z, over_z);
+                self.all_sloped::<2>(Group::<G>::B, c, odd_z, over_z);
             }
         }
     }
@@ -252,19 +266,19 @@ impl<S: Simd, L: Lanes, const M: usize, const N: usize> RowStencil<'_, S, L, M, 
                 self.x_terms(c, self.group_sums::<G, 4>(bricks, Q_X).even, odd);
             }
             if Group::<G>::A > 0 {
-                self.all_sloped(Group::<G>::A, c, self.group_sums::<G, 4>(bricks, Q_Y).odd_y, even);
+                self.all_sloped::<1>(Group::<G>::A, c, self.group_sums::<G, 4>(bricks, Q_Y).odd_y, even);
             }
             if Group::<G>::B > 0 {
-                self.all_sloped(Group::<G>::B, c, self.group_sums::<G, 4>(bricks, Q_Z).odd_z, even);
+                self.all_sloped::<2>(Group::<G>::B, c, self.group_sums::<G, 4>(bricks, Q_Z).odd_z, even);
             }
         }
     }
 
     #[inline(always)]
     fn x_terms(&self, c: usize, row: L::Register<S>, odd: &mut [L::Register<S>; DISTANCES]) {
-        self.sloped::<1>(1, c, row, odd);
-        self.sloped::<2>(2, c, row, odd);
-        self.sloped::<3>(3, c, row, odd);
+        self.sloped::<1, 0>(1, c, row, odd);
+        self.sloped::<2, 0>(2, c, row, odd);
+        self.sloped::<3, 0>(3, c, row, odd);
     }
 
     /// Combined rows of the second pass at a site, even and odd in dx, from a component of the stresses of the bricks

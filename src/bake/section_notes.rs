@@ -1,0 +1,61 @@
+//! What is said of how a body's sections come out.
+
+use super::note::Note;
+use crate::geometry::cell_shares::CellShares;
+use crate::geometry::lattice::LatticeSample;
+use crate::geometry::thinness::least_eigenvalue;
+use crate::scene::Body;
+use glam::{DMat3, DVec3};
+
+/// By how much a section whose particles stand for parts of cells bends too easily and twists too easily or too hard, at most,
+/// times its layers squared. Measured by `sections_of_every_kind` in `tests/physics`.
+const BENDING: f64 = 2.9;
+const TORSION: f64 = 2.3;
+
+/// That a box got another support radius than was asked for, if it did.
+pub(super) fn radius_note(body: &Body, sample: &LatticeSample, path: &str) -> Option<Note> {
+    let material = &body.material;
+    let percent = 100.0 * (sample.spacing / material.spacing() - 1.0);
+    let text = || {
+        let radius = sample.spacing / material.spacing_ratio;
+        format!("made {radius:.6} m ({percent:+.1} %) so that layers fit the box")
+    };
+    (percent != 0.0).then(|| Note { path: format!("{path}/material/support_radius"), text: text(), warning: false })
+}
+
+/// How the lattice was stretched, and how far off a section may be whose particles stand for parts of cells.
+pub(super) fn section_notes(sample: &LatticeSample, shares: Option<&CellShares>, path: &str) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let mut note = |text: String| notes.push(Note { path: format!("{path}/shape"), text, warning: false });
+    let changes = sample.stretch - DVec3::ONE;
+    if changes != DVec3::ZERO {
+        let along = |(axis, change): (&str, f64)| format!("{:+.1} % along {axis}", 100.0 * change);
+        let changed = ["x", "y", "z"].into_iter().zip(changes.to_array()).filter(|(_, change)| *change != 0.0);
+        let changed: Vec<String> = changed.map(along).collect();
+        note(format!("its layers are made thicker by {}, to fit the shape", changed.join(", ")));
+    }
+    if let Some(shares) = shares {
+        let layers = layers_across(sample);
+        let parts = shares.volumes.iter().filter(|volume| **volume != 1.0).count();
+        let [least, most] = shares.range();
+        let [bending, torsion] = [BENDING, TORSION].map(|of| 100.0 * of / layers.powi(2));
+        note(format!(
+            "{parts} of {} particles stand for {least:.2} to {most:.2} of a cell, since its surface lies askew to their \
+                 lattice: at some {layers:.1} layers across, it may bend up to {bending:.0} % too easily and twist up to \
+                 {torsion:.0} % off",
+            sample.points.len()
+        ));
+    }
+    notes
+}
+
+/// Layers across the thinnest direction, by how far particles lie from their middle.
+fn layers_across(sample: &LatticeSample) -> f64 {
+    let count = sample.points.len().max(1) as f64;
+    let mean = sample.points.iter().sum::<DVec3>() / count;
+    let spread = |y: DVec3| DMat3::from_cols(y * y.x, y * y.y, y * y.z);
+    let squares = sample.points.iter().fold(DMat3::ZERO, |sum, x| sum + spread(*x - mean)) * count.recip();
+    // Of n layers (n² - 1) / 12 squared spacings.
+    let layer = sample.cell_volume().cbrt();
+    (12.0 * least_eigenvalue(squares).max(0.0) / (layer * layer) + 1.0).sqrt()
+}

@@ -1,7 +1,7 @@
 //! **sinew** is an interactive stroke-based fibre editor for soft solids: a fibre drawn by one stroke in each of two
 //! orthogonal views makes a soft body bend, shear, twist or stiffen, with no constitutive parameters to tune. This
-//! crate is its core, its command line and its window: on one machine the same scene gives the same motion, bit for bit,
-//! on any number of threads.
+//! crate is its core, its command line and its window: on one machine the same scene gives the same motion, bit for
+//! bit, on any number of threads.
 //!
 //! # Start here
 //!
@@ -58,34 +58,34 @@
 //! # Modules
 //!
 //! - `text`: how numbers are written for people.
-//! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, models and how they are checked,
-//!   filled and moved inwards, rigs of skins. Knows nothing of scenes or physics.
+//! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, models and how they are
+//!   checked, filled and moved inwards, rigs of skins. Knows nothing of scenes or physics.
 //! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not
 //!   ([`sketch::lift()`]); layouts of fibres to start from ([`sketch::pattern`]). Pure functions.
-//! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, colliders, time, measures; data, constructors and
-//!   validation.
+//! - [`scene`]: the document. Bodies, materials, fibres, pins, room, panels, colliders, time, measures; data,
+//!   constructors and validation.
 //! - [`edit`]: the only writer of an open document; each change is one step of undo and redo. What can be done to a
-//!   fibre, as pure functions: [`edit::fibre_ops`]; to a sheet: [`edit::sheet_ops`]; to a whole body: [`edit::body_ops`].
+//!   fibre, as pure functions: [`edit::fibre_ops`]; to a sheet: [`edit::sheet_ops`]; to a whole body:
+//!   [`edit::body_ops`].
 //! - [`solver`]: a world of bodies and its step. A body is a particle state with a list of `solver::forces` and of
 //!   constraints, and any of the `solver::integrators` steps any body; what bodies and panels do to each other is the
 //!   world's (`solver::body_contact`, `solver::panel`). Knows no file, clock, thread start or window.
-//! - [`bake`]: from the document to the solver, the one place where they meet. Pure: the same scene gives the same
-//!   world.
-//! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread that
-//!   paces it for a window and keeps as much of the last motion as fits its memory, to be shown again and gone on
+//! - [`bake`]: from the document to the solver, where alone they meet. Pure: the same scene gives the same world.
+//! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread
+//!   that paces it for a window and keeps as much of the last motion as fits its memory, to be shown again and gone on
 //!   from bit for bit; time series; the comparison of integrators, by numbers and side by side.
-//! - `export`: a motion as other programs take it, as plain data: surfaces on the vertices of the files that they are from,
-//!   with normals and colours of these, panels as boxes, fibres with what they carry, particles with their fields. Formats are
-//!   [`io`]'s.
-//! - [`io`]: the only module that reads and writes files. Scene JSON and its schema, models, motions for other programs,
-//!   fibres as lines, scenes collected with their models, atomic writes, recovery, folders of what the program keeps for a
-//!   person, traces of what took how long. (The window's toolkit keeps the window's settings.)
+//! - `export`: a motion as other programs take it, as plain data: surfaces on the vertices of the files that they are
+//!   from, with normals and colours of these, panels as boxes, fibres with what they carry, particles with their
+//!   fields. Formats are [`io`]'s.
+//! - [`io`]: the only module that reads and writes files. Scene JSON and its schema, models, motions for other
+//!   programs, fibres as lines, scenes collected with their models, atomic writes, recovery, folders of what the
+//!   program keeps for a person, traces of what took how long. (The window's toolkit keeps the window's settings.)
 //! - [`draw`]: from a scene and a snapshot to what is to be seen, as plain data: meshes, lines, points, pick numbers,
 //!   themes. Knows no graphics interface.
-//! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders, picking,
-//!   pictures without a window. Its shaders are beside it as WGSL files.
-//! - `transfer`: motions out and lines in, as the command line and the window do it alike: frames of a run in formats for a
-//!   program, pictures of them, fibres as lines and back.
+//! - `render` (feature `render`): a draw list becomes pixels, and a pixel what was drawn there. Camera, shaders,
+//!   picking, pictures without a window. Its shaders are beside it as WGSL files.
+//! - `transfer`: motions out and lines in, as the command line and the window do it alike: frames of a run in formats
+//!   for a program, pictures of them, fibres as lines and back.
 //! - [`cli`]: the command line, a file or a folder for each command.
 //! - `ui` (feature `gui`): the window. Reads the document and the newest snapshot; what a person does leaves as a
 //!   [`edit::Command`] or a [`sim::SimCommand`].
@@ -97,11 +97,12 @@
 //! What is public is there to be called from other crates, and its changes are told in the list of changes; the rest is
 //! `pub(crate)` or less, which the lint `unreachable_pub` holds the code to.
 //!
-//! What a module may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch and
-//! geometry; solver geometry; bake scene, sketch, geometry and solver; export scene, geometry and solver; io scene, geometry,
-//! export and the solver's snapshot; sim scene, bake and solver; transfer scene, geometry, edit, solver, sim, export, io, draw
-//! and render; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but ui; ui all but cli; any but
-//! geometry and solver may import text; and test_support may import all. A test holds the code to this.
+//! What a module may import: text and geometry nothing; sketch geometry; scene geometry and sketch; edit scene, sketch
+//! and geometry; solver geometry; bake scene, sketch, geometry and solver; export scene, geometry and solver; io scene,
+//! geometry, export and the solver's snapshot; sim scene, bake and solver; transfer scene, geometry, edit, solver, sim,
+//! export, io, draw and render; draw scene, geometry and the solver's snapshot; render draw and geometry; cli all but
+//! ui; ui all but cli; any but geometry and solver may import text; and test_support may import all. A test holds the
+//! code to this.
 //!
 //! # Where to find
 //!
@@ -151,8 +152,8 @@
 //! SI units throughout: metres, kilograms, seconds, newtons, pascals; angles in degrees in scenes and reports, in
 //! radians in the code. Frames are right-handed with Y up. A body is described in its *model frame* and put into the
 //! world by its placement; capital X in formulae is the rest position, small x the present one. State and forces are
-//! f64; what a fast matrix computes on the way to them is f32. Parallel loops write by index and sums run in a fixed order,
-//! so that the number of threads changes nothing.
+//! f64; what a fast matrix computes on the way to them is f32. Parallel loops write by index and sums run in a fixed
+//! order, so that the number of threads changes nothing.
 //!
 //! # Glossary
 //!
@@ -161,70 +162,75 @@
 //! - *matrix*: the homogeneous, isotropic material of a fibre solid, without its fibres.
 //! - *material particle*: one of the points of mass that carry the matrix, on a cubic lattice at rest.
 //! - *structure particle*: a vertex of a fibre. It has no mass and no state of its own: material particles carry it.
-//! - *sheet*: a surface in a fibre solid that resists stretch, shear and bending, carried as fibres are. *Membrane*: its stretch and
-//!   shear. *Hinge*: its bending at an edge between two triangles. *Grain*: the direction of its threads. *Rim*: where it ends.
-//! - *element*: an energy of a few points that ride on the particles, and of how the material is turned there. *Measure* (of one)
-//!   and *law*: what one without code looks at, and what it does about it. *Majorant*: the most that it ever resists a move.
+//! - *sheet*: a surface in a fibre solid that resists stretch, shear and bending, carried as fibres are. *Membrane*:
+//!   its stretch and shear. *Hinge*: its bending at an edge between two triangles. *Grain*: the direction of its
+//!   threads. *Rim*: where it ends.
+//! - *element*: an energy of a few points that ride on the particles, and of how the material is turned there.
+//!   *Measure* (of one) and *law*: what one without code looks at, and what it does about it. *Majorant*: the most that
+//!   it ever resists a move.
 //! - *embedding weights*: by how much each of the material particles around a point carries it (eq. 17, corrected).
 //! - *spacing* D: distance of neighbours in the lattice [m]. *Support radius* h: reach of the smoothing kernel [m]; the
 //!   particles within it are a particle's *neighbours*. D / h is the spacing ratio.
 //! - *deformation gradient* F: the linear map from a particle's neighbourhood at rest to the present one.
-//! - *volume fraction* l: share of the material around a point that is fibre. *Matrix fraction*: 1 - l, the share of the
-//!   matrix's energy that is left there (eq. 18).
+//! - *volume fraction* l: share of the material around a point that is fibre. *Matrix fraction*: 1 - l, the share of
+//!   the matrix's energy that is left there (eq. 18).
 //! - *stencil*: the offsets of the lattice within h with their weights, the same for every particle. *Brick*: four
-//!   places of the lattice in a row along x (eight in f32), computed at once. *Pair list*: the same forces, neighbour by
-//!   neighbour. *Fast*: the stencil in f32, on deviations from the body's rigid motion; *exact*: all else, in f64.
-//! - *void*: what is taken out of a body. *Hollow*: its shape among the particles, across which they do not feel each other.
+//!   places of the lattice in a row along x (eight in f32), computed at once. *Pair list*: the same forces, neighbour
+//!   by neighbour. *Fast*: the stencil in f32, on deviations from the body's rigid motion; *exact*: all else, in f64.
+//! - *void*: what is taken out of a body. *Hollow*: its shape among the particles, across which they feel nothing.
 //! - *yield*: to take another shape at rest, past a limit. *Dissipated*: lost to that and to viscosity.
 //! - *two-layer body*: an outer and an inner *layer* of particles joined by springs, with gas inside (the two-layer
 //!   paper's). It has no matrix and no fibres.
-//! - *skin*: the surface that is drawn, carried by the particles. *Rig*: how it hangs on them. *Arm*: the way to a point too
-//!   far outside for particles to carry it; it turns with them. *Directions*: an arm's three axes, turned.
+//! - *skin*: the surface that is drawn, carried by the particles. *Rig*: how it hangs on them. *Arm*: the way to a
+//!   point too far outside for particles to carry it; it turns with them. *Directions*: an arm's three axes, turned.
 //!
 //! The scene:
 //! - *scene*: the document. *Assets*: the solids that its meshes stand for. *Solid*: a mesh with an inside.
 //! - *room*: the floor, walls and ceiling. *Panel*: a rigid horizontal plate that falls or is driven.
-//! - *collider*: a rigid thing, still or moved, that bodies touch and that nothing pushes away; *obstacle*: what it is, about its
-//!   own origin. *Shell*: an obstacle of no thickness, touched from both sides.
-//! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved. One that is new to a motion
-//!   takes hold of the region where it finds it. *Pinned point*: what a drag has left where it pulls.
-//! - *leader*: a motion made elsewhere that particles follow. *Skeleton*: nodes within nodes, of which some are *joints* that a
-//!   skin hangs on; a *bone* leads from one joint to the next. *Clip*: nodes moved over a time. *Point cache*: a mesh's vertices
-//!   frame by frame. *Pre-roll*: the time in which a body is eased from its rest pose into the first frame.
-//! - *measure*: a quantity read off a body, such as the twist of one region against another. *Probe*: a measure in a world.
-//! - *file's mesh*: a model as its file has it, every vertex in its order, polygons uncut, with texture coordinates, normals,
-//!   colours and parts; motions are written on it. *Part*: a run of its faces of one name and material.
+//! - *collider*: a rigid thing, still or moved, that bodies touch and that nothing pushes away; *obstacle*: what it is,
+//!   about its own origin. *Shell*: an obstacle of no thickness, touched from both sides.
+//! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved. One that is new to a
+//!   motion takes hold of the region where it finds it. *Pinned point*: what a drag has left where it pulls.
+//! - *leader*: a motion made elsewhere that particles follow. *Skeleton*: nodes within nodes, of which some are
+//!   *joints* that a skin hangs on; a *bone* leads from one joint to the next. *Clip*: nodes moved over a time. *Point
+//!   cache*: a mesh's vertices frame by frame. *Pre-roll*: the time in which a body is eased from its rest pose into
+//!   the first frame.
+//! - *measure*: a quantity read off a body, such as the twist of one region against another. *Probe*: one in a world.
+//! - *file's mesh*: a model as its file has it, every vertex in its order, polygons uncut, with texture coordinates,
+//!   normals, colours and parts; motions are written on it. *Part*: a run of its faces of one name and material.
 //! - *model frame*: the frame in which a body is described. *Placement*: where it stands in the world.
 //! - *view*: front, side or top. *Stroke*: what was drawn in one. *Lift*: to make a curve of two strokes.
 //!   *Sweep*: to make a surface of them, the first carried along the second.
-//! - *drivable*: what a drive moves or could move. *Key*: a value of a drive at a time. *Lane*: where its course is shown.
-//! - *drive*: a number that changes in time. *Activation*: what a drive does to a fibre, which *acts* then. *Wind*: air or
-//!   water that moves as one.
+//! - *drivable*: what a drive moves or could move. *Key*: a value of a drive at a time. *Lane*: its course, shown.
+//! - *drive*: a number that changes in time. *Activation*: what a drive does to a fibre, which *acts* then. *Wind*: air
+//!   or water that moves as one.
 //! - *pattern*: a layout of fibres to start from. *Dab*: one touch of the brush that paints the volume fraction.
 //!
 //! The motion:
 //! - *bake*: to put a scene together into a world. *Note*: what was noticed on the way ([`bake::Baked::notes`]).
 //! - *world*: bodies and panels at one time. *State*: positions, velocities and masses of a body.
-//! - *frame*: the time from one picture to the next. *Outer step*: a part of it for which contact between bodies and with
-//!   panels is evaluated once. *Sub-step*: one of a body's own steps in that.
-//! - *fibres implicit*: fibres' forces found together with where they bring the particles, so that their stiffness does not
-//!   set the step; all else by leap-frog.
+//! - *frame*: the time from one picture to the next. *Outer step*: a part of it for which contact between bodies and
+//!   with panels is evaluated once. *Sub-step*: one of a body's own steps in that.
+//! - *fibres implicit*: fibres' forces found together with where they bring the particles, so that their stiffness does
+//!   not set the step; all else by leap-frog.
 //! - *stable step*: the longest step under which a body's small motions do not grow. *Safety*: the share of it in use.
 //! - *hand*: what leads a shared drive away from what it is by itself.
 //! - *grip*: what touching particles hold on to below Coulomb's limit: springs along the surface.
-//! - *body contact*: the push between two bodies. *Grab*: the pull at a point of a body. *Strike*: an impulse on a whole
-//!   body.
-//! - *overlap*: of bodies that start inside one another, the room or a panel. *Allowance*: the depth that contact grants
-//!   such a one. *Easing*: an allowance that fades.
+//! - *body contact*: the push between two bodies. *Grab*: the pull at a point of a body. *Strike*: an impulse on one.
+//! - *overlap*: of bodies that start inside one another, the room or a panel. *Allowance*: the depth that contact
+//!   grants such a one. *Easing*: an allowance that fades.
 //! - *asleep*: a body at rest that nothing comes near; it takes no steps.
-//! - *stage*: an implicit equation for the end, or a point, of a step. *Chord step*: one towards its solution, by a matrix
-//!   that stays. *Fallback*: a step that was halved, or handed over to leap-frog, because a stage was not solved.
+//! - *stage*: an implicit equation for the end, or a point, of a step. *Chord step*: one towards its solution, by a
+//!   matrix that stays. *Fallback*: a step that was halved, or handed over to leap-frog, because a stage was not
+//!   solved.
 //! - *divergence*: a motion that can no longer be computed; the body is stopped. *Break*: of a fibre, past its limits.
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
-//! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers of
-//!   the last frames, many more of them.
-//! - *taken motion*: a scene as it was put together and the frames that are kept of it, shared with who writes them to files.
-//! - *led*: of particles, where their leader has them. *Work*: what pins that move, leaders, driven panels and wind have done on bodies ([`solver::World::work`]).
+//! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers
+//!   of the last frames, many more of them.
+//! - *taken motion*: a scene as it was put together and the frames that are kept of it, shared with who writes them to
+//!   files.
+//! - *led*: of particles, where their leader has them. *Work*: what pins that move, leaders, driven panels and wind
+//!   have done on bodies ([`solver::World::work`]).
 //! - *balance*: energy less work from outside; dissipation lowers it. *Handled*: the energy that was there at the most.
 //! - *journal*: what was asked of a motion from its start on, frame by frame, and what every frame came to.
 //! - *checkpoint*: all that a world goes on from, bit for bit.
@@ -237,13 +243,12 @@
 //! - *command*: a change of the document, one step of undo. *Gesture*: changes that undo as one, such as a drag.
 //! - *pass*: of a frame's input, up to one change that others depend on; only the last pass over a frame is drawn.
 //! - *action*: what menus, keys and the palette offer. *Disabled reason*: why one cannot be had just now.
-//! - *autosave*: the copy of a changed scene that is kept aside. *Recoverable document*: one that is found at the next
-//!   start.
+//! - *autosave*: the copy of a changed scene that is kept aside. *Recoverable document*: one found at the next start.
 //!
 //! # A force, an integrator and an element of your own
 //!
-//! All are traits. Implement the first two and hand them to a body. A world can go back to any checkpoint of it and moves on from
-//! there bit for bit: what a force or an integrator remembers goes along by its `clone_box`.
+//! All are traits. Implement the first two and hand them to a body. A world can go back to any checkpoint of it and
+//! moves on from there bit for bit: what a force or an integrator remembers goes along by its `clone_box`.
 //!
 //! ```
 //! use glam::DVec3;
@@ -299,9 +304,9 @@
 //! ```
 //!
 //! A structure in a body, an energy of a few points that ride on its particles, is less work than a force: an
-//! [`solver::Element`] says which points, its energy and the slopes of that. [`bake::bake_with_elements`] tries it (the slopes against
-//! differences of the energy, the sums of forces and torques), refuses it with the figure, passes its forces on by the points'
-//! weights, and measures the stable step with it:
+//! [`solver::Element`] says which points, its energy and the slopes of that. [`bake::bake_with_elements`] tries it (the
+//! slopes against differences of the energy, the sums of forces and torques), refuses it with the figure, passes its
+//! forces on by the points' weights, and measures the stable step with it:
 //!
 //! ```
 //! use glam::DVec3;
@@ -346,15 +351,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A force that is added and an integrator that is set do not change the step that was measured when the scene was put together;
-//! [`bake::bake`] measures it for what a scene file names.
+//! A force that is added and an integrator that is set do not change the step that was measured when the scene was put
+//! together; [`bake::bake`] measures it for what a scene file names.
 //!
 //! To make one part of the crate, so that scene files can ask for it:
 //!
 //! - a force: a file (or, for a large one, a folder) of its own under `src/solver/forces`; what it needs of a scene as
 //!   fields in [`scene`] with their checks in `scene::validate`; and a line in `bake::body` or `bake::two_layer` that
-//!   pushes it before the stable step is measured, with `step_limit` where its linearisation at the start hides how stiff
-//!   it gets. Its energy is counted under one of the names of [`solver::Energies`], which reports know.
+//!   pushes it before the stable step is measured, with `step_limit` where its linearisation at the start hides how
+//!   stiff it gets. Its energy is counted under one of the names of [`solver::Energies`], which reports know.
 //! - an integrator: a file of its own under `src/solver/integrators`, a line in the table of [`scene::IntegratorKind`],
 //!   which files, the command line and the window go by, and an arm in `bake::integrator` that makes it.
 //!

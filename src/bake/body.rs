@@ -239,7 +239,8 @@ impl Strongest {
     }
 }
 
-/// Adds the forces of elements, sheets and fibres; gives those that there were without them, and what of them is the stiffest.
+/// Adds the forces of elements, sheets and fibres; gives those that there were without them, and what of them is the
+/// stiffest.
 fn add_structures(
     body: &Body,
     (embedder, volume, state): (&Embedder<'_>, f64, &ParticleState),
@@ -287,8 +288,8 @@ fn inelastic(material: &Material) -> Option<InelasticLaw> {
     (viscosity.is_some() || plasticity.is_some()).then_some(InelasticLaw { viscosity, plasticity })
 }
 
-/// Gravity, damping between particles and drag of the air, as many of them as there are; `rates` are those of the damping
-/// at every particle where it is not the same everywhere.
+/// Gravity, damping between particles and drag of the air, as many of them as there are; `rates` are those of the
+/// damping at every particle where it is not the same everywhere.
 fn weight_and_damping(
     scene: &Scene,
     body: &Body,

@@ -18,8 +18,8 @@ pub struct OwnElements {
     pub body: String,
     /// What they are called.
     pub id: String,
-    /// Points in the model frame [m], which ride on the material; elements name them by their places here. Those that lie just
-    /// outside of the particles are moved in.
+    /// Points in the model frame [m], which ride on the material; elements name them by their places here. Those that
+    /// lie just outside of the particles are moved in.
     pub points: Vec<DVec3>,
     /// What they are driven by; nothing unless given. It may follow a drive that the body shares.
     pub drive: Option<scene::Drive>,

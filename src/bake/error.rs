@@ -284,7 +284,8 @@ pub enum BakeError {
     },
 }
 
-/// What shortens no frame and lengthens the step: of the parameter that sets it, and of an integrator, by their pointers.
+/// What shortens no frame and lengthens the step: of the parameter that sets it, and of an integrator, by their
+/// pointers.
 pub(super) fn softer(limited_by: Option<&str>, integrator: Option<&str>) -> String {
     let lower = limited_by.map_or("soften its material or fibres".to_owned(), |pointer| format!("lower {pointer}"));
     match integrator {

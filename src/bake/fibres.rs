@@ -38,7 +38,8 @@ impl PlacedFibre {
         (body.fibres[self.fibre].volume_fraction, &self.vertices[self.active.clone()])
     }
 
-    /// Distance [m] of the nearest of its structure particles that carry force, and the way along the fibre to that [m].
+    /// Distance [m] of the nearest of its structure particles that carry force, and the way along the fibre to that
+    /// [m].
     pub(super) fn nearest(&self, at: DVec3) -> (f64, f64) {
         let (mut nearest, mut along) = ((f64::INFINITY, 0.0), self.start);
         for (k, vertex) in self.vertices.iter().enumerate() {
@@ -108,8 +109,8 @@ impl Placing<'_> {
         self.notes.push(Note { path: path.to_owned(), text, warning });
     }
 
-    /// Structure particles of a fibre, cut to the runs that lie in the material, each with the way along the fibre to where
-    /// it begins [m].
+    /// Structure particles of a fibre, cut to the runs that lie in the material, each with the way along the fibre to
+    /// where it begins [m].
     fn runs(&mut self, fibre: &Fibre, path: &str) -> Result<Vec<(f64, Vec<DVec3>)>, SketchError> {
         let material = &self.body.material;
         let particles = match &fibre.source {
@@ -184,8 +185,8 @@ impl Placing<'_> {
         Some(PlacedFibre { fibre, id, start, vertices, embedding, active: first..last + 1 })
     }
 
-    /// Where a fibre turns back on itself, bending has no meaning: as drawn it holds next to nothing, and straight it is
-    /// as content to stay folded as to open.
+    /// Where a fibre turns back on itself, bending has no meaning: as drawn it holds next to nothing, and straight it
+    /// is as content to stay folded as to open.
     fn warn_if_folded(&mut self, vertices: &[DVec3], path: &str) {
         let turn = |k: usize| (vertices[k] - vertices[k - 1]).angle_between(vertices[k + 1] - vertices[k]);
         let inner = 1..vertices.len().saturating_sub(1);
@@ -287,8 +288,8 @@ fn activation(body: &Body, run: &PlacedFibre, path: &str) -> Result<Option<Fibre
     Ok(Some(activation))
 }
 
-/// Checks that a turn per length [degrees/m] times the largest value of its drive stays below `most` [degrees] from vertex
-/// to vertex, which are `longest` [m] apart at most; `path` is the pointer to what it is of.
+/// Checks that a turn per length [degrees/m] times the largest value of its drive stays below `most` [degrees] from
+/// vertex to vertex, which are `longest` [m] apart at most; `path` is the pointer to what it is of.
 fn within_reach(rate: f64, most: f64, largest: f64, longest: f64, path: &str) -> Result<(), BakeError> {
     let degrees = rate.abs() * largest * longest;
     if degrees < most {
@@ -298,8 +299,8 @@ fn within_reach(rate: f64, most: f64, largest: f64, longest: f64, path: &str) ->
     Err(BakeError::TurnsTooFar { path, rate, largest, longest, degrees, most })
 }
 
-/// How the part of a fibre of this volume fraction that runs through these vertices resists twist; not at all where the turn of
-/// the material cannot be read.
+/// How the part of a fibre of this volume fraction that runs through these vertices resists twist; not at all where the
+/// turn of the material cannot be read.
 fn twist((fibre, share): (&Fibre, f64), embedder: &Embedder<'_>, vertices: &[DVec3]) -> Option<FibreTwist> {
     let gj = share * fibre.stiffness.twisting();
     if gj == 0.0 {

@@ -52,8 +52,8 @@ struct Candidate<B> {
     distance: f64,
 }
 
-/// Binds the particles of a body, which are at these points of the model frame [m] at rest, to all that it follows; `path` is
-/// its pointer.
+/// Binds the particles of a body, which are at these points of the model frame [m] at rest, to all that it follows;
+/// `path` is its pointer.
 pub(super) fn bind(
     scene: &Scene,
     assets: &Assets,

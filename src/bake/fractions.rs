@@ -12,8 +12,8 @@ use crate::solver::volume_fraction::{add_sheet, volume_fractions};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Volume fraction `l_i` at every particle where all drives are 0: that of the fibres and sheets by distance, the largest of
-/// all, and what is painted over it.
+/// Volume fraction `l_i` at every particle where all drives are 0: that of the fibres and sheets by distance, the
+/// largest of all, and what is painted over it.
 pub(super) fn fractions(
     body: &Body,
     particles: &[DVec3],
@@ -49,7 +49,8 @@ pub(super) fn driven(
 ) -> Option<DrivenFractions> {
     let is_driven = |run: &&PlacedFibre| run.thickening(body).is_some();
     let curve = curve(&body.material, kernel);
-    // Of every run: its particles, how much of the fraction is left there, and how far along the fibre they are nearest.
+    // Of every run: its particles, how much of the fraction is left there, and how far along the fibre they are
+    // nearest.
     let reached: Vec<Vec<(u32, f64, f64)>> = fibres
         .iter()
         .filter(is_driven)

@@ -66,8 +66,9 @@ pub(super) fn stepping(
     Stepping { integrator: IntegratorKind::LeapFrog, reason: None }
 }
 
-/// Whether by all that the scene says a body is held, starts without speed, takes no blow, does not tear or yield, is driven by
-/// nothing, blown at by nothing and meets neither panels, colliders, other bodies nor itself: long steps resolve what it does.
+/// Whether by all that the scene says a body is held, starts without speed, takes no blow, does not tear or yield, is
+/// driven by nothing, blown at by nothing and meets neither panels, colliders, other bodies nor itself: long steps
+/// resolve what it does.
 fn moves_gently(scene: &Scene, body: &Body) -> bool {
     let Initial { velocity, angular_velocity, .. } = &body.initial;
     let is_held = body.pins.iter().any(|pin| pin.axes.len() == 3 && pin.motion == Motion::Fixed);

@@ -210,8 +210,8 @@ fn scaled(unit: &[DVec3], outer: f64, inner: Option<f64>) -> Vec<DVec3> {
     radii.flat_map(|radius| unit.iter().map(move |&x| radius * x)).collect()
 }
 
-/// The welded surface of a solid, without points that belong to no face of it, and what is drawn of it: the model, whose
-/// vertices are split where normals or colours differ.
+/// The welded surface of a solid, without points that belong to no face of it, and what is drawn of it: the model,
+/// whose vertices are split where normals or colours differ.
 fn surface(solid: &Solid) -> (TriangleMesh, Arc<Skin>) {
     let welded = &solid.surface;
     let mut index = vec![None; welded.points.len()];

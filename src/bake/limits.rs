@@ -1,9 +1,9 @@
 //! Which parameter sets the stable step of a body: the one that, halved, raises it most.
 //!
-//! Measuring the step anew for every parameter would take as many times as long as measuring it once, and on a fine body
-//! that is seconds. Two-layer bodies therefore ask only what becomes of the few modes that would grow first (their
-//! Rayleigh quotients under the halved parameter); fibre solids, whose frequency is one number, what is left of it without
-//! fibres.
+//! Measuring the step anew for every parameter would take as many times as long as measuring it once, and on a fine
+//! body that is seconds. Two-layer bodies therefore ask only what becomes of the few modes that would grow first (their
+//! Rayleigh quotients under the halved parameter); fibre solids, whose frequency is one number, what is left of it
+//! without fibres.
 
 use crate::scene::{Hold, TwoLayer};
 use crate::solver::forces::{ElementForce, FibreForce, Flow, Force, Inelastic, MatrixThinning, SheetForce, StepLimit};
@@ -74,8 +74,8 @@ pub(super) struct Layered<'a> {
 }
 
 impl Layered<'_> {
-    /// The pointer to the parameter that sets its step; none where no single one does. `forces_of` gives the forces of a
-    /// body with other parameters.
+    /// The pointer to the parameter that sets its step; none where no single one does. `forces_of` gives the forces of
+    /// a body with other parameters.
     pub(super) fn limited_by(
         &self,
         modes: &Modes,
@@ -169,8 +169,8 @@ pub(super) struct Softer {
     pub(super) matrix: Option<Vec<Box<dyn Force>>>,
 }
 
-/// What resists the stiffest motion of a fibre solid: squares of angular frequencies [1/s²] and rates of damping [1/s], by
-/// what they come from.
+/// What resists the stiffest motion of a fibre solid: squares of angular frequencies [1/s²] and rates of damping [1/s],
+/// by what they come from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Resistance {
     /// Matrix, elements, sheets and fibres.
@@ -195,9 +195,9 @@ pub(super) struct Resistance {
 }
 
 impl Resistance {
-    /// Of a body under `forces`, the `softer` ones that are left without fibres, sheets and elements, and besides them a contact
-    /// that may come and springs that lead particles; `air` is the rate of air drag among the forces. None where `stop`, asked
-    /// again and again, says that it is no longer wanted.
+    /// Of a body under `forces`, the `softer` ones that are left without fibres, sheets and elements, and besides them
+    /// a contact that may come and springs that lead particles; `air` is the rate of air drag among the forces. None
+    /// where `stop`, asked again and again, says that it is no longer wanted.
     pub(super) fn measured(
         forces: &[Box<dyn Force>],
         softer: Softer,

@@ -67,8 +67,8 @@ pub struct Baked {
     pub regions: Vec<HashMap<String, Vec<u32>>>,
     /// Volume fraction of fibre at every particle of each body, painted or by distance; none of a two-layer body.
     pub fractions: Vec<Vec<f64>>,
-    /// Particles of each body in parts of hardly more than one layer, which bend too easily; none where there are so few of
-    /// them that no note is made of it.
+    /// Particles of each body in parts of hardly more than one layer, which bend too easily; none where there are so
+    /// few of them that no note is made of it.
     pub thin: Vec<Vec<u32>>,
     /// Greatest stable step of each body [s] under every integrator, in the order of [`IntegratorKind::ALL`].
     stable_steps: Vec<Vec<f64>>,
@@ -114,20 +114,20 @@ pub fn bake(scene: &Scene, assets: &Assets) -> Result<Baked, BakeError> {
     bake_with_progress(scene, assets, &mut |_, _| ControlFlow::Continue(()))
 }
 
-/// [`bake`], with elements of a program's own in its bodies. Each is tried first ([`crate::solver::check_element`]), and the
-/// stable step is measured with them.
+/// [`bake`], with elements of a program's own in its bodies. Each is tried first ([`crate::solver::check_element`]),
+/// and the stable step is measured with them.
 ///
 /// # Errors
-/// [`BakeError`] with the pointer to what cannot be put together; [`BakeError::ElementRefused`] with the figure of what is wrong
-/// with an element.
+/// [`BakeError`] with the pointer to what cannot be put together; [`BakeError::ElementRefused`] with the figure of what
+/// is wrong with an element.
 pub fn bake_with_elements(scene: &Scene, assets: &Assets, own: &[OwnElements]) -> Result<Baked, BakeError> {
     elements::have_bodies(own, scene)?;
     let progress = &mut |_: &str, _| ControlFlow::Continue(());
     spans::within(progress, |progress| put_together(scene, (assets, own), progress))
 }
 
-/// [`bake`], and `progress` hears what is being worked on: the name of a body and the stage. It is not asked again once it
-/// breaks off.
+/// [`bake`], and `progress` hears what is being worked on: the name of a body and the stage. It is not asked again once
+/// it breaks off.
 ///
 /// # Errors
 /// [`BakeError`] with the pointer to what cannot be put together; [`BakeError::Cancelled`] where `progress` broke off.

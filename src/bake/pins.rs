@@ -61,8 +61,8 @@ impl Holder<'_> {
     }
 }
 
-/// What a body at `path` is held by, in the order of its constraints: the motions that it follows without springs, then its
-/// pins.
+/// What a body at `path` is held by, in the order of its constraints: the motions that it follows without springs, then
+/// its pins.
 pub(super) fn holders<'a>(pins: &'a [Pin], follows: &'a [Follow], path: &str) -> Vec<Holder<'a>> {
     let pins = pins.iter().enumerate();
     let pins = pins.map(|(k, pin)| Holder { pointer: format!("{path}/pins/{k}"), what: "pin", id: &pin.id });
@@ -179,8 +179,8 @@ fn conflict(one: &Constraint, other: &Constraint, spacing: f64) -> Option<(usize
     (furthest.1 > 1e-6 * spacing).then_some((shared.len(), furthest.0, furthest.1, furthest.2))
 }
 
-/// The speed [m/s] of a pin that outruns its body, and when [s]; none where the body can follow. A move of less than half
-/// a spacing may be as sudden as it likes.
+/// The speed [m/s] of a pin that outruns its body, and when [s]; none where the body can follow. A move of less than
+/// half a spacing may be as sudden as it likes.
 fn leap(constraint: &Constraint, following: Following) -> Option<(f64, f64)> {
     let window = following.spacing / following.speed;
     let locked = |x: DVec3| DVec3::select(constraint.locked, x, DVec3::ZERO);

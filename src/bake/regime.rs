@@ -1,4 +1,5 @@
-//! Values that a scene may have but that no solid has, or for which small strains do not hold: mostly a unit that was mistaken.
+//! Values that a scene may have but that no solid has, or for which small strains do not hold: mostly a unit that was
+//! mistaken.
 
 use super::note::Note;
 use crate::scene::{Body, Scene};

@@ -7,8 +7,8 @@ use crate::geometry::thinness::least_eigenvalue;
 use crate::scene::Body;
 use glam::{DMat3, DVec3};
 
-/// By how much a section whose particles stand for parts of cells bends too easily and twists too easily or too hard, at most,
-/// times its layers squared. Measured by `sections_of_every_kind` in `tests/physics`.
+/// By how much a section whose particles stand for parts of cells bends too easily and twists too easily or too hard,
+/// at most, times its layers squared. Measured by `sections_of_every_kind` in `tests/physics`.
 const BENDING: f64 = 2.9;
 const TORSION: f64 = 2.3;
 

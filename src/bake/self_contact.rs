@@ -17,8 +17,8 @@ pub(super) fn of_solid(body: &Body, law: &ContactLaw, points: &[DVec3]) -> Optio
     Some(contact(law, touching.collect()))
 }
 
-/// Contact of a two-layer body with itself: its particles are balls as large as the mean edge of their layer is long, so
-/// that none slips through between two of them.
+/// Contact of a two-layer body with itself: its particles are balls as large as the mean edge of their layer is long,
+/// so that none slips through between two of them.
 pub(super) fn of_two_layer(body: &TwoLayer, law: &ContactLaw, model: &LayerModel) -> Option<SelfContact> {
     if !body.self_contact {
         return None;

@@ -134,8 +134,9 @@ impl Placing<'_> {
         Some(PlacedSheet { sheet: index, shape, embedding, active: count })
     }
 
-    /// Moves vertices of a grid that lie too far outside, and between others of their row or column that do not, towards the
-    /// particles; gives their number. Where none holds, the sheet runs along the outside, and all are moved.
+    /// Moves vertices of a grid that lie too far outside, and between others of their row or column that do not,
+    /// towards the particles; gives their number. Where none holds, the sheet runs along the outside, and all are
+    /// moved.
     fn slide(&self, shape: &mut SheetShape) -> usize {
         let holds: Vec<bool> = shape.points.iter().map(|&at| self.holds(at)).collect();
         let none = !holds.contains(&true);

@@ -7,7 +7,8 @@ use std::fmt;
 /// [`BakeError::Cancelled`].
 pub(super) type Tell<'a> = dyn FnMut(&str, BakeStage) -> Result<(), BakeError> + 'a;
 
-/// Does a piece of work of a stage that asks again and again whether it is still wanted, and gives none where it is not.
+/// Does a piece of work of a stage that asks again and again whether it is still wanted, and gives none where it is
+/// not.
 ///
 /// # Errors
 /// [`BakeError::Cancelled`] there.

@@ -73,15 +73,15 @@ pub(super) fn step_plan(scene: &Scene, drafts: &[Draft], colliders: &[Collider])
 /// Share of a particle's reach by which it comes nearer to a collider in a step.
 const NEARER: f64 = 0.1;
 
-/// Greatest step [s] in which a body at its present speed is not flung past a collider of this greatest speed [m/s]; none
-/// where neither moves.
+/// Greatest step [s] in which a body at its present speed is not flung past a collider of this greatest speed [m/s];
+/// none where neither moves.
 fn meeting_step(draft: &Draft, fastest: f64) -> Option<f64> {
     let own = draft.parts.state.velocities.iter().map(|v| v.length()).fold(0.0, f64::max);
     (own + fastest > 0.0).then(|| NEARER * draft.parts.reach / (own + fastest))
 }
 
-/// Greatest outer step [s] that resolves the contact of panels with bodies whose own steps are not bounded; those of all
-/// others resolve it by themselves.
+/// Greatest outer step [s] that resolves the contact of panels with bodies whose own steps are not bounded; those of
+/// all others resolve it by themselves.
 fn stable_panel_step(drafts: &[Draft]) -> f64 {
     let unbounded = drafts.iter().filter(|draft| draft.parts.stable_dt.is_infinite());
     let steps = unbounded.map(|draft| {

@@ -104,8 +104,8 @@ pub(super) fn constraints(
     Ok(found)
 }
 
-/// A prescribed motion of what starts at `start` [m]; a turn without an origin goes about the middle of that, and `rest` is what
-/// shares of an extent are of.
+/// A prescribed motion of what starts at `start` [m]; a turn without an origin goes about the middle of that, and
+/// `rest` is what shares of an extent are of.
 pub(super) fn motion(motion: &Motion, drives: &[SharedDrive], rest: &[DVec3], start: &[DVec3]) -> PrescribedMotion {
     let course =
         |start: f64, duration: f64, easing: Easing| Course { start, duration, smooth: easing == Easing::Smooth };

@@ -251,9 +251,9 @@ fn active_springs(
     Ok(all)
 }
 
-/// By what factor gas is stiffer where active springs have made the body as small as they ever do: a body that is shorter by
-/// a share c all over has `1 / (1 - c)²` times the slope of its pressure by a move, in two dimensions and in three. Taken of the
-/// mean over the structural springs.
+/// By what factor gas is stiffer where active springs have made the body as small as they ever do: a body that is
+/// shorter by a share c all over has `1 / (1 - c)²` times the slope of its pressure by a move, in two dimensions and in
+/// three. Taken of the mean over the structural springs.
 fn squeeze(active: &[ActiveSprings], springs: &Springs, positions: &[DVec3]) -> f64 {
     let structural = springs.groups().iter().filter(|group| group.kind == SpringKind::Structural);
     let mut lengths = vec![0.0; springs.ends().len()];
@@ -290,7 +290,8 @@ fn encloses(gas: &[Pressure], state: &ParticleState, path: &str) -> Result<(), B
     }
 }
 
-/// What a contact asks of the time step: the lightest of the first `touching` particles touches something that does not give.
+/// What a contact asks of the time step: the lightest of the first `touching` particles touches something that does not
+/// give.
 fn touched(state: &ParticleState, touching: usize, law: &ContactLaw) -> Grab {
     let lightest = (0..touching).min_by(|&a, &b| state.masses[a].total_cmp(&state.masses[b])).unwrap_or(0);
     Grab {

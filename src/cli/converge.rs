@@ -247,8 +247,8 @@ impl Study {
     }
 }
 
-/// The order p and the value a of `a + c D^p` that come nearest to values at some spacings D, by least squares over a fine net
-/// of orders. None with fewer than three, or where none of the orders does better than those beside it.
+/// The order p and the value a of `a + c D^p` that come nearest to values at some spacings D, by least squares over a
+/// fine net of orders. None with fewer than three, or where none of the orders does better than those beside it.
 fn extrapolated(points: &[(f64, f64)]) -> Option<(f64, f64)> {
     const ORDERS: std::ops::RangeInclusive<u32> = 20..=500;
     if points.len() < 3 || points.iter().any(|(_, value)| !value.is_finite()) {

@@ -28,8 +28,8 @@ pub(super) struct Drive {
     pub end: RunEnd,
 }
 
-/// A frame after one that took longer is ended in the midst by an interruption; what would have to be kept for that at every
-/// frame is not worth it for shorter ones.
+/// A frame after one that took longer is ended in the midst by an interruption; what would have to be kept for that at
+/// every frame is not worth it for shorter ones.
 const LONG: Duration = Duration::from_millis(200);
 
 /// Says what has gained energy that nothing gave it and was not `told` of before.
@@ -44,8 +44,8 @@ pub(super) fn warn_unbalanced(world: &World, told: &mut Vec<String>, console: &m
     }
 }
 
-/// Advances `runner` by at most `frames` frames; `each` sees it before the first and after every frame. An interruption ends it
-/// with the frame before, or with the one at hand where they are short.
+/// Advances `runner` by at most `frames` frames; `each` sees it before the first and after every frame. An interruption
+/// ends it with the frame before, or with the one at hand where they are short.
 ///
 /// # Errors
 /// What `each` gives, at once.

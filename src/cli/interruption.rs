@@ -1,8 +1,8 @@
 //! Interruptions: Ctrl-C and what asks a program to end.
 //!
-//! Before a run there is nothing to lose, and the program ends at once. While it runs, the first signal ends it in order, at
-//! the end of the frame or step at hand, so that what was computed until then can be written; a second one ends it at
-//! once.
+//! Before a run there is nothing to lose, and the program ends at once. While it runs, the first signal ends it in
+//! order, at the end of the frame or step at hand, so that what was computed until then can be written; a second one
+//! ends it at once.
 
 #[cfg(unix)]
 use crate::io::heeds;

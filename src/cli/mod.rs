@@ -2,9 +2,9 @@
 //!
 //! Results go to standard output; errors, warnings and progress to standard error, one line each. The exit code is 0
 //! when a command has done its work, 2 when its input cannot be used (nothing is written then) 3 when a body diverged
-//! (what was good until then is written all the same) and 4 when there is no graphics driver to make a picture with; 130,
-//! 143 or 129 when SIGINT (Ctrl-C), SIGTERM or, on Linux, SIGHUP ended a run, whose results until then are written and
-//! marked as incomplete.
+//! (what was good until then is written all the same) and 4 when there is no graphics driver to make a picture with;
+//! 130, 143 or 129 when SIGINT (Ctrl-C), SIGTERM or, on Linux, SIGHUP ended a run, whose results until then are written
+//! and marked as incomplete.
 
 mod body_table;
 mod check;

@@ -14,12 +14,12 @@ use std::str::FromStr;
 /// What goes into `--out`, and how.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
 pub(super) struct MotionOptions {
-    /// Formats of the files in --out, as in usd,pc2: usd, pc2, mdd, gltf, obj, ply, csv, or a moving picture, apng or gif; OBJ
-    /// unless given
+    /// Formats of the files in --out, as in usd,pc2: usd, pc2, mdd, gltf, obj, ply, csv, or a moving picture, apng or
+    /// gif; OBJ unless given
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     format: Vec<FormatName>,
-    /// First and last frame for --out and --png, as in 10..60; all unless given. The run ends with the last unless --seconds
-    /// is given
+    /// First and last frame for --out and --png, as in 10..60; all unless given. The run ends with the last unless
+    /// --seconds is given
     #[arg(long, value_name = "A..B")]
     pub(super) frames: Option<FrameRange>,
     /// Write every so many frames only, counted anew: what is written lasts as long

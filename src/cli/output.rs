@@ -14,7 +14,8 @@ pub(super) fn inputs(file: Option<&Path>, scene: &Scene) -> Inputs {
     Inputs::of(file, folder_of(file), scene)
 }
 
-/// Looks whether the files that options name can be written and are all different, and different from those that are read.
+/// Looks whether the files that options name can be written and are all different, and different from those that are
+/// read.
 ///
 /// # Errors
 /// The first that cannot be written or is named twice.

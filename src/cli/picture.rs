@@ -23,7 +23,8 @@ pub(super) struct Look {
     /// Show material and structure particles in place of skins
     #[arg(long, conflicts_with = "x_ray")]
     pub(super) particles: bool,
-    /// Cut bodies open across X, Y or Z at so many metres: `x=0.01` takes away what lies beyond, `-x=0.01` what lies before
+    /// Cut bodies open across X, Y or Z at so many metres: `x=0.01` takes away what lies beyond, `-x=0.01` what lies
+    /// before
     #[arg(long, value_name = "AXIS=M", allow_hyphen_values = true)]
     pub(super) slice: Option<SliceOption>,
     /// Colours

@@ -214,8 +214,8 @@ pub(super) fn folder_of(source: Option<&Path>) -> &Path {
     source.and_then(Path::parent).unwrap_or(Path::new(""))
 }
 
-/// Loads what a scene refers to and has not been loaded yet, and puts it together, showing what is worked on when it takes
-/// long.
+/// Loads what a scene refers to and has not been loaded yet, and puts it together, showing what is worked on when it
+/// takes long.
 ///
 /// # Errors
 /// A model that cannot be used, or [`CliError::Bake`] with where the scene is from.

@@ -159,8 +159,8 @@ fn beside(
     })
 }
 
-/// The first body, and particle of it, in which two runs differ, and what of it does: its position, its velocity, or a force
-/// that acts on it.
+/// The first body, and particle of it, in which two runs differ, and what of it does: its position, its velocity, or a
+/// force that acts on it.
 fn parting(a: &Runner, b: &Runner) -> Option<String> {
     let mut bodies = a.world().bodies().iter().zip(b.world().bodies());
     bodies.find_map(|(a, b)| {

@@ -224,7 +224,8 @@ impl FrameOutputs {
         found.is_empty()
     }
 
-    /// Writes what was collected, the report and the series where they are made of numbers; gives a line about each file.
+    /// Writes what was collected, the report and the series where they are made of numbers; gives a line about each
+    /// file.
     fn finish(
         mut self,
         args: &Simulate,

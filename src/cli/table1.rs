@@ -140,8 +140,8 @@ pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliEr
     Ok(if diverged { Outcome::Diverged } else { Outcome::Done })
 }
 
-/// Whether a scene is run under an integrator too: by leap-frog, beside which others are seen, with fibres implicit where it has
-/// any, and under the one that was chosen for it.
+/// Whether a scene is run under an integrator too: by leap-frog, beside which others are seen, with fibres implicit
+/// where it has any, and under the one that was chosen for it.
 fn suits(kind: IntegratorKind, row: &Row) -> bool {
     match kind {
         IntegratorKind::LeapFrog => true,

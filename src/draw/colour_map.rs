@@ -1,10 +1,10 @@
 //! Colours that stand for values: one map from dark violet over green-blue to pale yellow, and one for values of either
 //! sign, from blue over a pale grey to red.
 //!
-//! Both are curves of this crate's own in OKLCH (Ottosson 2020). The first grows steadily lighter, so that it can be read in
-//! grey and with any kind of colour vision; the second grows darker from its middle, alike on both sides, by hues that most
-//! eyes tell apart. They are cut into tables of steps of equal length in OKLab: equal differences of the value look equally
-//! different, wherever they lie.
+//! Both are curves of this crate's own in OKLCH (Ottosson 2020). The first grows steadily lighter, so that it can be
+//! read in grey and with any kind of colour vision; the second grows darker from its middle, alike on both sides, by
+//! hues that most eyes tell apart. They are cut into tables of steps of equal length in OKLab: equal differences of the
+//! value look equally different, wherever they lie.
 
 use super::Colour;
 use crate::geometry::rig::Rig;
@@ -70,8 +70,8 @@ pub(crate) fn colour(place: f32) -> Colour {
     colours()[entry(place)]
 }
 
-/// The colour of a signed value's place in its range, -1 to 1: cool below zero, pale at it, warm above. What lies outside
-/// has the colour of an end, what is no number that of zero.
+/// The colour of a signed value's place in its range, -1 to 1: cool below zero, pale at it, warm above. What lies
+/// outside has the colour of an end, what is no number that of zero.
 pub(crate) fn signed_colour(place: f32) -> Colour {
     let place = if place.is_nan() { 0.0 } else { place };
     signed_colours()[entry(0.5 + 0.5 * place)]

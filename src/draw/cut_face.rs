@@ -11,14 +11,14 @@ use glam::{DVec3, Vec2};
 const SHADE: f32 = 0.62;
 const OPACITY: f32 = 0.6;
 
-/// Distance within which particles give it the colour of a field, in particle spacings D, and the edges of its triangles
-/// then, at most so many of them.
+/// Distance within which particles give it the colour of a field, in particle spacings D, and the edges of its
+/// triangles then, at most so many of them.
 const REACH: f64 = 1.5;
 const EDGE: f64 = 0.5;
 const MOST_TRIANGLES: usize = 40_000;
 
-/// The face of a body with a skin where the list cuts it open, with the colours of a field over its range if there is one;
-/// none where the cut misses it.
+/// The face of a body with a skin where the list cuts it open, with the colours of a field over its range if there is
+/// one; none where the cut misses it.
 pub(super) fn cut_face(
     body: &BodySnapshot,
     skin: &Mesh,
@@ -64,8 +64,8 @@ pub(super) fn cut_face(
     Some(Mesh { faces, colour, tints, surface, casts_shadow: false, pick: 0 })
 }
 
-/// Values at places from those at particles: the mean of those near it, the nearer the heavier; where none is, that of the
-/// nearest of all.
+/// Values at places from those at particles: the mean of those near it, the nearer the heavier; where none is, that of
+/// the nearest of all.
 fn means(places: &[DVec3], particles: &[DVec3], values: &[f64], reach: f64) -> Vec<f64> {
     let grid = PointGrid::new(particles, reach);
     let mean = |&place: &DVec3| {

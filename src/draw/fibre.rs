@@ -14,7 +14,8 @@ const FIBRE_RADIUS: f64 = 0.22;
 const SELECTED_RADIUS: f64 = 0.32;
 const STRUCTURE_RADIUS: f64 = 0.30;
 const BREAK_RADIUS: f64 = 0.40;
-/// Where a vertex has come apart both ends are drawn back so far, in particle spacings, and at most by this share of an edge.
+/// Where a vertex has come apart both ends are drawn back so far, in particle spacings, and at most by this share of an
+/// edge.
 const BREAK_GAP: f64 = 0.55;
 const MOST_GAP: f32 = 0.7;
 /// Share by which a fibre is drawn as if it were shorter at most: it bulges to twice its radius.
@@ -30,14 +31,16 @@ pub(super) struct FibreShape<'a> {
     pub(super) breaks: Vec<BreakPlace>,
     /// What its edges carry [N], with the end of the range; none where that is not asked for.
     pub(super) tensions: Option<(f64, &'a [f64])>,
-    /// The drive of its edges and the share by which that has them want to be shorter; none where that is not asked for.
+    /// The drive of its edges and the share by which that has them want to be shorter; none where that is not asked
+    /// for.
     pub(super) activations: Option<&'a [[f64; 2]]>,
     /// Its own colour.
     pub(super) colour: Colour,
 }
 
 impl FibreShape<'_> {
-    /// The vertices of its unbroken parts. Parts that a vertex has come apart at share it, those that an edge has do not.
+    /// The vertices of its unbroken parts. Parts that a vertex has come apart at share it, those that an edge has do
+    /// not.
     fn parts(&self) -> Vec<Range<usize>> {
         let mut cuts: Vec<(usize, usize)> = self
             .breaks
@@ -83,8 +86,8 @@ impl FibreShape<'_> {
         self.breaks.iter().filter_map(at).collect()
     }
 
-    /// Colours of points along its vertices, as [`Tube::along`] counts from vertex `first`: by what its edges carry, or by their
-    /// drive from 0 to 1.
+    /// Colours of points along its vertices, as [`Tube::along`] counts from vertex `first`: by what its edges carry, or
+    /// by their drive from 0 to 1.
     fn tints(&self, along: &[f32], first: usize) -> Vec<[u8; 3]> {
         let of = |place: f32| match (self.tensions, self.activations) {
             (Some((range, tensions)), _) => {
@@ -100,7 +103,8 @@ impl FibreShape<'_> {
         along.iter().filter_map(|&place| of(place)).collect()
     }
 
-    /// Has a tube of this radius [m] bulge where its edges want to be shorter, so that it keeps its volume: r / sqrt(1 - c).
+    /// Has a tube of this radius [m] bulge where its edges want to be shorter, so that it keeps its volume: r /
+    /// sqrt(1 - c).
     fn bulge(&self, tube: &mut Tube, radius: f32, first: usize) {
         let Some(activations) = self.activations else { return };
         for (vertex, &place) in tube.vertices.iter_mut().zip(&tube.along) {
@@ -111,8 +115,8 @@ impl FibreShape<'_> {
     }
 }
 
-/// What stands in the middles of edges, at a place along vertices that [`Tube::along`] counts from vertex `first`: from middle
-/// to middle it changes evenly. Nothing of no edges.
+/// What stands in the middles of edges, at a place along vertices that [`Tube::along`] counts from vertex `first`: from
+/// middle to middle it changes evenly. Nothing of no edges.
 fn between(count: usize, value: impl Fn(usize) -> f64, place: f32, first: usize) -> Option<f64> {
     let last = count.checked_sub(1)?;
     let at = (f64::from(place) + first as f64 - 0.5).clamp(0.0, last as f64);

@@ -122,8 +122,8 @@ pub enum SurfaceStyle {
     Solid,
     /// See-through in its middle and denser towards its outline; what lies inside shows and is picked first.
     XRay,
-    /// Lit from whichever side it is seen, at the colour's opacity and denser where it is seen aslant; what lies behind shines
-    /// through.
+    /// Lit from whichever side it is seen, at the colour's opacity and denser where it is seen aslant; what lies behind
+    /// shines through.
     Film,
     /// One even tone at the colour's opacity, seen from both sides: walls, ghosts.
     Faint,
@@ -201,7 +201,8 @@ pub struct PickId {
     pub body: u32,
     /// What it is.
     pub kind: PickKind,
-    /// Which one: of the body's fibres, sheets or particles, of the fibre's vertices, of the scene's panels or colliders; 0 for a skin.
+    /// Which one: of the body's fibres, sheets or particles, of the fibre's vertices, of the scene's panels or
+    /// colliders; 0 for a skin.
     pub index: u32,
 }
 

@@ -134,8 +134,8 @@ impl Theme {
         Colour::oklch(self.fibre_tone[0], self.fibre_tone[1], turns)
     }
 
-    /// For small pictures in galleries: before one ground that looks well in bright and in dark surroundings, and with ghosts
-    /// that leave what they cover its colour.
+    /// For small pictures in galleries: before one ground that looks well in bright and in dark surroundings, and with
+    /// ghosts that leave what they cover its colour.
     pub const fn gallery() -> Self {
         let ground = Colour::hex(0x3a_414b);
         let ghost = Colour::hex(0xd0_d6de).with_alpha(0.13);

@@ -18,7 +18,8 @@ pub enum Command {
     },
     /// Adds a body of either kind; its identifier must be new among bodies of both.
     AddBody(OwnedBody),
-    /// Puts a body in the place of the one of its kind with the same identifier, called by what was done, such as "Scale".
+    /// Puts a body in the place of the one of its kind with the same identifier, called by what was done, such as
+    /// "Scale".
     SetBody {
         /// What undo and redo call it, before the body's name.
         verb: String,

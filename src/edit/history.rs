@@ -84,8 +84,8 @@ impl Editor {
         Ok(())
     }
 
-    /// Gives up a gesture that is still the last thing that happened: the document is what it was before it, and what could
-    /// be done again then still can. False if it changed nothing.
+    /// Gives up a gesture that is still the last thing that happened: the document is what it was before it, and what
+    /// could be done again then still can. False if it changed nothing.
     pub fn abandon(&mut self, gesture: u64) -> bool {
         let Some(step) = self.undo.pop_if(|step| step.gesture == Some(gesture)) else { return false };
         self.scene = step.scene;
@@ -135,8 +135,8 @@ impl Editor {
         self.saved = Some(Arc::clone(&self.scene));
     }
 
-    /// Remembers that no file holds the document, whatever becomes of it until it is saved: it was recovered, or its file
-    /// was changed or removed by another program.
+    /// Remembers that no file holds the document, whatever becomes of it until it is saved: it was recovered, or its
+    /// file was changed or removed by another program.
     pub fn mark_unsaved(&mut self) {
         self.saved = None;
     }

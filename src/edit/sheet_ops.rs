@@ -1,8 +1,9 @@
-//! What can be done to a sheet: pure functions from a sheet to the sheet as it is to be, for a [`Command`](super::Command) to put
-//! into the document.
+//! What can be done to a sheet: pure functions from a sheet to the sheet as it is to be, for a
+//! [`Command`](super::Command) to put into the document.
 //!
-//! As with fibres, strokes stay strokes where some pair of them gives what is asked for: under moves, scalings, and turns and
-//! mirrorings that take axes to axes. Under any other they become the rows of vertices with which they were simulated.
+//! As with fibres, strokes stay strokes where some pair of them gives what is asked for: under moves, scalings, and
+//! turns and mirrorings that take axes to axes. Under any other they become the rows of vertices with which they were
+//! simulated.
 
 use super::fibre_ops::{FibreEditError, Sampling, Transform};
 use crate::scene::{GrainAlong, Material, Sheet, SheetSource, SheetStiffness, SheetTriangles, SweptStrokes};
@@ -91,8 +92,8 @@ fn numbers(source: &SheetSource) -> Box<dyn Iterator<Item = [f64; 3]> + '_> {
     }
 }
 
-/// A copy under the first free identifier and name: "sheet-2" and "Sheet 2" after "sheet-1". `among` are the sheets of the body
-/// that it goes into.
+/// A copy under the first free identifier and name: "sheet-2" and "Sheet 2" after "sheet-1". `among` are the sheets of
+/// the body that it goes into.
 pub fn copy(sheet: &Sheet, among: &[Sheet]) -> Sheet {
     let stem = |text: &str, joint: char| {
         text.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches(joint).trim().to_owned()

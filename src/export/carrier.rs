@@ -1,8 +1,8 @@
 //! How the vertices of a file ride on the particles of a body.
 //!
-//! Each of them is embedded by itself, where the file has it, as the points of a skin are. So those at the same place move
-//! alike, the surface of the picture and this one are the same wherever nothing was repaired, and vertices that no face
-//! uses, or of pieces that enclose nothing, go along.
+//! Each of them is embedded by itself, where the file has it, as the points of a skin are. So those at the same place
+//! move alike, the surface of the picture and this one are the same wherever nothing was repaired, and vertices that no
+//! face uses, or of pieces that enclose nothing, go along.
 
 use crate::geometry::file_mesh::FileMesh;
 use crate::geometry::kernel::Kernel;

@@ -3,8 +3,9 @@
 use crate::solver::body::FibreLine;
 use glam::DVec3;
 
-/// Mean directions of the fibres at particles at `positions` [m]: of every edge, by the weights with which a particle carries
-/// its ends. A fibre has no front, so that those that run the other way count as if they did not. Zero where there is none.
+/// Mean directions of the fibres at particles at `positions` [m]: of every edge, by the weights with which a particle
+/// carries its ends. A fibre has no front, so that those that run the other way count as if they did not. Zero where
+/// there is none.
 pub(super) fn fibre_directions(fibres: &[FibreLine], positions: &[DVec3]) -> Vec<DVec3> {
     let mut sums = vec![DVec3::ZERO; positions.len()];
     for fibre in fibres {

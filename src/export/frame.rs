@@ -85,8 +85,8 @@ fn lost<const N: usize>(all: impl IntoIterator<Item = [f64; N]>, in_single: bool
 }
 
 impl Frame {
-    /// The first value that is no number, or none in single precision where that is what is written; as a message calls it, and
-    /// what it is.
+    /// The first value that is no number, or none in single precision where that is what is written; as a message calls
+    /// it, and what it is.
     pub(crate) fn not_finite(&self, in_single: bool, name: impl Fn(usize) -> String) -> Option<(String, String)> {
         let vectors = |all: &[DVec3]| lost(all.iter().map(DVec3::to_array), in_single);
         let scalars = |all: &[f64]| lost(all.iter().map(|&value| [value]), in_single);

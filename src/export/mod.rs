@@ -1,5 +1,5 @@
-//! A motion as other programs take it: every body's surface on the vertices of the file that it is from, in their order; its
-//! fibres with what they carry; its particles with their fields. Plain data; [`crate::io`] writes it.
+//! A motion as other programs take it: every body's surface on the vertices of the file that it is from, in their
+//! order; its fibres with what they carry; its particles with their fields. Plain data; [`crate::io`] writes it.
 
 mod carrier;
 mod fibre_directions;

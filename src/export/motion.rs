@@ -41,7 +41,8 @@ impl Motion {
         Self { subject, carriers, normals, wanted, step: 1 }
     }
 
-    /// Of which only every so many frames are taken: each lasts as many times as long, and they are counted without the rest.
+    /// Of which only every so many frames are taken: each lasts as many times as long, and they are counted without the
+    /// rest.
     pub(crate) fn every(mut self, step: u64) -> Self {
         self.subject.frame_seconds *= step as f64;
         self.step = step;

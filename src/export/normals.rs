@@ -1,8 +1,8 @@
 //! Normals of a file on a mesh that has moved.
 //!
-//! A normal that an artist has set is seldom that of the faces around it. What is known of the motion is where the faces are:
-//! the corners of a vertex that share a normal go along with the mean of their faces, by the shortest turn from where that
-//! pointed at rest to where it points now. At rest they are the file's own, to the last bit.
+//! A normal that an artist has set is seldom that of the faces around it. What is known of the motion is where the
+//! faces are: the corners of a vertex that share a normal go along with the mean of their faces, by the shortest turn
+//! from where that pointed at rest to where it points now. At rest they are the file's own, to the last bit.
 
 use crate::geometry::file_mesh::{CornerValues, FileMesh, face_normals};
 use glam::{DQuat, DVec3};

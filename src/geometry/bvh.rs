@@ -36,8 +36,8 @@ impl Node {
         self.second == 0
     }
 
-    /// Index of the first node behind it that is not below it: a walk through the nodes in order goes on there where it does
-    /// not enter this one.
+    /// Index of the first node behind it that is not below it: a walk through the nodes in order goes on there where it
+    /// does not enter this one.
     pub(crate) fn next(&self) -> usize {
         self.next as usize
     }

@@ -1,8 +1,8 @@
 //! Faces that close the holes of a surface.
 //!
-//! A hole is a ring of edges. A fan closes it, or a band that closes it together with another hole: an open tube with walls
-//! has a ring outside and one inside at each end, and the narrow band between the two takes far less of the sky than two
-//! discs, one on top of the other.
+//! A hole is a ring of edges. A fan closes it, or a band that closes it together with another hole: an open tube with
+//! walls has a ring outside and one inside at each end, and the narrow band between the two takes far less of the sky
+//! than two discs, one on top of the other.
 
 use super::edges::{Edges, balance};
 use glam::DVec3;
@@ -114,8 +114,8 @@ fn bands(points: &[DVec3], rings: &[Vec<u32>]) -> (Vec<[u32; 3]>, BTreeSet<usize
     (faces, banded)
 }
 
-/// Faces between two rings, which run opposite ways around it: from a pair of near points on, one edge after the other, the
-/// one whose far end lies nearer first.
+/// Faces between two rings, which run opposite ways around it: from a pair of near points on, one edge after the other,
+/// the one whose far end lies nearer first.
 fn band(points: &[DVec3], a: &[u32], b: &[u32]) -> Vec<[u32; 3]> {
     let at = |i: u32| points[i as usize];
     let distance = |i: u32, j: u32| at(i).distance_squared(at(j));

@@ -1,9 +1,9 @@
 //! A filled shape without its hollows: which particles stay, and whether its walls hold.
 //!
-//! A particle stays where its centre lies in no hollow. It feels only those that no hollow lies between, so that walls are
-//! judged by these: one whose neighbours lie on a plane or a line, or are too few, cannot be held in place. At the rim of an
-//! opening a hollow runs out into the open and any wall ends in an edge; there such particles are left out. Anywhere else
-//! they are a wall of a single layer.
+//! A particle stays where its centre lies in no hollow. It feels only those that no hollow lies between, so that walls
+//! are judged by these: one whose neighbours lie on a plane or a line, or are too few, cannot be held in place. At the
+//! rim of an opening a hollow runs out into the open and any wall ends in an edge; there such particles are left out.
+//! Anywhere else they are a wall of a single layer.
 
 use super::hollows::{Hollow, Hollows};
 use super::lattice::LatticeSample;

@@ -34,8 +34,8 @@ impl DrawnSurface {
         Self { points: mesh.positions, point_of, triangles: mesh.triangles, ..Self::default() }
     }
 
-    /// The surface of a body with hollows: what lies in a hollow is cut out, and their walls are added, turned into them, as
-    /// far as `is_solid` has them inside the body. Edges there are about `edge` [m] long.
+    /// The surface of a body with hollows: what lies in a hollow is cut out, and their walls are added, turned into
+    /// them, as far as `is_solid` has them inside the body. Edges there are about `edge` [m] long.
     pub(crate) fn hollowed(mut self, hollows: &Hollows, edge: f64, is_solid: &(dyn Fn(DVec3) -> bool + Sync)) -> Self {
         let mut walls = Vec::new();
         for (k, shape) in hollows.shapes().enumerate() {
@@ -57,7 +57,8 @@ impl DrawnSurface {
         self.without_unused()
     }
 
-    /// Halves edges longer than `edge` [m] of triangles that `near` has by the corners of their boxes, until none is left.
+    /// Halves edges longer than `edge` [m] of triangles that `near` has by the corners of their boxes, until none is
+    /// left.
     fn refine(&mut self, edge: f64, near: &dyn Fn(DVec3, DVec3) -> bool) {
         for _ in 0..ROUNDS {
             let mut halved: HashSet<[u32; 2]> = HashSet::new();
@@ -120,7 +121,8 @@ impl DrawnSurface {
         }
     }
 
-    /// The share of the way from one vertex to another at which an edge changes sides; `inside` tells on which it starts.
+    /// The share of the way from one vertex to another at which an edge changes sides; `inside` tells on which it
+    /// starts.
     fn leaves(&self, keep: &dyn Fn(DVec3) -> bool, [one, other]: [u32; 2], inside: bool) -> f64 {
         let (a, b) = (self.at(one), self.at(other));
         let (mut from, mut to) = (0.0, 1.0);

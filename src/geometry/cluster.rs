@@ -19,7 +19,8 @@ pub(crate) struct Cluster {
 /// enclose something together.
 const GAPS: f64 = 0.25;
 
-/// Groups those of the pieces that `keep` accepts, by the first piece of each group. The boxes of two groups touch nowhere.
+/// Groups those of the pieces that `keep` accepts, by the first piece of each group. The boxes of two groups touch
+/// nowhere.
 pub(crate) fn clusters(pieces: &[Piece], keep: impl Fn(usize) -> bool) -> Vec<Cluster> {
     let alone = |index: usize| {
         let Piece { min, max, closed, .. } = pieces[index];

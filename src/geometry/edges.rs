@@ -81,7 +81,8 @@ impl Edges {
     }
 }
 
-/// How often more an edge is run along forwards than backwards, where `flipped` tells which faces are turned round first.
+/// How often more an edge is run along forwards than backwards, where `flipped` tells which faces are turned round
+/// first.
 pub(crate) fn balance(edge: &[HalfEdge], flipped: &[bool]) -> i64 {
     edge.iter().map(|half| if half.forward == flipped[half.face as usize] { -1 } else { 1 }).sum()
 }

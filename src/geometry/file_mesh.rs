@@ -1,7 +1,7 @@
 //! A mesh as its file has it: every vertex in the file's order, polygons uncut, texture coordinates corner by corner.
 //!
-//! What is filled and drawn is another mesh, cut, split and welded ([`super::model`], [`super::weld`]). Motion that goes back
-//! to the program that the file is from must come on this one, or what hangs on vertices there is lost.
+//! What is filled and drawn is another mesh, cut, split and welded ([`super::model`], [`super::weld`]). Motion that
+//! goes back to the program that the file is from must come on this one, or what hangs on vertices there is lost.
 
 use glam::DVec3;
 use std::ops::Range;
@@ -9,8 +9,8 @@ use std::ops::Range;
 /// Vertices and polygons of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FileMesh {
-    /// Every vertex, those that no face uses included; in the file's unit until the model stands up, in metres after. Those
-    /// that no face uses may be no numbers.
+    /// Every vertex, those that no face uses included; in the file's unit until the model stands up, in metres after.
+    /// Those that no face uses may be no numbers.
     pub points: Vec<DVec3>,
     /// How many corners each face has, three or more.
     pub counts: Vec<u32>,

@@ -90,8 +90,8 @@ const MOST_LAYERS: f64 = 1e8;
 /// Share of the points inside that may be left out at tips.
 const MOST_PRUNED: f64 = 0.05;
 
-/// Rows after which no further spacing is tried, for a closed surface and for one with holes, of which each takes far longer;
-/// and for a closed one faces that were looked at, a row counting as so many.
+/// Rows after which no further spacing is tried, for a closed surface and for one with holes, of which each takes far
+/// longer; and for a closed one faces that were looked at, a row counting as so many.
 const MOST_ROWS: usize = 1_000_000;
 const MOST_LOOKS: f64 = 16e6;
 const LOOKS_A_ROW: f64 = 8.0;

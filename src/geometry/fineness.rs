@@ -38,8 +38,8 @@ pub(crate) struct ThinParts {
     pub wanted: f64,
 }
 
-/// Numbers of particles with which a model opens that nobody has said anything about. The first does for most shapes; up to
-/// the second, for thin parts, it runs in real time on one core; up to the last where much of it would be lost.
+/// Numbers of particles with which a model opens that nobody has said anything about. The first does for most shapes;
+/// up to the second, for thin parts, it runs in real time on one core; up to the last where much of it would be lost.
 const BY_ITSELF: [u32; 3] = [800, 3000, 50_000];
 
 /// Share of the matter that may be thinner than two layers without a word: rims and tips.
@@ -69,8 +69,8 @@ pub(crate) fn by_itself(solid: &Solid, reach: f64) -> Fineness {
     }
 }
 
-/// As few particles as give every part of a solid two layers: from `least` to `usual`, and up to `most` of them where much
-/// of it would be lost otherwise.
+/// As few particles as give every part of a solid two layers: from `least` to `usual`, and up to `most` of them where
+/// much of it would be lost otherwise.
 fn fineness(solid: &Solid, [least, usual, most]: [u32; 3]) -> Fineness {
     let found = Thickness::of(solid);
     let Some(thickness) = found.of_all_but(RIMS) else {

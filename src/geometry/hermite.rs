@@ -42,7 +42,8 @@ impl Hermite {
     }
 }
 
-/// The least and the greatest value of a course that is these cubics one after the other, or straight between these values.
+/// The least and the greatest value of a course that is these cubics one after the other, or straight between these
+/// values.
 pub(crate) fn range_of(values: impl Iterator<Item = f64>, cubics: impl Iterator<Item = Hermite>) -> [f64; 2] {
     let ranges = values.map(|value| [value; 2]).chain(cubics.map(|cubic| cubic.range()));
     ranges.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], [a, b]| [least.min(a), most.max(b)])

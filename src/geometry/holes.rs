@@ -1,10 +1,10 @@
 //! A surface with holes: what its winding number calls inside, row by row.
 //!
-//! Why. The winding number at a point costs a walk through a tree of far fields, and a row through a model asks for dozens.
-//! Hardly any has to be computed: with every hole closed by a cap the surface turns around each point a whole number of
-//! times, which is found by counting what the row crosses. What the caps turn around the point has to be taken from that
-//! again; it is at most the share of the sky that they fill. Where that is too little to matter nothing else is looked at,
-//! and elsewhere only the caps are, of which there are mostly few.
+//! Why. The winding number at a point costs a walk through a tree of far fields, and a row through a model asks for
+//! dozens. Hardly any has to be computed: with every hole closed by a cap the surface turns around each point a whole
+//! number of times, which is found by counting what the row crosses. What the caps turn around the point has to be
+//! taken from that again; it is at most the share of the sky that they fill. Where that is too little to matter nothing
+//! else is looked at, and elsewhere only the caps are, of which there are mostly few.
 
 use super::bvh::Bvh;
 use super::caps::caps;
@@ -66,8 +66,8 @@ pub(crate) struct OpenRow {
 /// Steps along the diagonal in which the rows are looked at.
 const LOOKS: f64 = 24.0;
 
-/// How much nearer to one half, or to being doubtful, a rough winding number may be than it looks: while neither changes it
-/// stands for the exact one.
+/// How much nearer to one half, or to being doubtful, a rough winding number may be than it looks: while neither
+/// changes it stands for the exact one.
 const ROUGH: f64 = 0.06;
 
 /// Steps that find where a winding number passes one half, and how near they come, in steps of the look.
@@ -115,8 +115,8 @@ impl OpenSurface {
         corners.map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()
     }
 
-    /// Whether the row through (y, z) along x comes near: outside of the box around it a surface turns around nothing more
-    /// than half a time.
+    /// Whether the row through (y, z) along x comes near: outside of the box around it a surface turns around nothing
+    /// more than half a time.
     pub(crate) fn is_near(&self, [y, z]: [f64; 2]) -> bool {
         let [min, max] = self.bounds;
         min.y <= y && y <= max.y && min.z <= z && z <= max.z
@@ -208,8 +208,8 @@ impl OpenSurface {
         }
     }
 
-    /// By how much the winding number on a stretch may differ from a whole one, at most: the share of the sky that the caps
-    /// fill if they all face the row, at their nearest.
+    /// By how much the winding number on a stretch may differ from a whole one, at most: the share of the sky that the
+    /// caps fill if they all face the row, at their nearest.
     fn holes_take(&self, [from, to]: [f64; 2], [y, z]: [f64; 2]) -> f64 {
         let (mut sum, mut index) = (0.0, 0);
         while let Some(node) = self.caps_bvh.nodes().get(index) {

@@ -78,7 +78,8 @@ impl Hollow {
         }
     }
 
-    /// Whether a segment passes through it, or ends in it. What only grazes the wall, by less than `slack` [m], does not.
+    /// Whether a segment passes through it, or ends in it. What only grazes the wall, by less than `slack` [m], does
+    /// not.
     pub(crate) fn crosses(&self, [a, b]: [DVec3; 2], slack: f64) -> bool {
         match self {
             Self::Ball { center, radius } => {

@@ -1,7 +1,7 @@
 //! The one test of what is inside: volume, mass and particles all follow from it.
 //!
-//! Inside is what lies in any closed piece of the surface, cavities taken away, or where the pieces with holes turn around
-//! a point more than half a time. It is asked for row by row.
+//! Inside is what lies in any closed piece of the surface, cavities taken away, or where the pieces with holes turn
+//! around a point more than half a time. It is asked for row by row.
 
 use super::holes::OpenSurface;
 use super::row_index::RowIndex;
@@ -33,15 +33,16 @@ struct CountedRow {
 /// What was measured along rows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Measured {
-    /// Volume that the surface with its caps encloses, counted as often as it turns around it, less the volume inside [m³].
+    /// Volume that the surface with its caps encloses, counted as often as it turns around it, less the volume inside
+    /// [m³].
     pub shared: f64,
     /// Volume where inside and outside are not clearly told apart [m³].
     pub doubtful: f64,
 }
 
 impl Inside {
-    /// Sorts oriented faces: those of all closed pieces, each with the span of its piece along x [m], and those with holes,
-    /// a surface for each group of pieces.
+    /// Sorts oriented faces: those of all closed pieces, each with the span of its piece along x [m], and those with
+    /// holes, a surface for each group of pieces.
     pub(crate) fn new(
         points: &[DVec3],
         (closed, spans): (Vec<[u32; 3]>, Vec<[f64; 2]>),
@@ -58,8 +59,8 @@ impl Inside {
         open.fold(closed, |all, open| joined(all, open.row([y, z]).inside))
     }
 
-    /// [`Self::row`] as far as it is asked for from one place along x to another [m]: outside of that it may lack pieces that
-    /// lie there. Of many pieces in a row only those are looked at that reach into it.
+    /// [`Self::row`] as far as it is asked for from one place along x to another [m]: outside of that it may lack
+    /// pieces that lie there. Of many pieces in a row only those are looked at that reach into it.
     pub(crate) fn row_within(&self, points: &[DVec3], row: [f64; 2], part: [f64; 2]) -> Vec<[f64; 2]> {
         let closed = inside_stretches(&crossings_within(points, &self.faces, &self.index, row, part));
         let open = self.open.iter().filter(|open| open.is_near(row));
@@ -93,8 +94,8 @@ impl Inside {
         self.open
     }
 
-    /// What pieces share, so that it counts once, and what is doubtful, within a box that holds whole pieces: summed over
-    /// so many rows, spread evenly.
+    /// What pieces share, so that it counts once, and what is doubtful, within a box that holds whole pieces: summed
+    /// over so many rows, spread evenly.
     pub(crate) fn measure(&self, points: &[DVec3], [min, max]: [DVec3; 2], rows: usize) -> Measured {
         let sums = self.count(points, [min, max], rows);
         let differs = sums.overlaps || !self.open.is_empty();
@@ -150,8 +151,8 @@ fn row_at(k: usize, [min, max]: [DVec3; 2]) -> [f64; 2] {
     [min.y + (max.y - min.y) * share[0], min.z + (max.z - min.z) * share[1]]
 }
 
-/// The first of many places that fill a square ever more evenly, each less than one: none of them lie in line, so that a
-/// plate along the axes is not missed or met by all (Roberts 2018, after the plastic number).
+/// The first of many places that fill a square ever more evenly, each less than one: none of them lie in line, so that
+/// a plate along the axes is not missed or met by all (Roberts 2018, after the plastic number).
 pub(crate) fn spread(k: usize) -> [f64; 2] {
     const PLASTIC: f64 = 1.324_717_957_244_746;
     [PLASTIC.recip(), PLASTIC.powi(2).recip()].map(|step| (0.5 + step * (k as f64 + 1.0)).fract())

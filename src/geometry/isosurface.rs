@@ -23,8 +23,8 @@ const SPREADING: usize = 6;
 /// Share of the way to the mean of its neighbours that a vertex goes in one pass.
 const PACE: f64 = 0.6;
 
-/// Meshes the zero of a field within the box from `min` to `max` [m], on a grid of cells of `cell` [m]. Features must be
-/// at least two cells wide. Normals are the field's.
+/// Meshes the zero of a field within the box from `min` to `max` [m], on a grid of cells of `cell` [m]. Features must
+/// be at least two cells wide. Normals are the field's.
 pub fn isosurface(field: &ScalarField<'_>, min: DVec3, max: DVec3, cell: f64) -> Model {
     let mut net = Net::new(field, min, max, cell);
     for _ in 0..SPREADING {

@@ -12,8 +12,8 @@ pub(crate) fn corners_around(radius: f64, edge: f64) -> usize {
     4 * (0.25 * wanted).round() as usize
 }
 
-/// The surface that a profile leaves as it goes round the axis: points [distance from the axis, height] [m] from the lowest
-/// end, which lies on the axis, to the highest, which does too.
+/// The surface that a profile leaves as it goes round the axis: points [distance from the axis, height] [m] from the
+/// lowest end, which lies on the axis, to the highest, which does too.
 pub(crate) fn spindle(profile: &[[f64; 2]], around: usize) -> TriangleMesh {
     let Some((low, high)) = profile.first().zip(profile.last()) else { return TriangleMesh::default() };
     let mut mesh = TriangleMesh::default();
@@ -33,8 +33,8 @@ pub(crate) fn spindle(profile: &[[f64; 2]], around: usize) -> TriangleMesh {
     mesh
 }
 
-/// The surface that a closed profile leaves as it goes round the axis without touching it: points [distance from the axis,
-/// height] [m], rising where they are outermost.
+/// The surface that a closed profile leaves as it goes round the axis without touching it: points [distance from the
+/// axis, height] [m], rising where they are outermost.
 pub(crate) fn hoop(profile: &[[f64; 2]], around: usize) -> TriangleMesh {
     let mut mesh = TriangleMesh::default();
     rings(profile, around, &mut mesh);

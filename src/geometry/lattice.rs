@@ -50,9 +50,9 @@ const OFFSETS_PER_AXIS: u32 = 4;
 
 /// Fills a box with points of a lattice with unit `axes` at `spacing` [m].
 ///
-/// Along the lattice the box is filled exactly by whole layers: the spacing changes to where its thinnest side is a whole
-/// number of them, and the lattice is stretched along the others. A box askew to the lattice gets the points inside it, for that position of the lattice at which the
-/// sampled volume comes closest to the box's.
+/// Along the lattice the box is filled exactly by whole layers: the spacing changes to where its thinnest side is a
+/// whole number of them, and the lattice is stretched along the others. A box askew to the lattice gets the points
+/// inside it, for that position of the lattice at which the sampled volume comes closest to the box's.
 pub fn fill_box(shape: &Cuboid, spacing: f64, axes: DMat3) -> LatticeSample {
     fill_box_unless(shape, spacing, axes, &mut || false).unwrap_or_else(|| empty(spacing, axes))
 }

@@ -1,8 +1,8 @@
-//! Where a lattice lies in a shape, and how it is stretched: so that flat faces along its axes fall between two layers, and
-//! elsewhere so that the particles' volume and second moments come closest to the shape's.
+//! Where a lattice lies in a shape, and how it is stretched: so that flat faces along its axes fall between two layers,
+//! and elsewhere so that the particles' volume and second moments come closest to the shape's.
 //!
-//! How a section bends hangs on its second moments, and a section three spacings wide holds 0.6 to 1.6 of them by where the
-//! lattice falls.
+//! How a section bends hangs on its second moments, and a section three spacings wide holds 0.6 to 1.6 of them by where
+//! the lattice falls.
 
 use super::lattice::LatticeSample;
 use super::rows::{Moments, Rows};
@@ -36,8 +36,8 @@ const AGREED: f64 = 0.98;
 /// Quarters of the spacing by which a lattice is moved along axes without flat faces.
 const SHIFTS: i32 = 4;
 
-/// Own second moment of a particle about its centre, in squared spacings. That of a cube is 1/12; what a section of 3 to 6
-/// layers bends too easily is made up for by asking for a little more.
+/// Own second moment of a particle about its centre, in squared spacings. That of a cube is 1/12; what a section of 3
+/// to 6 layers bends too easily is made up for by asking for a little more.
 pub(crate) const OWN_MOMENT: f64 = 0.05;
 
 /// Particles up to which lattices are searched through: where there are more of them, each weighs little.
@@ -49,8 +49,8 @@ impl FittedLattice {
         self.spacing * self.stretch
     }
 
-    /// The lattice that fits a shape best; none where there are so many particles that none is looked for. `progress` is asked
-    /// from time to time whether to go on.
+    /// The lattice that fits a shape best; none where there are so many particles that none is looked for. `progress`
+    /// is asked from time to time whether to go on.
     pub(crate) fn to(
         shape: &dyn Rows,
         spacing: f64,
@@ -231,8 +231,8 @@ pub(crate) fn inverse_factor(a: DMat3) -> DMat3 {
     lower.inverse()
 }
 
-/// Changes of the spacing that are worth a try: none, those that bring flat faces between layers, and, where not all are flat,
-/// some others.
+/// Changes of the spacing that are worth a try: none, those that bring flat faces between layers, and, where not all
+/// are flat, some others.
 fn changes(planes: &[Option<Planes>; 3], spacing: f64) -> Vec<f64> {
     let mut changes = vec![1.0];
     for planes in planes.iter().flatten() {
@@ -290,7 +290,8 @@ impl Planes {
         self.0.last().into_iter().chain(self.0.iter().skip(1).take(DISTANCES)).map(from_lowest)
     }
 
-    /// How a lattice of this spacing [m] is stretched to have them between its layers; none where they do not agree on that.
+    /// How a lattice of this spacing [m] is stretched to have them between its layers; none where they do not agree on
+    /// that.
     fn fitted(&self, spacing: f64) -> Option<Flat> {
         let whole =
             self.distances().map(|distance| stretch_to(distance, (distance / spacing).round().max(1.0), spacing));

@@ -70,8 +70,8 @@ impl SurfaceIndex {
     }
 }
 
-/// The face nearest to a point, the weights of its corners in its nearest point, and that; `bvh` holds the faces. Of those
-/// equally near the first counts.
+/// The face nearest to a point, the weights of its corners in its nearest point, and that; `bvh` holds the faces. Of
+/// those equally near the first counts.
 pub(crate) fn nearest_face(
     points: &[DVec3],
     faces: &[[u32; 3]],
@@ -81,8 +81,8 @@ pub(crate) fn nearest_face(
     nearest_face_within(points, faces, bvh, x, f64::INFINITY)
 }
 
-/// [`nearest_face`], if it is nearer than a distance [m]. What is about as far from everywhere, as the middle of a ball is,
-/// is found soon to be so.
+/// [`nearest_face`], if it is nearer than a distance [m]. What is about as far from everywhere, as the middle of a ball
+/// is, is found soon to be so.
 pub(crate) fn nearest_face_within(
     points: &[DVec3],
     faces: &[[u32; 3]],

@@ -41,8 +41,8 @@ impl PartialEq for Obstacle {
     }
 }
 
-/// Steps in which the place where a way goes in is looked for. Few are needed but by a way that grazes: one that goes less
-/// than a thousandth of its size into a round thing is not followed further.
+/// Steps in which the place where a way goes in is looked for. Few are needed but by a way that grazes: one that goes
+/// less than a thousandth of its size into a round thing is not followed further.
 const MOST_STEPS: u32 = 512;
 
 impl Obstacle {

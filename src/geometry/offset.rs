@@ -37,8 +37,8 @@ pub(crate) struct InsideOut {
 /// The points moved inwards by `distance` [m] along their normals.
 ///
 /// # Errors
-/// [`InsideOut`] where a face would be turned over, faces pass through each other that did not before, or a piece of the
-/// surface be turned inside out as a whole.
+/// [`InsideOut`] where a face would be turned over, faces pass through each other that did not before, or a piece of
+/// the surface be turned inside out as a whole.
 pub(crate) fn moved_inwards(points: &[DVec3], faces: &[[u32; 3]], distance: f64) -> Result<Vec<DVec3>, InsideOut> {
     let normals = point_normals(points, faces);
     let at = |distance: f64| -> Vec<DVec3> { points.iter().zip(&normals).map(|(&x, n)| x - distance * n).collect() };

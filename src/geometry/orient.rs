@@ -53,8 +53,8 @@ const BUDGET: usize = 10_000_000;
 /// Sum of the area vectors over the area, from which on an open piece is a sheet: one for a flat one.
 const FLAT: f64 = 0.9;
 
-/// Points of a piece that are looked at to find out what it lies in: where it touches another one the answer is a matter
-/// of round-off, so most of them decide.
+/// Points of a piece that are looked at to find out what it lies in: where it touches another one the answer is a
+/// matter of round-off, so most of them decide.
 const PROBES: usize = 7;
 
 /// Finds out how to turn the faces so that neighbours agree and every piece has its outside outside. A piece within

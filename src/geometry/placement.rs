@@ -163,9 +163,9 @@ pub(crate) fn prune(solid: &Solid, mut sample: LatticeSample, reach: f64) -> Fil
     Filling { volume_error, thinness: found, pruned: before - sample.points.len(), sample }
 }
 
-/// The same solid filled by a lattice that its faces fit so well that each particle stands for a whole cell, where there is
-/// one. A surface with holes stays as it is, since its rows cost too much. `progress` is asked from time to time whether to go
-/// on.
+/// The same solid filled by a lattice that its faces fit so well that each particle stands for a whole cell, where
+/// there is one. A surface with holes stays as it is, since its rows cost too much. `progress` is asked from time to
+/// time whether to go on.
 pub(crate) fn refilled(
     solid: &Solid,
     filling: Filling,

@@ -58,8 +58,8 @@ pub(crate) struct Around<'a> {
 }
 
 impl Around<'_> {
-    /// Where a point is, and its rate by the unit of the cache's times: through the samples by cubic pieces whose slopes at a
-    /// sample are those between its neighbours.
+    /// Where a point is, and its rate by the unit of the cache's times: through the samples by cubic pieces whose
+    /// slopes at a sample are those between its neighbours.
     pub(crate) fn point(&self, point: u32) -> [DVec3; 2] {
         let PointCache { times, .. } = self.cache;
         let value = |sample: usize| self.cache.value(sample, point);

@@ -1,5 +1,5 @@
-//! Which faces a row along x may meet, found without a walk through a tree: faces as they are seen along x, sorted into the
-//! cells of a grid.
+//! Which faces a row along x may meet, found without a walk through a tree: faces as they are seen along x, sorted into
+//! the cells of a grid.
 
 use glam::{DVec2, DVec3};
 
@@ -69,7 +69,8 @@ impl RowIndex {
         Self::of_spans(points, faces, Vec::new())
     }
 
-    /// Sorts faces each of which counts only where a row runs through its span along x [m]; all do where there are none.
+    /// Sorts faces each of which counts only where a row runs through its span along x [m]; all do where there are
+    /// none.
     pub(crate) fn of_spans(points: &[DVec3], faces: &[[u32; 3]], spans: Vec<[f64; 2]>) -> Self {
         let corners = faces.iter().flatten().map(|&i| points[i as usize]);
         let (low, high) = corners.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(a, b), p| (a.min(p), b.max(p)));

@@ -8,8 +8,8 @@
 use super::row_index::RowIndex;
 use glam::DVec3;
 
-/// Calls `found` with every face that the row through (y, z) along x passes through, where, and +1 where it enters there or
-/// -1 where it leaves; in no order.
+/// Calls `found` with every face that the row through (y, z) along x passes through, where, and +1 where it enters
+/// there or -1 where it leaves; in no order.
 pub(crate) fn visit_crossings(
     points: &[DVec3],
     faces: &[[u32; 3]],
@@ -51,8 +51,8 @@ fn in_order(mut crossings: Vec<(f64, i32)>) -> Vec<(f64, i32)> {
     crossings
 }
 
-/// The stretches of a row with these crossings that lie inside a closed surface, in order: where it turns around the row
-/// at least once.
+/// The stretches of a row with these crossings that lie inside a closed surface, in order: where it turns around the
+/// row at least once.
 pub(crate) fn inside_stretches(crossings: &[(f64, i32)]) -> Vec<[f64; 2]> {
     let mut stretches: Vec<[f64; 2]> = Vec::new();
     let mut depth = 0;

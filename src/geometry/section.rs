@@ -15,14 +15,14 @@ pub(crate) struct Section {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Coordinates are scaled to this extent while they are filled: what lies nearer together than a hundred thousandth of it is
-/// one place.
+/// Coordinates are scaled to this extent while they are filled: what lies nearer together than a hundred thousandth of
+/// it is one place.
 const EXTENT: f32 = 1000.0;
 const TOLERANCE: f32 = 0.01;
 
-/// Fills what a closed surface encloses in the plane of height zero, where pieces overlap once. `height` and `at` are those
-/// of a vertex above the plane and in it, both [m]; seen from above, faces turn outwards counter-clockwise and `at` is
-/// right-handed.
+/// Fills what a closed surface encloses in the plane of height zero, where pieces overlap once. `height` and `at` are
+/// those of a vertex above the plane and in it, both [m]; seen from above, faces turn outwards counter-clockwise and
+/// `at` is right-handed.
 pub(crate) fn section(triangles: &[[u32; 3]], height: impl Fn(u32) -> f32, at: impl Fn(u32) -> Vec2) -> Section {
     // Where an edge passes through the plane, computed alike for both of its faces.
     let crossing = |a: u32, b: u32| {

@@ -214,8 +214,8 @@ impl Skeleton {
         found
     }
 
-    /// The bones of a joint: from where the file shows it to where it shows the joints that hang on it, or to itself where none
-    /// does.
+    /// The bones of a joint: from where the file shows it to where it shows the joints that hang on it, or to itself
+    /// where none does.
     pub(crate) fn bones(&self, joint: usize, worlds: &[Moving]) -> Vec<[DVec3; 2]> {
         let at = |joint: &Joint| worlds[joint.node][0].w_axis.truncate();
         let own = &self.joints[joint];

@@ -41,8 +41,8 @@ const LARGEST: f64 = 1e9;
 /// Open edges closer than this share of the diagonal are gaps that were never meant.
 const GAP: f64 = 1e-5;
 
-/// Rows along which what pieces share is measured, in all; for each face of a group that is measured, and the least for a
-/// group.
+/// Rows along which what pieces share is measured, in all; for each face of a group that is measured, and the least for
+/// a group.
 const ROWS: f64 = 100_000.0;
 const ROWS_EACH: f64 = 64.0;
 const LEAST_ROWS: f64 = 4096.0;
@@ -167,8 +167,8 @@ impl Solid {
         (self.volume / spacing.powi(3)).round() as u32
     }
 
-    /// What the faces enclose follows from their corners; what several pieces share counts once, and is measured along rows
-    /// wherever pieces may.
+    /// What the faces enclose follows from their corners; what several pieces share counts once, and is measured along
+    /// rows wherever pieces may.
     fn measure(&mut self, oriented: &Orientation, crowded: &[bool]) {
         let pieces = &oriented.pieces;
         let points = &self.surface.points;
@@ -262,8 +262,8 @@ fn without_lost(model: &Model, report: &mut ModelReport) -> Model {
 }
 
 /// Leaves one of faces that are there several times. Faces on the same corners that look opposite ways cancel, unless
-/// the whole model is made of such pairs: then it is one surface, drawn from both sides. Where that opens more edges than
-/// it closes the faces are those of parts that have a side in common, and all stay.
+/// the whole model is made of such pairs: then it is one surface, drawn from both sides. Where that opens more edges
+/// than it closes the faces are those of parts that have a side in common, and all stay.
 fn drop_duplicates(surface: &mut Welded, report: &mut ModelReport) {
     let before = surface.faces.len();
     let mut faces = surface.faces.clone();

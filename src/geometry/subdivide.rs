@@ -9,10 +9,10 @@ const FINE: usize = 2500;
 /// Subdivisions, the last ones, that round: what they take off a corner is small beside the mesh.
 const ROUNDING: u32 = 2;
 
-/// Every triangle becomes four until a mesh of `count` vertices is fine, at last by Loop's subdivision (1987), by which the
-/// outline loses its corners: the new vertices as sums of the old ones, and the new faces. The first cuts of a coarse mesh
-/// are flat: Loop's would make a ball a third its size of a tetrahedron. None for a mesh that is fine already. Edges of
-/// holes keep their run.
+/// Every triangle becomes four until a mesh of `count` vertices is fine, at last by Loop's subdivision (1987), by which
+/// the outline loses its corners: the new vertices as sums of the old ones, and the new faces. The first cuts of a
+/// coarse mesh are flat: Loop's would make a ball a third its size of a tetrahedron. None for a mesh that is fine
+/// already. Edges of holes keep their run.
 pub(crate) fn rounded(count: usize, triangles: &[[u32; 3]]) -> Option<(LinearMap, Vec<[u32; 3]>)> {
     let mut whole: Option<(LinearMap, Vec<[u32; 3]>)> = None;
     loop {

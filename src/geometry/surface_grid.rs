@@ -1,8 +1,8 @@
 //! Surfaces of rows of vertices.
 
-/// Triangles of a grid of rows of `to_a_row` vertices, row after row. Diagonals alternate with the sum of column and row, so
-/// that no direction is favoured. The first two vertices of every triangle are neighbours in a row; both others stand across
-/// from one of them.
+/// Triangles of a grid of rows of `to_a_row` vertices, row after row. Diagonals alternate with the sum of column and
+/// row, so that no direction is favoured. The first two vertices of every triangle are neighbours in a row; both others
+/// stand across from one of them.
 pub(crate) fn grid_triangles(to_a_row: usize, rows: usize) -> Vec<[u32; 3]> {
     let at = |column: usize, row: usize| (row * to_a_row + column) as u32;
     let mut triangles = Vec::new();

@@ -1,9 +1,9 @@
 //! How thick a solid is, place by place: what its particles have to be spaced by so that every part has two layers.
 //!
 //! Looked at are points spread evenly through the volume, so that shares of them are shares of the matter. At each the
-//! thickness is the way through it along the normal of the nearest surface, or along that which is the nearest one's at the
-//! middle of this way, where that is less: near the rim of a plate the nearest surface is the rim, from which the way runs
-//! through the whole of it, but at the middle of that way it is the plate's.
+//! thickness is the way through it along the normal of the nearest surface, or along that which is the nearest one's at
+//! the middle of this way, where that is less: near the rim of a plate the nearest surface is the rim, from which the
+//! way runs through the whole of it, but at the middle of that way it is the plate's.
 
 use super::bvh::Bvh;
 use super::inside::spread;
@@ -15,7 +15,8 @@ use rayon::prelude::*;
 /// Thicknesses of a solid.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Thickness {
-    /// Thickness [m], the nearest place of the surface, and the share of the matter that is no thicker; in rising order.
+    /// Thickness [m], the nearest place of the surface, and the share of the matter that is no thicker; in rising
+    /// order.
     places: Vec<(f64, DVec3, f64)>,
 }
 
@@ -121,12 +122,13 @@ impl<'a> Surface<'a> {
         Self { points, faces, bvh, skin, skin_bvh }
     }
 
-    /// How thick the matter around a point is [m], and the nearest place of the surface [m]; none where the ways out run
-    /// through a hole.
+    /// How thick the matter around a point is [m], and the nearest place of the surface [m]; none where the ways out
+    /// run through a hole.
     fn thickness(&self, point: DVec3) -> Option<(f64, DVec3)> {
         let (along, place) = self.normal(point)?;
         let [ahead, back] = self.through(point, along)?;
-        // At the middle of a ball or along the axis of a bar all faces are equally near: none counts but one that is nearer.
+        // At the middle of a ball or along the axis of a bar all faces are equally near: none counts but one that is
+        // nearer.
         let nearer = NEARER * 0.5 * (ahead + back);
         let middle = point + 0.5 * (ahead - back) * along;
         let across = nearest_face_within(self.points, &self.skin, &self.skin_bvh, middle, nearer);
@@ -147,7 +149,8 @@ impl<'a> Surface<'a> {
         Some([self.leaves(point, along)?, self.leaves(point, -along)?])
     }
 
-    /// How far a ray from a point inside runs until the surface no longer turns around it; none if it gets out by a hole.
+    /// How far a ray from a point inside runs until the surface no longer turns around it; none if it gets out by a
+    /// hole.
     fn leaves(&self, from: DVec3, along: DVec3) -> Option<f64> {
         let mut met: Vec<(f64, i32)> = Vec::new();
         self.bvh.visit(

@@ -59,8 +59,8 @@ struct Row {
     width: i32,
 }
 
-/// Lattice steps shorter than `reach`, none left out. They are looked at row by row, as bits: there are dozens of them to
-/// a particle.
+/// Lattice steps shorter than `reach`, none left out. They are looked at row by row, as bits: there are dozens of them
+/// to a particle.
 fn rows_within(reach: f64) -> Vec<Row> {
     // As far as there are bits.
     let n = (reach.ceil() as i32).min(31);

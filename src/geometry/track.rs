@@ -1,4 +1,5 @@
-//! Values at times, and what is between them: stepped, straight, or cubic (Khronos: *glTF 2.0 Specification*, appendix C).
+//! Values at times, and what is between them: stepped, straight, or cubic (Khronos: *glTF 2.0 Specification*, appendix
+//! C).
 
 use glam::{DQuat, DVec4};
 
@@ -70,8 +71,8 @@ enum Place {
     Between(usize, f64, f64),
 }
 
-/// From `a` to `b` with the tangents out of the one and into the other, over a span [s]: the value at `s` of the way and its
-/// rate [1/s].
+/// From `a` to `b` with the tangents out of the one and into the other, over a span [s]: the value at `s` of the way
+/// and its rate [1/s].
 pub(crate) fn cubic<T>([a, from, b, to]: [T; 4], s: f64, span: f64) -> [T; 2]
 where
     T: Copy + std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,

@@ -16,9 +16,9 @@ const FINER: f64 = 0.9;
 pub(crate) const FINER_TRIES: i32 = 6;
 const TRIED: f64 = 60_000.0;
 
-/// The spacing that the solid's thickness asks for, and the first of ever finer ones at which hardly a particle lies in a
-/// single layer, as far as that is soon found out; none if it would take more than `limit` particles. `progress` is asked
-/// before each whether to go on.
+/// The spacing that the solid's thickness asks for, and the first of ever finer ones at which hardly a particle lies in
+/// a single layer, as far as that is soon found out; none if it would take more than `limit` particles. `progress` is
+/// asked before each whether to go on.
 pub(crate) fn two_layer_spacing(
     solid: &Solid,
     spacing: f64,

@@ -13,7 +13,8 @@ pub(crate) const CHANGES: [f64; 2] = [0.8, 1.25];
 /// Stretches that differ from one by less are none.
 const WHOLE: f64 = 1e-9;
 
-/// By how much a spacing [m] is stretched so that a whole number of layers fills a length [m]; exactly one where it does.
+/// By how much a spacing [m] is stretched so that a whole number of layers fills a length [m]; exactly one where it
+/// does.
 pub(crate) fn stretch_to(length: f64, layers: f64, spacing: f64) -> f64 {
     let stretch = length / (layers * spacing);
     if (stretch - 1.0).abs() < WHOLE { 1.0 } else { stretch }

@@ -17,7 +17,8 @@ pub(crate) struct Winding {
     corners: Vec<[DVec3; 3]>,
 }
 
-/// What a group of triangles looks like from afar. Groups stand in the order of the tree's nodes, parents before children.
+/// What a group of triangles looks like from afar. Groups stand in the order of the tree's nodes, parents before
+/// children.
 #[derive(Clone, Copy, Debug)]
 struct Far {
     center: DVec3,

@@ -1,7 +1,9 @@
-//! Moving pictures as APNG, which grows by a picture at a time: browsers play it, and what knows only PNG shows its first.
+//! Moving pictures as APNG, which grows by a picture at a time: browsers play it, and what knows only PNG shows its
+//! first.
 //!
-//! Pictures come as PNG files, whose data goes over as it is. The next one is written behind the file's end; then it takes the
-//! place of that end, and then it is counted at the head: the file is whole whatever ends the run, and wherever it does.
+//! Pictures come as PNG files, whose data goes over as it is. The next one is written behind the file's end; then it
+//! takes the place of that end, and then it is counted at the head: the file is whole whatever ends the run, and
+//! wherever it does.
 
 use super::IoError;
 use super::atomic::Draft;
@@ -92,8 +94,8 @@ impl AnimatedPng {
     }
 }
 
-/// What is written where, one after another, to add a picture with a new end at the old end, so that there are so many then.
-/// After each, and within the first, the file is whole: the old end stays until all but what it hides is there.
+/// What is written where, one after another, to add a picture with a new end at the old end, so that there are so many
+/// then. After each, and within the first, the file is whole: the old end stays until all but what it hides is there.
 fn writes(end: u64, picture: &[u8], pictures: u32) -> [(u64, Vec<u8>); 3] {
     let (first, rest) = picture.split_at(AROUND);
     [

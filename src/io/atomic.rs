@@ -17,8 +17,8 @@ use tempfile::NamedTempFile;
 ///
 /// # Errors
 /// [`IoError::Write`] within [`IoError::InFile`]: the folder is missing or read-only, the disk is full, the path is a
-/// folder, or `content` failed; [`IoError::NotFinite`] within it where `content` met a number that is none. The old file is
-/// untouched then and no temporary file is left.
+/// folder, or `content` failed; [`IoError::NotFinite`] within it where `content` met a number that is none. The old
+/// file is untouched then and no temporary file is left.
 pub fn write_atomically(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), IoError> {
     let _write = tracing::info_span!("write", file = %path.display()).entered();
     replace(path, content).map_err(|error| IoError::of_writing(error).within(path))
@@ -66,8 +66,8 @@ fn sweep_folder(folder: &Path) {
     }
 }
 
-/// Makes a folder, and those above it that are missing, unless it is there; one that is there is rid of what writers left
-/// behind when they were killed.
+/// Makes a folder, and those above it that are missing, unless it is there; one that is there is rid of what writers
+/// left behind when they were killed.
 ///
 /// # Errors
 /// [`IoError::Folder`] within [`IoError::InFile`]: it cannot be made or written to, or the path is a file.
@@ -176,7 +176,8 @@ impl Draft {
         }
         file.as_file().sync_all()?;
         let file = file.persist(&self.target.path).map_err(|error| error.error)?;
-        // The rename itself is on the disk once the folder is. Not every system can open a folder: then it is on its own.
+        // The rename itself is on the disk once the folder is. Not every system can open a folder: then it is on its
+        // own.
         if let Ok(folder) = File::open(self.target.folder()) {
             folder.sync_all().ok();
         }

@@ -4,8 +4,8 @@ use super::read::read_bytes;
 use super::{IoError, write_atomically};
 use std::path::Path;
 
-/// Puts a file of this name and content into a folder, under another name where that is taken by something else. One that
-/// is there already is left alone. Returns the name.
+/// Puts a file of this name and content into a folder, under another name where that is taken by something else. One
+/// that is there already is left alone. Returns the name.
 ///
 /// # Errors
 /// [`IoError::InFile`] with [`IoError::Write`], or [`IoError::Read`] of a folder that cannot be looked into.

@@ -33,8 +33,8 @@ struct Companion {
     source: PathBuf,
 }
 
-/// Puts a scene of this name into a folder, with its models and the files that these name; nothing that is there is written
-/// over. `from` is the folder that the scene's paths are relative to.
+/// Puts a scene of this name into a folder, with its models and the files that these name; nothing that is there is
+/// written over. `from` is the folder that the scene's paths are relative to.
 ///
 /// # Errors
 /// A model that cannot be read or names files that cannot go along, before anything is written; a file that cannot be
@@ -68,8 +68,8 @@ pub(crate) fn collect_scene(scene: &Scene, from: &Path, name: &OsStr, into: &Pat
     Ok(Collected { scene: into.join(name), models: files.len(), missing })
 }
 
-/// A model's own file first, by its name, then those that it names, by their paths from its folder; and the names of those
-/// that are not there.
+/// A model's own file first, by its name, then those that it names, by their paths from its folder; and the names of
+/// those that are not there.
 fn files_of(source: &Path) -> Result<(Vec<Companion>, Vec<String>), IoError> {
     let bytes = read_bytes(source, LARGEST).map_err(|error| error.within(source))?;
     let folder = source.parent().unwrap_or(Path::new(""));

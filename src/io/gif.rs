@@ -1,7 +1,7 @@
 //! Moving pictures as GIF, which grows by a picture at a time: what plays nothing else plays it.
 //!
-//! Pictures come as GIF files of one picture each. The next one is written behind the file's end; then its first byte takes the
-//! place of that end: the file is whole whatever ends the run, and wherever it does.
+//! Pictures come as GIF files of one picture each. The next one is written behind the file's end; then its first byte
+//! takes the place of that end: the file is whole whatever ends the run, and wherever it does.
 
 use super::IoError;
 use super::atomic::Draft;
@@ -51,7 +51,8 @@ impl AnimatedGif {
         self.pictures
     }
 
-    /// Number of frames that they are of: the format shows fifty pictures a second at most, so that some may be left out.
+    /// Number of frames that they are of: the format shows fifty pictures a second at most, so that some may be left
+    /// out.
     pub(crate) fn frames(&self) -> u64 {
         self.frames
     }
@@ -133,7 +134,8 @@ fn delay(number: u64, seconds: f64) -> Option<u16> {
 mod tests {
     use super::*;
 
-    /// One picture, as large as can be counted by eye: the table of two colours of its own, and data that need not be sound.
+    /// One picture, as large as can be counted by eye: the table of two colours of its own, and data that need not be
+    /// sound.
     fn picture(grey: u8) -> Vec<u8> {
         let mut gif = b"GIF89a\x01\0\x01\0\x80\0\0\0\0\0\0\0\0".to_vec();
         gif.extend(b"\x21\xf9\x04\0\x05\0\0\0");

@@ -1,7 +1,7 @@
 //! Which signals are meant for this program.
 
-/// Whether a signal of this number is to end the program: it is not where whoever started the program said so, as `nohup` says
-/// of hang-ups and shells of Ctrl-C to what runs behind them. None where that cannot be told.
+/// Whether a signal of this number is to end the program: it is not where whoever started the program said so, as
+/// `nohup` says of hang-ups and shells of Ctrl-C to what runs behind them. None where that cannot be told.
 pub(crate) fn heeds(signal: i32) -> Option<bool> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     heeded(&status, signal)

@@ -1,5 +1,5 @@
-//! Curves in space as other programs write them: polylines of OBJ, rows of CSV, lists of JSON. Every digit of every number
-//! goes out and comes in.
+//! Curves in space as other programs write them: polylines of OBJ, rows of CSV, lists of JSON. Every digit of every
+//! number goes out and comes in.
 
 use super::json::parse;
 use super::model::load_obj_lines;
@@ -103,8 +103,8 @@ fn write_csv(out: &mut dyn Write, lines: &[NamedLine]) -> csv::Result<()> {
     Ok(table.flush()?)
 }
 
-/// Reads curves. Names in an OBJ file are one word each, of which the part before a dot may be that of a body: `is_body` knows
-/// these.
+/// Reads curves. Names in an OBJ file are one word each, of which the part before a dot may be that of a body:
+/// `is_body` knows these.
 ///
 /// # Errors
 /// [`IoError::InFile`] with what is wrong: another name, no regular file of sensible size, no sense in it, and where.

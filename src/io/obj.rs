@@ -9,7 +9,8 @@ use std::io::{self, Write};
 /// fibres as polylines, every one an object of its own. Coordinates are in metres, world axes, Y up, to the nanometre.
 ///
 /// # Errors
-/// What `out` gives, and [`IoError::NotFinite`](super::IoError::NotFinite) as an [`io::Error`] for a vertex at no place.
+/// What `out` gives, and [`IoError::NotFinite`](super::IoError::NotFinite) as an [`io::Error`] for a vertex at no
+/// place.
 pub fn write_obj(out: &mut dyn Write, snapshot: &Snapshot) -> io::Result<()> {
     writeln!(out, "# sinew, {} s; metres, Y up", snapshot.time)?;
     // OBJ counts the vertices of a file from 1, through all of its objects.

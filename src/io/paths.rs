@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The file or folder that a path leads to, whole and with links followed, for comparing; none where nothing is. The empty
-/// path is the present folder.
+/// The file or folder that a path leads to, whole and with links followed, for comparing; none where nothing is. The
+/// empty path is the present folder.
 pub(crate) fn resolved(path: &Path) -> Option<PathBuf> {
     fs::canonicalize(if path.as_os_str().is_empty() { Path::new(".") } else { path }).ok()
 }

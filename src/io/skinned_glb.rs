@@ -16,8 +16,8 @@ const BYTE: u32 = 5121;
 /// Joints that hold a vertex, at most: the format takes them by fours.
 const MOST_JOINTS: usize = 4;
 
-/// Writes a model as GLB with the skeleton that it hangs on, whose skin has a point for each of the model's vertices, wholly or
-/// not at all. Numbers are single precision.
+/// Writes a model as GLB with the skeleton that it hangs on, whose skin has a point for each of the model's vertices,
+/// wholly or not at all. Numbers are single precision.
 ///
 /// # Errors
 /// As [`write_atomically`], and for a vertex or normal that is no numbers.

@@ -1,7 +1,7 @@
 //! A trace of what the program does: its spans with their times, as a list of Chrome trace events.
 //!
-//! Spans stand around whole frames, stages of baking, pictures handed to the window and files; none is as short as a step.
-//! Without a trace they cost a look at a flag each.
+//! Spans stand around whole frames, stages of baking, pictures handed to the window and files; none is as short as a
+//! step. Without a trace they cost a look at a flag each.
 
 use super::IoError;
 use super::atomic::Draft;

@@ -14,8 +14,8 @@ pub struct Content {
     pub(super) vertices: Store,
     pub(super) indices: Store,
     pub(super) items: Store,
-    /// Colours of vertices: of those in the common buffers, then of each skin that has some, then as many as the largest
-    /// skin has vertices that say nothing.
+    /// Colours of vertices: of those in the common buffers, then of each skin that has some, then as many as the
+    /// largest skin has vertices that say nothing.
     pub(super) tints: Store,
     pub(super) points: Store,
     pub(super) segments: Store,

@@ -15,8 +15,9 @@ pub(crate) struct GifPictures {
 }
 
 impl GifPictures {
-    /// The next picture as a GIF file of its own, to be shown for so long [s/100] on those before it, which are of the same
-    /// size. Only the rectangle is there in which something changed, and what did not change in it is left through.
+    /// The next picture as a GIF file of its own, to be shown for so long [s/100] on those before it, which are of the
+    /// same size. Only the rectangle is there in which something changed, and what did not change in it is left
+    /// through.
     ///
     /// # Errors
     /// [`RenderError::Gif`].

@@ -40,9 +40,9 @@ pub struct Picking {
 }
 
 impl Renderer {
-    /// Asks what is under a pixel of a viewport, from its upper left corner, or else within `reach` [pixels] of it. What
-    /// is seen there is what is picked; within reach, what is thin (fibres, particles) goes before skins and panels.
-    /// Inside a see-through skin what it holds goes before the skin itself.
+    /// Asks what is under a pixel of a viewport, from its upper left corner, or else within `reach` [pixels] of it.
+    /// What is seen there is what is picked; within reach, what is thin (fibres, particles) goes before skins and
+    /// panels. Inside a see-through skin what it holds goes before the skin itself.
     pub fn pick(
         &self,
         content: &Content,

@@ -20,8 +20,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// What an adapter does with ease: a software driver neither multi-samples nor draws fine shadows, and what it computes
-    /// the processor does faster without it.
+    /// What an adapter does with ease: a software driver neither multi-samples nor draws fine shadows, and what it
+    /// computes the processor does faster without it.
     pub fn for_adapter(adapter: &wgpu::Adapter) -> Self {
         let software = adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         let best = Self::best_for_adapter(adapter);

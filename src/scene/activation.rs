@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 pub struct Activation {
     /// What all below is multiplied by.
     pub drive: Drive,
-    /// Share by which the fibre wants to be shorter than it was drawn; with the drive from -0.5 to 0.8. It pulls as far as it
-    /// is stiffer than what it lies in.
+    /// Share by which the fibre wants to be shorter than it was drawn; with the drive from -0.5 to 0.8. It pulls as far
+    /// as it is stiffer than what it lies in.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub contract: f64,
     /// Curvature that the fibre wants to have beside that of its rest shape.
@@ -23,8 +23,8 @@ pub struct Activation {
     /// Twist that the fibre wants to have; it takes a twisting stiffness `gj`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub twist: Option<TwistRate>,
-    /// Volume fraction that the fibre has where the drive is 1; it has its own where the drive is 0, and goes from one to the
-    /// other in proportion to it. As the fibre gets stiffer, the matrix around it gives way, and back.
+    /// Volume fraction that the fibre has where the drive is 1; it has its own where the drive is 0, and goes from one
+    /// to the other in proportion to it. As the fibre gets stiffer, the matrix around it gives way, and back.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_fraction: Option<f64>,
     /// Unknown fields, kept.
@@ -76,7 +76,8 @@ impl Activation {
 /// A curvature that a drive multiplies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Curl {
-    /// Turn of the fibre's direction over a metre of it [degrees/m]; a bend of less than 90 degrees from vertex to vertex.
+    /// Turn of the fibre's direction over a metre of it [degrees/m]; a bend of less than 90 degrees from vertex to
+    /// vertex.
     pub degrees_per_metre: f64,
     /// Axis about which it turns, right-handed along the fibre; of any length but zero, model frame.
     pub axis: [f64; 3],

@@ -1,7 +1,7 @@
 //! Bodies of both kinds behind one view.
 //!
-//! Why. A file keeps fibre solids under `bodies` and two-layer bodies under `two_layer`. Whatever lists, steps, records or
-//! draws bodies numbers them in one row: the solids first, then the two-layer bodies. This is that row.
+//! Why. A file keeps fibre solids under `bodies` and two-layer bodies under `two_layer`. Whatever lists, steps, records
+//! or draws bodies numbers them in one row: the solids first, then the two-layer bodies. This is that row.
 
 use super::{
     Body, ColliderMesh, ColliderShape, Fibre, Follow, Impulse, Initial, IntegratorChoice, Leader, ModelFile, Pin,

@@ -95,8 +95,8 @@ impl Assets {
     }
 
     /// Puts in what a mesh in memory encloses, under the name that shapes have for its file: nothing is read from there
-    /// then. Vertices are [m] with Y up, unless the shape says otherwise. The mesh is checked, and repaired where that is
-    /// possible; faces with a vertex that is not there are left out. [`Assets::solid`] tells what was found.
+    /// then. Vertices are [m] with Y up, unless the shape says otherwise. The mesh is checked, and repaired where that
+    /// is possible; faces with a vertex that is not there are left out. [`Assets::solid`] tells what was found.
     ///
     /// ```
     /// use sinew::geometry::{Cuboid, box_surface};
@@ -140,8 +140,8 @@ impl Assets {
         Ok(())
     }
 
-    /// Puts in a mesh in memory, closed or open, for colliders that have its name for their file. Vertices are [m] with Y
-    /// up, unless the collider says otherwise.
+    /// Puts in a mesh in memory, closed or open, for colliders that have its name for their file. Vertices are [m] with
+    /// Y up, unless the collider says otherwise.
     ///
     /// # Errors
     /// [`Refusal`] where there is no face.

@@ -132,8 +132,8 @@ impl Drivable {
         }
     }
 
-    /// The course of its own that a panel, a pin or a collider follows (heights, offsets, a ramp, a turn), as the drive that
-    /// [`Drivable::set`] makes the same motion of; none where it has none, or none that a drive can make.
+    /// The course of its own that a panel, a pin or a collider follows (heights, offsets, a ramp, a turn), as the drive
+    /// that [`Drivable::set`] makes the same motion of; none where it has none, or none that a drive can make.
     pub fn course(&self, scene: &Scene) -> Option<Drive> {
         let of_motion = |motion: &Motion| motion.as_driven().map(|of| of.drive);
         match self {
@@ -184,9 +184,9 @@ impl Drivable {
         scene.drivables().into_iter().filter(follows).collect()
     }
 
-    /// Puts a drive there, or takes the present one away: a fibre or springs only resist then, what was moved stays where it starts
-    /// and a panel falls. What is new to a drive gets a way to go by it, a pin, a panel or a collider as far as the course of
-    /// its own went, or 10 mm upwards; a shared drive that is not there is added.
+    /// Puts a drive there, or takes the present one away: a fibre or springs only resist then, what was moved stays
+    /// where it starts and a panel falls. What is new to a drive gets a way to go by it, a pin, a panel or a collider
+    /// as far as the course of its own went, or 10 mm upwards; a shared drive that is not there is added.
     ///
     /// # Errors
     /// What is not there, said in a sentence. Whether the scene can be used with the drive is for

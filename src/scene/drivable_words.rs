@@ -1,5 +1,5 @@
-//! What is said of what a drive moves: where it stands in the file, what people call it, what the drive's number comes to
-//! there, and between which numbers that may lie.
+//! What is said of what a drive moves: where it stands in the file, what people call it, what the drive's number comes
+//! to there, and between which numbers that may lie.
 
 use super::drive::CONTRACTION;
 use super::{
@@ -11,7 +11,8 @@ use glam::DVec3;
 const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 impl Drivable {
-    /// RFC 6901 pointer to the drive in the scene's file, or to where it would be; none where what it moves is not there.
+    /// RFC 6901 pointer to the drive in the scene's file, or to where it would be; none where what it moves is not
+    /// there.
     pub fn pointer(&self, scene: &Scene) -> Option<String> {
         let body = || {
             let index = scene.all_bodies().position(|body| Some(body.id()) == self.body())?;

@@ -7,8 +7,8 @@ pub(super) use crate::sketch::pattern::CONTRACTION;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A number that changes in time, such as the share of its contraction that a fibre shows. What it moves is multiplied by
-/// it.
+/// A number that changes in time, such as the share of its contraction that a fibre shows. What it moves is multiplied
+/// by it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Drive {
@@ -41,8 +41,8 @@ impl From<Wave> for Drive {
 }
 
 impl Drive {
-    /// The drive that is meant: itself, or the one of `shared` that it names. None where none has that name, or the one that
-    /// has it only names another.
+    /// The drive that is meant: itself, or the one of `shared` that it names. None where none has that name, or the one
+    /// that has it only names another.
     pub fn resolved<'a>(&'a self, shared: &'a [SharedDrive]) -> Option<&'a Self> {
         let Self::Shared(id) = self else { return Some(self) };
         let named = &shared.iter().find(|one| one.id == *id)?.drive;
@@ -169,8 +169,8 @@ pub enum AfterLast {
     Mirror,
 }
 
-/// `mean - amplitude cos(2 pi (s / wavelength - (t - start) / period) + phase)`, s the way along the fibre; zero before the
-/// start, from which it rises within the first period.
+/// `mean - amplitude cos(2 pi (s / wavelength - (t - start) / period) + phase)`, s the way along the fibre; zero before
+/// the start, from which it rises within the first period.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Wave {
     /// What it swings around; from 0 to 1 unless given otherwise.
@@ -184,8 +184,8 @@ pub struct Wave {
     /// How far ahead it is along the fibre, and so how late in time [degrees].
     #[serde(default)]
     pub phase_degrees: f64,
-    /// Length of the wave along the fibre from its first point on [m]: it runs that way, a negative one the other. Without one
-    /// all of the fibre swings at once, as everything does that is no fibre.
+    /// Length of the wave along the fibre from its first point on [m]: it runs that way, a negative one the other.
+    /// Without one all of the fibre swings at once, as everything does that is no fibre.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wavelength: Option<f64>,
     /// When it starts [s].

@@ -1,4 +1,5 @@
-//! Elements: what a body resists with besides its matrix, fibres and sheets, without code: a measure of a few points and a law.
+//! Elements: what a body resists with besides its matrix, fibres and sheets, without code: a measure of a few points
+//! and a law.
 
 use super::extra::is_zero;
 use super::{Drive, Extra, MusclePull};
@@ -15,8 +16,8 @@ pub const MAX_TABLE_POINTS: usize = 1000;
 /// Greatest angle by which one may want to be larger or smaller [degrees].
 pub(super) const MOST_TURNED: f64 = 170.0;
 
-/// Between which angles a bend stays that a drive turns [degrees]: a straight one has no direction in which to bend, and
-/// neither has one that is folded flat.
+/// Between which angles a bend stays that a drive turns [degrees]: a straight one has no direction in which to bend,
+/// and neither has one that is folded flat.
 pub(super) const BENT: [f64; 2] = [1e-6, 180.0 - 1e-6];
 
 /// One element of a body: an energy of what a few points that ride on the material measure.
@@ -31,7 +32,8 @@ pub struct Element {
     pub name: String,
     /// What it measures; as drawn, it is at rest.
     pub measure: ElementMeasure,
-    /// Its points in the model frame [m], as many as the measure takes. Those that lie just outside of the particles are moved in.
+    /// Its points in the model frame [m], as many as the measure takes. Those that lie just outside of the particles
+    /// are moved in.
     pub points: Vec<[f64; 3]>,
     /// What it does about it.
     pub law: ElementLaw,
@@ -104,8 +106,8 @@ pub enum ElementMeasure {
     Volume,
     /// Angle at the edge from the first point to the second between the triangles with the third and with the fourth.
     Dihedral,
-    /// Angle by which the material around the second of two points is turned against that around the first, about the line
-    /// between them.
+    /// Angle by which the material around the second of two points is turned against that around the first, about the
+    /// line between them.
     Twist,
 }
 
@@ -150,10 +152,11 @@ impl ElementMeasure {
     }
 }
 
-/// What an element does about what it measures. Forces are in N of a length, in N/m of an area, in Pa of a volume, and moments in
-/// N m of an angle; above zero they make it smaller.
+/// What an element does about what it measures. Forces are in N of a length, in N/m of an area, in Pa of a volume, and
+/// moments in N m of an angle; above zero they make it smaller.
 ///
-/// They hang on s, a length, an area or a volume over that as drawn, 1 at rest; or an angle less that as drawn [degrees], 0 at rest.
+/// They hang on s, a length, an area or a volume over that as drawn, 1 at rest; or an angle less that as drawn
+/// [degrees], 0 at rest.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ElementLaw {
@@ -178,8 +181,8 @@ impl ElementLaw {
         Self::TensionOnly(SpringLaw { stiffness, extra: Extra::new() })
     }
 
-    /// The pull of a muscle of this greatest force, which ends where it is smaller or larger by the share 0.5, or by an angle
-    /// of 0.5 rad.
+    /// The pull of a muscle of this greatest force, which ends where it is smaller or larger by the share 0.5, or by an
+    /// angle of 0.5 rad.
     pub fn muscle(force: f64) -> Self {
         Self::Muscle(MusclePull { force, width: 0.5, extra: Extra::new() })
     }
@@ -188,8 +191,8 @@ impl ElementLaw {
 /// A force in proportion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SpringLaw {
-    /// Force where a size is twice that at rest: EA [N] of a length, [N/m] of an area, [Pa] of a volume; or moment per radian [N m]
-    /// of an angle.
+    /// Force where a size is twice that at rest: EA [N] of a length, [N/m] of an area, [Pa] of a volume; or moment per
+    /// radian [N m] of an angle.
     pub stiffness: f64,
     /// Unknown fields, kept.
     #[serde(flatten)]
@@ -201,7 +204,8 @@ pub struct SpringLaw {
 pub struct ElementActivation {
     /// What all below is multiplied by.
     pub drive: Drive,
-    /// Share by which a length, an area or a volume wants to be smaller than it was drawn; with the drive from -0.5 to 0.8.
+    /// Share by which a length, an area or a volume wants to be smaller than it was drawn; with the drive from -0.5 to
+    /// 0.8.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub contract: f64,
     /// By what an angle wants to be larger than it was drawn [degrees]; with the drive from -170 to 170.

@@ -48,8 +48,8 @@ pub struct Fibre {
 impl Fibre {
     /// A fibre through vertices in the model frame [m], three or more.
     ///
-    /// Its stiffness is [`Stiffness::default`], its volume fraction 0.25 (the fibre paper's Table 1), it is at rest as it
-    /// is drawn, and it never breaks.
+    /// Its stiffness is [`Stiffness::default`], its volume fraction 0.25 (the fibre paper's Table 1), it is at rest as
+    /// it is drawn, and it never breaks.
     pub fn through<V: Into<[f64; 3]>>(id: impl Into<String>, vertices: impl IntoIterator<Item = V>) -> Self {
         Self::new(id, FibreSource::Vertices(vertices.into_iter().map(Into::into).collect()))
     }
@@ -138,17 +138,17 @@ pub struct BreakPast {
     pub extra: Extra,
 }
 
-/// What a fibre yields past: a wire that is bent further stays bent. Resetting the motion mends it. What is left out never
-/// yields.
+/// What a fibre yields past: a wire that is bent further stays bent. Resetting the motion mends it. What is left out
+/// never yields.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct YieldPast {
-    /// Force that an edge carries, the volume fraction included [N]: past it the edge takes another length at rest, a fifth to
-    /// five times the drawn one.
+    /// Force that an edge carries, the volume fraction included [N]: past it the edge takes another length at rest, a
+    /// fifth to five times the drawn one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tension: Option<f64>,
-    /// Curvature away from the rest shape [degrees/m]: past it the fibre takes another shape at rest, as far as a right angle
-    /// from one edge to the next.
+    /// Curvature away from the rest shape [degrees/m]: past it the fibre takes another shape at rest, as far as a right
+    /// angle from one edge to the next.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub curvature_degrees_per_metre: Option<f64>,
     /// Unknown fields, kept.
@@ -284,8 +284,8 @@ pub struct Rigidity {
     pub ea: f64,
     /// Bending stiffness EI [N m²].
     pub ei: f64,
-    /// Twisting stiffness GJ [N m²]; 0, which is none, unless given. A solid resists twist by itself far more than most of
-    /// its fibres: it is there for fibres that twist by themselves, and for thin ones.
+    /// Twisting stiffness GJ [N m²]; 0, which is none, unless given. A solid resists twist by itself far more than most
+    /// of its fibres: it is there for fibres that twist by themselves, and for thin ones.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub gj: f64,
     /// Unknown fields, kept.

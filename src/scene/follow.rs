@@ -5,7 +5,8 @@ use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Particles that follow a motion made elsewhere. They are bound to it once, as the body is at rest, in the model frame.
+/// Particles that follow a motion made elsewhere. They are bound to it once, as the body is at rest, in the model
+/// frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Follow {
     /// Stable identifier, unique within the body.
@@ -15,7 +16,8 @@ pub struct Follow {
     /// When the body begins to follow [s].
     #[serde(default)]
     pub start: f64,
-    /// How long it takes then to be eased from its rest pose into that of the first frame [s]; the motion begins after that.
+    /// How long it takes then to be eased from its rest pose into that of the first frame [s]; the motion begins after
+    /// that.
     #[serde(default)]
     pub pre_roll: f64,
     /// How many times as fast as it was made the motion is played.
@@ -30,8 +32,8 @@ pub struct Follow {
     /// How they follow.
     #[serde(default)]
     pub hold: Hold,
-    /// Painted share, one dab after the other: 1 unless painted, or 0 where what is painted alone follows. What springs pull
-    /// with is multiplied by it; what is held follows from one half on.
+    /// Painted share, one dab after the other: 1 unless painted, or 0 where what is painted alone follows. What springs
+    /// pull with is multiplied by it; what is held follows from one half on.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub paint: Vec<Dab>,
     /// Unknown fields, kept.
@@ -185,8 +187,8 @@ impl SkeletonLeader {
 pub struct CacheLeader {
     /// The file, relative to the scene file.
     pub path: String,
-    /// The model whose vertices its points are, relative to the scene file: the shape that the body is at rest. The model of
-    /// the body's own shape unless given.
+    /// The model whose vertices its points are, relative to the scene file: the shape that the body is at rest. The
+    /// model of the body's own shape unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rest: Option<String>,
     /// Metres to a unit of both files.
@@ -232,8 +234,8 @@ pub enum FollowSelect {
     Everything,
     /// Those that the chosen joints hold by this much at least, 0 to 1, as the skin has it where it is nearest.
     SkinWeight(f64),
-    /// Those as near as this [m] to the bones of the chosen joints, which lead from a joint to those that hang on it, or to the
-    /// surface of a cache's mesh.
+    /// Those as near as this [m] to the bones of the chosen joints, which lead from a joint to those that hang on it,
+    /// or to the surface of a cache's mesh.
     Distance(f64),
     /// Those of a region.
     Region(String),
@@ -255,8 +257,8 @@ pub enum Hold {
 /// Springs from particles to where the motion has them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FollowSprings {
-    /// Stiffness [N/m] for each kilogram of the particles: the square of the angular frequency with which they would swing about
-    /// the motion alone.
+    /// Stiffness [N/m] for each kilogram of the particles: the square of the angular frequency with which they would
+    /// swing about the motion alone.
     pub stiffness: f64,
     /// Damping of the velocity against the motion's, as a share of what lets them swing no more.
     #[serde(default = "half")]

@@ -31,8 +31,8 @@ impl From<IntegratorKind> for IntegratorChoice {
     }
 }
 
-/// Each integrator in the order in which they are offered: `Kind "word" "Name";`, the word as files have it, the name as
-/// people read it.
+/// Each integrator in the order in which they are offered: `Kind "word" "Name";`, the word as files have it, the name
+/// as people read it.
 macro_rules! integrators {
     ($($(#[doc = $doc:literal])* $kind:ident $word:literal $name:literal;)*) => {
         /// How a body is stepped through time.
@@ -107,8 +107,8 @@ integrators! {
     SymplecticEuler "symplectic_euler" "Symplectic Euler";
     /// Velocity Verlet with a predicted velocity: order 2 with damping too, two evaluations a step.
     Verlet "verlet" "Velocity Verlet";
-    /// The Feynman Lectures' scheme, positions at whole and velocities at half steps: order 2, one force evaluation a step.
-    /// Leap-frog but for rounding.
+    /// The Feynman Lectures' scheme, positions at whole and velocities at half steps: order 2, one force evaluation a
+    /// step. Leap-frog but for rounding.
     Feynman "feynman" "Feynman";
     /// Backward Euler: order 1, stable at any step, takes energy.
     BackwardEuler "backward_euler" "Backward Euler";

@@ -1,5 +1,5 @@
-//! Motions with a course of their own (heights, offsets, ramps, turns) as the same motion by a drive, which can be seen and
-//! changed key by key.
+//! Motions with a course of their own (heights, offsets, ramps, turns) as the same motion by a drive, which can be seen
+//! and changed key by key.
 
 use super::{
     Distance, DriveKeys, DrivenMotion, DrivenTurn, Easing, Interpolation, Motion, Panel, PanelDrive, PanelMotion,
@@ -10,7 +10,8 @@ use glam::DVec3;
 const ASIDE: f64 = 1e-9;
 
 impl Panel {
-    /// The heights that it follows, as a drive: how far above its height it stands. None of one that follows no heights.
+    /// The heights that it follows, as a drive: how far above its height it stands. None of one that follows no
+    /// heights.
     pub fn heights_as_drive(&self) -> Option<PanelDrive> {
         let PanelMotion::Driven(heights) = &self.motion else { return None };
         let above = heights.iter().map(|key| (key.time, key.height - self.height));
@@ -21,8 +22,8 @@ impl Panel {
 }
 
 impl Motion {
-    /// The same motion by a drive; none where it stays, has a drive already, goes along no straight line, or by a share of a
-    /// body's extent.
+    /// The same motion by a drive; none where it stays, has a drive already, goes along no straight line, or by a share
+    /// of a body's extent.
     pub fn as_driven(&self) -> Option<DrivenMotion> {
         match self {
             Self::Fixed | Self::Driven(_) => None,

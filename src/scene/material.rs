@@ -42,15 +42,15 @@ pub struct Material {
     pub extra: Extra,
 }
 
-/// Support radius h of a material unless another is chosen [m]: that of the scenes that ship with a bar of a hand's size.
-/// With the usual spacing ratio particles are 6 mm apart.
+/// Support radius h of a material unless another is chosen [m]: that of the scenes that ship with a bar of a hand's
+/// size. With the usual spacing ratio particles are 6 mm apart.
 pub const USUAL_SUPPORT_RADIUS: f64 = 0.015;
 
 impl Material {
     /// A material by its Young's modulus E [Pa], Poisson's ratio (0 to 0.49) and density [kg/m³].
     ///
-    /// It is discretised by [`USUAL_SUPPORT_RADIUS`] and D / h = 0.4, as the fibre paper's bars are, and undamped. A body
-    /// of another size than a hand's needs another support radius, a fifth of its thickness or less.
+    /// It is discretised by [`USUAL_SUPPORT_RADIUS`] and D / h = 0.4, as the fibre paper's bars are, and undamped. A
+    /// body of another size than a hand's needs another support radius, a fifth of its thickness or less.
     pub fn new(young_modulus: f64, poisson_ratio: f64, density: f64) -> Self {
         Self {
             young_modulus,
@@ -140,9 +140,9 @@ pub struct Damping {
     pub extra: Extra,
 }
 
-/// Resistance of the matrix against being strained fast (Kelvin and Voigt): jelly against rubber. It takes energy from every
-/// change of shape and none from a body that turns as it stands. Over Young's modulus it is a time; where that is longer than
-/// the step, the step shrinks.
+/// Resistance of the matrix against being strained fast (Kelvin and Voigt): jelly against rubber. It takes energy from
+/// every change of shape and none from a body that turns as it stands. Over Young's modulus it is a time; where that is
+/// longer than the step, the step shrinks.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Viscosity {
@@ -162,9 +162,10 @@ impl Viscosity {
     }
 }
 
-/// How the matrix yields (von Mises): dents stay. Resetting the motion mends them. Pulled, pressed and sheared it yields as
-/// theory has it. Bent, it springs back 1.3 to 1.7 times as far, since part of what holds the particles in place is elastic
-/// (half of the bending of three layers, a seventh of seven): what is to keep a pose takes a fibre that yields.
+/// How the matrix yields (von Mises): dents stay. Resetting the motion mends them. Pulled, pressed and sheared it
+/// yields as theory has it. Bent, it springs back 1.3 to 1.7 times as far, since part of what holds the particles in
+/// place is elastic (half of the bending of three layers, a seventh of seven): what is to keep a pose takes a fibre
+/// that yields.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Plasticity {
     /// Stress at which a pulled bar yields [Pa].
@@ -204,9 +205,10 @@ pub enum Falloff {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FibreEmbedding {
-    /// On those whose kernel weight is more than 6 % of the heaviest one: about half of those in reach, and half of what a
-    /// fibre costs. Every linear motion is carried exactly. Of the short bar with four straight fibres the force at a press of
-    /// 2 % is the same to a ten-thousandth; the stable step, which the fibres set, is 3 % shorter than with all.
+    /// On those whose kernel weight is more than 6 % of the heaviest one: about half of those in reach, and half of
+    /// what a fibre costs. Every linear motion is carried exactly. Of the short bar with four straight fibres the force
+    /// at a press of 2 % is the same to a ten-thousandth; the stable step, which the fibres set, is 3 % shorter than
+    /// with all.
     #[default]
     Compact,
     /// On all within the support radius, as eq. 17 has it.
@@ -220,7 +222,8 @@ impl FibreEmbedding {
     }
 }
 
-/// How exactly the matrix's forces are computed. Positions, velocities, fibres, contact and energies are f64 in any case.
+/// How exactly the matrix's forces are computed. Positions, velocities, fibres, contact and energies are f64 in any
+/// case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Precision {

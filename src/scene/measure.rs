@@ -60,18 +60,21 @@ pub enum MeasureKind {
     Size(Along),
     /// Distance between the centres of mass of the two layers of a two-layer body [m].
     LayerOffset,
-    /// Volume enclosed by the outer layer of a two-layer body [m³], its area [m²] in 2D; of a fibre solid the sum over its
-    /// particles of what each fills at rest, times by how much the material there has grown.
+    /// Volume enclosed by the outer layer of a two-layer body [m³], its area [m²] in 2D; of a fibre solid the sum over
+    /// its particles of what each fills at rest, times by how much the material there has grown.
     Volume,
     /// Moment of inertia of a two-layer body about its centre [fraction of M Ro²], Ro the mean distance of the outer
-    /// particles from it: about the normal of the plane in 2D, the mean over all axes in 3D. It tells where the mass is.
+    /// particles from it: about the normal of the plane in 2D, the mean over all axes in 3D. It tells where the mass
+    /// is.
     InertiaRatio,
-    /// Work that the drives of the body's fibres, of gravity and of its gas have done on it [J]; not that of pins, panels
-    /// and wind.
+    /// Work that the drives of the body's fibres, of gravity and of its gas have done on it [J]; not that of pins,
+    /// panels and wind.
     ActivationWork,
-    /// Energy that the body has lost for good to yielding and to viscosity of its matrix [J]; not to damping, contact or drag.
+    /// Energy that the body has lost for good to yielding and to viscosity of its matrix [J]; not to damping, contact
+    /// or drag.
     Dissipated,
-    /// Greatest equivalent plastic strain of the body's matrix [fraction]: all that a particle has yielded, there and back.
+    /// Greatest equivalent plastic strain of the body's matrix [fraction]: all that a particle has yielded, there and
+    /// back.
     PlasticStrain,
     /// Mean stress of the matrix in a region of a fibre solid [Pa]: along a direction, or the equivalent one.
     Stress(Strained),
@@ -81,8 +84,8 @@ pub enum MeasureKind {
     Speed(OfRegion),
     /// Force with which the body pushes up a panel [N].
     PanelForce(OnPanel),
-    /// Force with which the body, or a region of it, pushes on all that it touches, along a direction [N]: room, panels and
-    /// other bodies.
+    /// Force with which the body, or a region of it, pushes on all that it touches, along a direction [N]: room, panels
+    /// and other bodies.
     ContactForce(Touching),
     /// Force that a fibre carries along itself [N], negative where it is pressed.
     FibreTension(OfFibre),

@@ -36,8 +36,8 @@ impl Panel {
     /// Thickness of a panel that is shown, as a share of its shorter side: the underside alone presses.
     pub(crate) const THICKNESS: f64 = 0.06;
 
-    /// A panel of these extents along X and Z [m] whose underside is at a height [m, world Y] when it begins to fall. It
-    /// is of 1 kg, with a friction coefficient of 0.4, and centred above the world's origin.
+    /// A panel of these extents along X and Z [m] whose underside is at a height [m, world Y] when it begins to fall.
+    /// It is of 1 kg, with a friction coefficient of 0.4, and centred above the world's origin.
     pub fn falling(id: impl Into<String>, height: f64, size: impl Into<[f64; 2]>) -> Self {
         Self {
             id: id.into(),

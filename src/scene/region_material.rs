@@ -5,8 +5,8 @@ use super::extra::is_zero;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What the matrix of one region is made of, where it is another than the body's: a soft belly, a hard shell. Poisson's ratio
-/// and what does not spring back are the body's. Of regions that overlap the later one counts.
+/// What the matrix of one region is made of, where it is another than the body's: a soft belly, a hard shell. Poisson's
+/// ratio and what does not spring back are the body's. Of regions that overlap the later one counts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RegionMaterial {
     /// The region.
@@ -20,8 +20,8 @@ pub struct RegionMaterial {
     /// Radial damping between neighbouring particles [1/s]; the body's unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub damping: Option<f64>,
-    /// Over what distance from the region its material passes into the body's [m]; Young's modulus by equal factors, all else
-    /// evenly. At once unless given.
+    /// Over what distance from the region its material passes into the body's [m]; Young's modulus by equal factors,
+    /// all else evenly. At once unless given.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub transition: f64,
     /// Unknown fields, kept.

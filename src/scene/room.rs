@@ -58,8 +58,8 @@ impl Default for Room {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Sticking {
-    /// A damped spring along the surface, tied where a particle touches first and dragged along at the limit: what lies on
-    /// a slope below the angle of friction stays.
+    /// A damped spring along the surface, tied where a particle touches first and dragged along at the limit: what lies
+    /// on a slope below the angle of friction stays.
     #[default]
     Spring,
     /// A damper alone: what is pushed creeps. The formulation of the figures that come with the program.

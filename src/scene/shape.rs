@@ -80,8 +80,8 @@ impl Shape {
     }
 }
 
-/// A closed mesh from an OBJ, STL, PLY, glTF or GLB file, filled with particles on a cubic lattice. The lattice is placed
-/// so, and its spacing changed by so little, that the particles' volume comes closest to that of the mesh.
+/// A closed mesh from an OBJ, STL, PLY, glTF or GLB file, filled with particles on a cubic lattice. The lattice is
+/// placed so, and its spacing changed by so little, that the particles' volume comes closest to that of the mesh.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MeshShape {
     /// The file, relative to the scene file.

@@ -115,8 +115,8 @@ impl Sheet {
 pub enum SheetSource {
     /// One stroke swept along another; the raw strokes are the source of truth.
     Strokes(SweptStrokes),
-    /// Rows of vertices in the model frame [m], used as they are: two rows of two or more, all as long. Rows run along the
-    /// sheet's first direction.
+    /// Rows of vertices in the model frame [m], used as they are: two rows of two or more, all as long. Rows run along
+    /// the sheet's first direction.
     Grid(Vec<Vec<[f64; 3]>>),
     /// Triangles, used as they are.
     Triangles(SheetTriangles),
@@ -170,8 +170,8 @@ pub struct SheetStiffness {
     /// Poisson's ratio in the surface, 0 to 0.49.
     #[serde(default = "default_poisson_ratio")]
     pub poisson_ratio: f64,
-    /// Bending stiffness `E t³ / 12` [N m], the same in all directions; 0, which is none, unless given. Bent one way it does not
-    /// want to bend the other.
+    /// Bending stiffness `E t³ / 12` [N m], the same in all directions; 0, which is none, unless given. Bent one way it
+    /// does not want to bend the other.
     #[serde(default)]
     pub bending: f64,
     /// A direction in which it is stiffer; the same in all unless given.
@@ -202,8 +202,8 @@ impl SheetStiffness {
 }
 
 impl Default for SheetStiffness {
-    /// Ten times as stiff as the default material that it displaces, as sheets drawn in the window are: Et = 12 000 N/m,
-    /// bending stiffness 8.6e-3 N m.
+    /// Ten times as stiff as the default material that it displaces, as sheets drawn in the window are: Et = 12 000
+    /// N/m, bending stiffness 8.6e-3 N m.
     fn default() -> Self {
         Self::new(1.2e4, 8.6e-3)
     }
@@ -249,12 +249,13 @@ pub enum SheetRestShape {
 pub struct SheetActivation {
     /// What all below is multiplied by.
     pub drive: Drive,
-    /// Shares by which the sheet wants to be shorter than it was drawn: along the first stroke, the rows of a grid or the grain
-    /// of triangles, and across that; with the drive from -0.5 to 0.8.
+    /// Shares by which the sheet wants to be shorter than it was drawn: along the first stroke, the rows of a grid or
+    /// the grain of triangles, and across that; with the drive from -0.5 to 0.8.
     #[serde(default, skip_serializing_if = "are_zero")]
     pub contract: [f64; 2],
-    /// Curvatures that the sheet wants to have beside those of its rest shape, along and across [degrees/m]; above zero it curls to
-    /// the side to which its first direction turned into its second one looks, right-handed. It takes a `bending` stiffness.
+    /// Curvatures that the sheet wants to have beside those of its rest shape, along and across [degrees/m]; above zero
+    /// it curls to the side to which its first direction turned into its second one looks, right-handed. It takes a
+    /// `bending` stiffness.
     #[serde(default, skip_serializing_if = "are_zero")]
     pub curl_degrees_per_metre: [f64; 2],
     /// Unknown fields, kept.

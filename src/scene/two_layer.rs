@@ -1,5 +1,6 @@
 //! Two-layer bodies: elastic objects of an outer and an inner layer of particles joined by springs, with gas inside
-//! (Song and Grogono: *A framework for dynamic deformation of uniform elastic two-layer 2D and 3D objects*, C3S2E 2008).
+//! (Song and Grogono: *A framework for dynamic deformation of uniform elastic two-layer 2D and 3D objects*, C3S2E
+//! 2008).
 
 use super::extra::is_false;
 use super::{

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 /// Most voids in a body; each takes time at every particle and its neighbours.
 pub const MAX_VOIDS: usize = 1000;
 
-/// One void of a body: the particles in it are taken out, and those on its sides no longer feel each other through it. One
-/// thinner than a spacing takes no particle out and is a cut. Between it and the outside, or another void, two layers of
-/// particles must be left.
+/// One void of a body: the particles in it are taken out, and those on its sides no longer feel each other through it.
+/// One thinner than a spacing takes no particle out and is a cut. Between it and the outside, or another void, two
+/// layers of particles must be left.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Void {
     /// Stable identifier, unique among the body's voids.
@@ -48,8 +48,8 @@ pub enum VoidShape {
         #[serde(flatten)]
         extra: Extra,
     },
-    /// All that lies near a line drawn as fibres are, round at both ends; one that is to come out of the body is drawn beyond
-    /// it.
+    /// All that lies near a line drawn as fibres are, round at both ends; one that is to come out of the body is drawn
+    /// beyond it.
     Tube {
         /// Where the line runs.
         source: FibreSource,
@@ -105,7 +105,8 @@ impl Void {
         Self::new(id, VoidShape::Tube { source, radius, extra: Extra::new() })
     }
 
-    /// What a closed mesh encloses: a file relative to the scene file, or the name of a mesh in memory; in metres, Y up.
+    /// What a closed mesh encloses: a file relative to the scene file, or the name of a mesh in memory; in metres, Y
+    /// up.
     pub fn mesh(id: impl Into<String>, path: impl Into<String>) -> Self {
         let mesh = VoidMesh { path: path.into(), scale: default_scale(), up: default_up(), extra: Extra::new() };
         Self::new(id, VoidShape::Mesh(mesh))

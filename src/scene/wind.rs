@@ -4,8 +4,8 @@ use super::{Drive, Extra};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Air or water that moves as one and pushes on the surfaces of solid bodies across them: at rest it is what a tail swims in,
-/// in motion what a leaf flutters in.
+/// Air or water that moves as one and pushes on the surfaces of solid bodies across them: at rest it is what a tail
+/// swims in, in motion what a leaf flutters in.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Wind {

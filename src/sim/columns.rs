@@ -1,5 +1,5 @@
-//! What a time series has in its columns. Their names hang on nothing but what they are of: those of one body are the same
-//! whatever stands beside it.
+//! What a time series has in its columns. Their names hang on nothing but what they are of: those of one body are the
+//! same whatever stands beside it.
 
 use crate::scene::one_line;
 use crate::solver::body::Body;
@@ -72,8 +72,8 @@ pub(crate) fn body_labels(bodies: &[Body]) -> Vec<String> {
     bodies.iter().map(|body| one_line(if unique { &body.parts().name } else { &body.parts().id })).collect()
 }
 
-/// The columns of a world. What is of pins, fibres and panels comes last, so that a world that differs from another in these
-/// alone has all else at the same places.
+/// The columns of a world. What is of pins, fibres and panels comes last, so that a world that differs from another in
+/// these alone has all else at the same places.
 pub(super) fn columns(world: &World) -> Vec<Column> {
     let mut columns = Vec::new();
     let mut add = |name: String, unit, kind| columns.push(Column { name, unit, kind });

@@ -47,8 +47,8 @@ pub enum SimCommand {
     },
     /// Let go of everything that was pinned.
     ReleaseAll,
-    /// Run the scene under several integrators side by side from its start, each in steps of exactly `dt` [s]; none ends
-    /// the comparison.
+    /// Run the scene under several integrators side by side from its start, each in steps of exactly `dt` [s]; none
+    /// ends the comparison.
     Compare {
         /// Which.
         integrators: Vec<IntegratorKind>,
@@ -68,8 +68,8 @@ pub enum SimCommand {
     Show(f64),
     /// Show the kept frame before the one that is shown, and hold the simulation.
     StepBack,
-    /// Show the kept frames from the one that is shown on, or from the first, as fast as they were meant to be, and hold
-    /// at the end.
+    /// Show the kept frames from the one that is shown on, or from the first, as fast as they were meant to be, and
+    /// hold at the end.
     Replay,
     /// Go on from the frame that is shown; the later ones are dropped. A grab, a strike and an edit do so, too.
     ContinueHere,

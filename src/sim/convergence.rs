@@ -8,7 +8,8 @@ const ROUND_OFF: f64 = 1e-11;
 /// Runs that an order is fitted to: those of the smallest steps, where it shows.
 const FITTED: usize = 3;
 
-/// Slope of log(error) over log(step) between two runs below which the finer one has met round-off: no order is that low.
+/// Slope of log(error) over log(step) between two runs below which the finer one has met round-off: no order is that
+/// low.
 const FLAT: f64 = 0.4;
 
 /// How the error of an integrator falls with its step.
@@ -18,7 +19,8 @@ pub struct Convergence {
     pub integrator: IntegratorKind,
     /// Steps [s] and root mean square position errors [m], steps ascending; runs that blew up are left out.
     pub points: Vec<(f64, f64)>,
-    /// Slope of log(error) over log(step) at the smallest steps that are not at round-off; none with fewer than two of them.
+    /// Slope of log(error) over log(step) at the smallest steps that are not at round-off; none with fewer than two of
+    /// them.
     pub order: Option<f64>,
 }
 

@@ -1,8 +1,8 @@
 //! What was asked of a world from outside, frame by frame: with it a motion is made again from its scene, bit for bit.
 //!
-//! Only what moves the world counts for that: what is grabbed, struck and edited. Whether time ran and how fast is noted for
-//! who reads it. A motion that goes on from an earlier frame has never been where it was after that, and one that is put back
-//! to its start begins a new journal.
+//! Only what moves the world counts for that: what is grabbed, struck and edited. Whether time ran and how fast is
+//! noted for who reads it. A motion that goes on from an earlier frame has never been where it was after that, and one
+//! that is put back to its start begins a new journal.
 
 use super::command::SimCommand;
 use super::report::state_hash;
@@ -144,9 +144,9 @@ impl Journal {
         Ok(self)
     }
 
-    /// What a hand made of a shared drive of a body: times [s] and values, between which it went evenly, up to where it let go.
-    /// `own` is what the drive was before by itself at a time [s], and `limits` are its least and its greatest value. The
-    /// frames of the scene that it started from are counted.
+    /// What a hand made of a shared drive of a body: times [s] and values, between which it went evenly, up to where it
+    /// let go. `own` is what the drive was before by itself at a time [s], and `limits` are its least and its greatest
+    /// value. The frames of the scene that it started from are counted.
     pub fn played(&self, body: usize, id: &str, own: impl Fn(f64) -> f64, limits: [f64; 2]) -> Vec<(f64, f64)> {
         let seconds = self.scene.time.frame_seconds();
         let mut keys: Vec<(f64, f64)> = Vec::new();
@@ -173,7 +173,8 @@ impl Journal {
         keys
     }
 
-    /// Notes what is asked now. Of the places to which something is pulled or led between two frames only the last counts.
+    /// Notes what is asked now. Of the places to which something is pulled or led between two frames only the last
+    /// counts.
     pub(super) fn push(&mut self, what: Asked) {
         let frame = self.frames();
         let is_like = |last: &Asked| match (&what, last) {

@@ -20,8 +20,8 @@ impl StoredState {
         Self { build: Arc::clone(build), state: runner.checkpoint() }
     }
 
-    /// Advances a runner in this state by a frame, unless `stop` says in the midst of it that it is no longer wanted: false
-    /// then, and the runner is in this state again.
+    /// Advances a runner in this state by a frame, unless `stop` says in the midst of it that it is no longer wanted:
+    /// false then, and the runner is in this state again.
     pub(super) fn advance_unless(&self, runner: &mut Runner, stop: &dyn Fn() -> bool) -> bool {
         runner.advance_frame_from(&self.state, stop)
     }

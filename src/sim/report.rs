@@ -34,8 +34,8 @@ pub struct Report {
     pub colliders: Vec<ColliderReport>,
     /// One entry a measure.
     pub measures: Vec<MeasureReport>,
-    /// How accurate all of it was together, contact between bodies and with panels included; null where there is but one body
-    /// and no panel, and where a body is not watched.
+    /// How accurate all of it was together, contact between bodies and with panels included; null where there is but
+    /// one body and no panel, and where a body is not watched.
     pub accuracy: Option<AccuracyReport>,
     /// What gained energy that nothing gave it, as it was said, in the order of time.
     pub unbalanced: Vec<String>,
@@ -46,15 +46,16 @@ pub struct Report {
 /// What a run cost in accuracy.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct AccuracyReport {
-    /// Energy less the work from outside, since the start [J]: below zero what was dissipated, above it what was gained.
+    /// Energy less the work from outside, since the start [J]: below zero what was dissipated, above it what was
+    /// gained.
     pub energy_change: f64,
-    /// The most by which that has risen over a time, beyond a hundredth a second of the energy handled [J]: an error of the
-    /// integration.
+    /// The most by which that has risen over a time, beyond a hundredth a second of the energy handled [J]: an error of
+    /// the integration.
     pub energy_gained: f64,
     /// The greatest energy handled, by which the gain is judged [J]: of motion and all potentials.
     pub energy_handled: f64,
-    /// Linear momentum that came from nowhere while nothing but steady gravity, other bodies and panels acted [kg m/s]; null
-    /// where something else always did.
+    /// Linear momentum that came from nowhere while nothing but steady gravity, other bodies and panels acted [kg m/s];
+    /// null where something else always did.
     pub linear_momentum_drift: Option<f64>,
     /// The same of angular momentum, of a body about its centre of mass [kg m²/s].
     pub angular_momentum_drift: Option<f64>,
@@ -125,8 +126,8 @@ pub struct BodyReport {
     pub linear_momentum: [f64; 3],
     /// Angular momentum about the world's origin [kg m²/s].
     pub angular_momentum: [f64; 3],
-    /// Hash of all positions and velocities, of what has yielded, and of where it holds on to colliders, equal only for equal
-    /// bits; to be compared on one machine.
+    /// Hash of all positions and velocities, of what has yielded, and of where it holds on to colliders, equal only for
+    /// equal bits; to be compared on one machine.
     pub state_hash: String,
 }
 
@@ -265,7 +266,8 @@ impl BodyReport {
     }
 }
 
-/// Hash of a state of bodies, equal only for equal bits: of positions, velocities and what forces remember of the motion so far.
+/// Hash of a state of bodies, equal only for equal bits: of positions, velocities and what forces remember of the
+/// motion so far.
 pub(super) fn state_hash<'a>(bodies: impl IntoIterator<Item = &'a Body>) -> String {
     let mut hasher = DefaultHasher::new();
     bodies.into_iter().for_each(|body| add_state(body, &mut hasher));

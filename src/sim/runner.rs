@@ -40,8 +40,8 @@ impl Runner {
         self.frame_unless(&|| false);
     }
 
-    /// Advances by one frame, unless `stop` says in the midst of it that it is no longer wanted: false then, and all is as it
-    /// was before, bit for bit. It is asked before every step of a body.
+    /// Advances by one frame, unless `stop` says in the midst of it that it is no longer wanted: false then, and all is
+    /// as it was before, bit for bit. It is asked before every step of a body.
     pub fn advance_frame_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
         let before = self.checkpoint();
         self.advance_frame_from(&before, stop)
@@ -92,8 +92,8 @@ impl Runner {
         self.world.bodies().iter().position(|body| body.parts().id == id)
     }
 
-    /// Has a hand lead a drive that parts of a body share, over the frame that comes next, to a value, no further than the drive
-    /// ever goes by itself, and hold it there; or let go of it. False where there is no such drive.
+    /// Has a hand lead a drive that parts of a body share, over the frame that comes next, to a value, no further than
+    /// the drive ever goes by itself, and hold it there; or let go of it. False where there is no such drive.
     pub fn lead(&mut self, body: usize, drive: &str, aim: Option<f64>) -> bool {
         self.world.lead(body, drive, aim)
     }

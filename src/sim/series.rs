@@ -47,8 +47,9 @@ impl TimeSeries {
         }
     }
 
-    /// Goes on with a world after an edit: with other names if only those of measures have changed, with zeros of before for
-    /// pins, fibres and panels that are new, and without the rows so far where bodies or measures are others.
+    /// Goes on with a world after an edit: with other names if only those of measures have changed, with zeros of
+    /// before for pins, fibres and panels that are new, and without the rows so far where bodies or measures are
+    /// others.
     pub(crate) fn continue_with(&mut self, world: &World, most: usize) {
         let columns = columns(world);
         if columns == self.columns {

@@ -57,8 +57,8 @@ impl SideBySide {
         Ok(Self { runs, pitch, gas, time: 0.0 })
     }
 
-    /// Brings every run forward by so much [s], in whole steps. Where `stop` ends that on the way it gives false, and all goes on
-    /// from there the next time.
+    /// Brings every run forward by so much [s], in whole steps. Where `stop` ends that on the way it gives false, and
+    /// all goes on from there the next time.
     pub(super) fn advance_unless(&mut self, seconds: f64, stop: &dyn Fn() -> bool) -> bool {
         let end = self.time + seconds;
         for run in &mut self.runs {

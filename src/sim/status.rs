@@ -36,8 +36,8 @@ pub struct Status {
     pub warns: bool,
     /// What is being put together just now, and how far that has come.
     pub baking: Option<String>,
-    /// Whether the last change was not put together, as somebody stopped that: what was there before goes on. A reset or
-    /// the next change puts the scene together.
+    /// Whether the last change was not put together, as somebody stopped that: what was there before goes on. A reset
+    /// or the next change puts the scene together.
     pub stopped: bool,
     /// Present values of the scene's measures.
     pub measures: Vec<MeasureValue>,
@@ -104,8 +104,8 @@ pub struct RecordingStatus {
     pub span: Option<[f64; 2]>,
     /// Number of frames.
     pub frames: usize,
-    /// Numbers, as their times count them, of the first and the last frame of the scene as it was put together last; none
-    /// where there is none.
+    /// Numbers, as their times count them, of the first and the last frame of the scene as it was put together last;
+    /// none where there is none.
     pub numbers: Option<[u64; 2]>,
     /// Whether an earlier frame is shown, not what the simulation has come to.
     pub in_replay: bool,
@@ -197,8 +197,8 @@ pub struct Published {
     pub ghost: Option<Snapshot>,
     /// Every body at rest in its model frame; the same one until the scene is put together again.
     pub at_rest: Arc<Snapshot>,
-    /// Particles of each body in parts of hardly more than one layer, where a note tells of them; the same ones until the
-    /// scene is put together again.
+    /// Particles of each body in parts of hardly more than one layer, where a note tells of them; the same ones until
+    /// the scene is put together again.
     pub thin: Arc<[Vec<u32>]>,
     /// Opposite corners of the box around all bodies where the scene places them [m], world; none without a body.
     pub placed: Option<[DVec3; 2]>,

@@ -52,13 +52,14 @@ impl Study {
         self.baked.stable_step(integrator)
     }
 
-    /// Slowest swing of the first body around its rest, if something holds it: angular frequency [rad/s], without damping,
-    /// gravity and contact.
+    /// Slowest swing of the first body around its rest, if something holds it: angular frequency [rad/s], without
+    /// damping, gravity and contact.
     pub fn first_mode(&self) -> Option<f64> {
         first_mode(self.baked.world.bodies().first()?.parts())
     }
 
-    /// What `integrator` makes of an undamped swing of `omega` [rad/s] in steps of `dt` [s]; none where it no longer swings.
+    /// What `integrator` makes of an undamped swing of `omega` [rad/s] in steps of `dt` [s]; none where it no longer
+    /// swings.
     pub fn swing(&self, integrator: IntegratorKind, omega: f64, dt: f64) -> Option<Swing> {
         Baked::swing_under(integrator, omega, dt)
     }
@@ -80,8 +81,8 @@ impl Study {
         trial
     }
 
-    /// Runs the scene for `seconds` [s] under every integrator with `halvings` steps: `seconds` over `coarsest` steps, over
-    /// twice as many, and so on, so that every run ends at the same time.
+    /// Runs the scene for `seconds` [s] under every integrator with `halvings` steps: `seconds` over `coarsest` steps,
+    /// over twice as many, and so on, so that every run ends at the same time.
     pub fn convergence(
         &self,
         integrators: &[IntegratorKind],

@@ -1,5 +1,5 @@
-//! A motion that is handed over to be written while the simulation goes on: its start, to be computed anew, and what is kept
-//! of it.
+//! A motion that is handed over to be written while the simulation goes on: its start, to be computed anew, and what is
+//! kept of it.
 
 use super::recording::{RestoredRun, StoredState};
 use super::runner::Runner;

@@ -74,7 +74,8 @@ impl Trial {
         self.gained = self.gained.max(gained);
     }
 
-    /// The greatest energy that the run was given so far [J]: what there was to be spent, and what was done from outside.
+    /// The greatest energy that the run was given so far [J]: what there was to be spent, and what was done from
+    /// outside.
     fn handled(&self) -> f64 {
         (self.spendable + self.work[1]).max(f64::MIN_POSITIVE)
     }
@@ -150,8 +151,8 @@ impl Trial {
     }
 }
 
-/// The energy that a scene has to spend at the start [J]: motion, strain, contact, gas (nRT), the height of its bodies and
-/// panels above the floor, or of bodies above themselves where there is none.
+/// The energy that a scene has to spend at the start [J]: motion, strain, contact, gas (nRT), the height of its bodies
+/// and panels above the floor, or of bodies above themselves where there is none.
 fn spendable(scene: &Scene, world: &World) -> f64 {
     let gravity = DVec3::from_array(scene.gravity);
     let gas: f64 = scene.two_layer.iter().filter(|body| body.shape.dimension() > 1).map(|body| body.pressure).sum();

@@ -76,14 +76,15 @@ impl Worker {
         self.commands.as_ref().is_some_and(|commands| commands.send(command))
     }
 
-    /// Hands over the models of the document, with those that came into it since it was opened: edits that follow may name
-    /// them.
+    /// Hands over the models of the document, with those that came into it since it was opened: edits that follow may
+    /// name them.
     pub fn set_models(&self, models: Arc<Assets>) {
         self.models.set(Some(models));
     }
 
     /// Ends the putting together of a scene, if one is being put together just now: what was there before goes on, and
-    /// [`Status::stopped`](super::Status::stopped) tells of it until the next document or a reset puts the scene together.
+    /// [`Status::stopped`](super::Status::stopped) tells of it until the next document or a reset puts the scene
+    /// together.
     pub fn stop_building(&self) {
         if let Some(commands) = &self.commands {
             commands.stop();

@@ -51,7 +51,8 @@ pub struct Lifted {
     pub strokes: [Vec<DVec2>; 2],
     /// Index pairs into `strokes`, from the start to the end of both.
     pub matches: Vec<[usize; 2]>,
-    /// The parts of each stroke outside the range that both share, (horizontal, vertical) in its view [m]; drawn dashed.
+    /// The parts of each stroke outside the range that both share, (horizontal, vertical) in its view [m]; drawn
+    /// dashed.
     pub clipped: [Vec<Vec<DVec2>>; 2],
     /// What was done without being asked, or looks doubtful.
     pub notes: Vec<SketchNote>,

@@ -9,8 +9,8 @@
 //!
 //! The steps: [`guides()`] after the first stroke, [`follow()`] while the second is drawn, [`lift()`] for the pair,
 //! [`structure_particles`] to sample the curve, [`trim()`] to keep what lies in the solid. All of them are pure. Beside
-//! strokes there are [`pattern`]s to start from. A pair can also be taken another way: [`sweep()`] carries the first along
-//! the second, which gives a surface.
+//! strokes there are [`pattern`]s to start from. A pair can also be taken another way: [`sweep()`] carries the first
+//! along the second, which gives a surface.
 
 mod clean;
 mod correspond;

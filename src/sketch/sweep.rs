@@ -27,12 +27,13 @@ impl Sweep {
     }
 }
 
-/// Carries the first stroke along the second, drawn in two of the three orthographic views: `P = A(u) + B(v) - B(0)`. Each
-/// stroke is cleaned and cut into steps of `spacing` [m] or a little more; A begins as deep as B does, and B takes nothing
-/// across its own view.
+/// Carries the first stroke along the second, drawn in two of the three orthographic views: `P = A(u) + B(v) - B(0)`.
+/// Each stroke is cleaned and cut into steps of `spacing` [m] or a little more; A begins as deep as B does, and B takes
+/// nothing across its own view.
 ///
 /// # Errors
-/// One view twice, unusable points, a stroke without length, a spacing that is no length, or strokes that run side by side.
+/// One view twice, unusable points, a stroke without length, a spacing that is no length, or strokes that run side by
+/// side.
 pub fn sweep(first: &Stroke, second: &Stroke, model_diagonal: f64, spacing: f64) -> Result<Sweep, SketchError> {
     if !(spacing > 0.0 && spacing.is_finite()) {
         return Err(SketchError::Spacing(spacing));

@@ -64,8 +64,8 @@ pub fn trim(particles: &[Placed], h: f64) -> Result<Trimmed, SketchError> {
     Ok(Trimmed { runs, starts, notes })
 }
 
-/// Embedded particles in runs, parted where unembedded ones make a gap longer than `h` along the fibre, with where on it
-/// they start.
+/// Embedded particles in runs, parted where unembedded ones make a gap longer than `h` along the fibre, with where on
+/// it they start.
 fn split(particles: &[Placed], h: f64) -> Vec<(f64, Vec<DVec3>)> {
     let mut runs: Vec<(f64, Vec<DVec3>)> = Vec::new();
     // Length walked since the last embedded particle, and whether anything unembedded lay on the way.

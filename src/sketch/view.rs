@@ -5,8 +5,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// An orthographic drawing view. Horizontal runs right on the screen, vertical up; but Z runs down in the top view, which
-/// looks from above.
+/// An orthographic drawing view. Horizontal runs right on the screen, vertical up; but Z runs down in the top view,
+/// which looks from above.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum View {

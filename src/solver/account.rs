@@ -1,11 +1,11 @@
-//! Energy less work from outside, looked at from time to time. Dissipation lowers it and nothing may raise it: what it gains is
-//! an error of the integration.
+//! Energy less work from outside, looked at from time to time. Dissipation lowers it and nothing may raise it: what it
+//! gains is an error of the integration.
 
 /// Share of the energy that was handled by which the balance may rise in a second [1/s].
 const RATE: f64 = 0.01;
 
-/// Share by which it may rise besides: what integrators that keep energy on the whole have more of it at one time than at
-/// another.
+/// Share by which it may rise besides: what integrators that keep energy on the whole have more of it at one time than
+/// at another.
 const SLACK: f64 = 0.02;
 
 /// A body that has gained this many times the energy that it ever handled is stopped.

@@ -104,8 +104,8 @@ impl Body {
         (self.parts.dt, self.parts.stable_dt, self.parts.limited_by) = (dt, stable_dt, None);
     }
 
-    /// Adds a force. What it asks of the time step is not looked at: the step was chosen when the scene was baked. The balance
-    /// of energy and work is no longer watched, as nothing is known of what the force gives.
+    /// Adds a force. What it asks of the time step is not looked at: the step was chosen when the scene was baked. The
+    /// balance of energy and work is no longer watched, as nothing is known of what the force gives.
     pub fn add_force(&mut self, force: Box<dyn Force>) {
         self.parts.forces.push(force);
         self.has_own_forces = true;
@@ -127,8 +127,8 @@ impl Body {
         self.current = false;
     }
 
-    /// Takes over the motion of `other`, the same body before an edit, at a time [s], with what has broken in it; false if
-    /// the two do not have the same particles. What is newly pinned is held where it is.
+    /// Takes over the motion of `other`, the same body before an edit, at a time [s], with what has broken in it; false
+    /// if the two do not have the same particles. What is newly pinned is held where it is.
     pub(super) fn adopt(&mut self, other: &Self, time: f64) -> bool {
         if self.parts.rest != other.parts.rest || other.divergence.is_some() {
             return false;
@@ -271,8 +271,8 @@ impl Body {
         }
     }
 
-    /// Takes `count` steps from `time` [s]; `after_step` sees the body after each, and the time [s]. False where `stop`, asked
-    /// before each, ended it.
+    /// Takes `count` steps from `time` [s]; `after_step` sees the body after each, and the time [s]. False where
+    /// `stop`, asked before each, ended it.
     pub(super) fn advance(
         &mut self,
         time: f64,

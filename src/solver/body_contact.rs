@@ -2,13 +2,13 @@
 //! of an outer step, equal and opposite, and given as impulses by the [`super::world`]. It is no force of either body's
 //! list.
 //!
-//! A fibre solid is a heap of balls, one around each particle. A two-layer body is the surface of its outer layer, whose
-//! particles are points. What is pushed with a normal force keeps both momenta of the pair; friction acts at the
+//! A fibre solid is a heap of balls, one around each particle. A two-layer body is the surface of its outer layer,
+//! whose particles are points. What is pushed with a normal force keeps both momenta of the pair; friction acts at the
 //! particle's centre, and so with the lever of its radius (zero for points) against the angular one.
 //!
-//! Bodies that overlap at the start are granted an [`Allowance`]: contact is found as if each touch were less deep, or as
-//! if one body stood aside, so far that the two just touch. Standing aside, a push across that way has a lever about the
-//! place aside, and the pair's angular momentum changes by it; its linear momentum never does.
+//! Bodies that overlap at the start are granted an [`Allowance`]: contact is found as if each touch were less deep, or
+//! as if one body stood aside, so far that the two just touch. Standing aside, a push across that way has a lever about
+//! the place aside, and the pair's angular momentum changes by it; its linear momentum never does.
 
 use super::body::Body;
 use super::forces::pressure::Surface;
@@ -56,8 +56,8 @@ pub(super) struct Touch {
     velocity: DVec3,
 }
 
-/// Two particles that touch, or a particle that touches a surface: whether it is one of the second body, its index, and the
-/// other's.
+/// Two particles that touch, or a particle that touches a surface: whether it is one of the second body, its index, and
+/// the other's.
 pub(super) type TouchKey = (bool, u32, Option<u32>);
 
 /// Adds to the external forces of two bodies what they push on each other with over the next outer step, `dt` [s] after
@@ -138,8 +138,8 @@ impl Aabb {
     }
 }
 
-/// Where the bounding boxes of two bodies overlap, when each is `reach` [m] larger than its particles and the first stands
-/// `aside` [m].
+/// Where the bounding boxes of two bodies overlap, when each is `reach` [m] larger than its particles and the first
+/// stands `aside` [m].
 fn bounds_overlap(a: &Body, b: &Body, reach: f64, aside: DVec3) -> Option<Aabb> {
     let bounds = |body: &Body| {
         let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);

@@ -197,8 +197,8 @@ impl Constraint {
         self.found.as_deref().unwrap_or(&self.start)
     }
 
-    /// Holds particles from `time` [s] on where they are in `state`, but for what `before` held already: a constraint that
-    /// is new to a motion leaves it where it finds it.
+    /// Holds particles from `time` [s] on where they are in `state`, but for what `before` held already: a constraint
+    /// that is new to a motion leaves it where it finds it.
     pub(crate) fn take_hold(&mut self, before: &[Self], time: f64, state: &ParticleState) {
         let same = |old: &&Self| old.particles == self.particles;
         let like = before.iter().filter(same).find(|old| old.locked == self.locked);
@@ -218,8 +218,8 @@ impl Constraint {
         self.found = Some(found.collect());
     }
 
-    /// How far each of the particles has been led from its start at `time` [s], and how fast, where a motion made elsewhere does
-    /// so.
+    /// How far each of the particles has been led from its start at `time` [s], and how fast, where a motion made
+    /// elsewhere does so.
     fn led_by(&self, time: f64) -> Option<Vec<(DVec3, DVec3)>> {
         let PrescribedMotion::Led(led) = &self.motion else { return None };
         let starts = self.start.iter();

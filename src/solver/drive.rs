@@ -71,8 +71,8 @@ pub(crate) enum After {
     Mirror,
 }
 
-/// `mean - amplitude cos(2 pi (s / wavelength - (t - start) / period) + phase)` at the place s of a fibre, zero before the
-/// start and rising from there within the first period.
+/// `mean - amplitude cos(2 pi (s / wavelength - (t - start) / period) + phase)` at the place s of a fibre, zero before
+/// the start and rising from there within the first period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Wave {
     pub mean: f64,
@@ -194,8 +194,8 @@ impl Drive {
         }
     }
 
-    /// The hand that leads it within two times [s] to a value, no further than it ever goes by itself, or lets go of it; none
-    /// where there is nothing to let go of.
+    /// The hand that leads it within two times [s] to a value, no further than it ever goes by itself, or lets go of
+    /// it; none where there is nothing to let go of.
     pub(crate) fn led(&self, times: [f64; 2], aim: Option<f64>) -> Option<Hand> {
         let aim = aim.map(|aim| aim.clamp(self.least(), self.greatest()));
         let is_led = aim.is_some() || self.hand().is_some_and(|hand| hand.holds());
@@ -303,8 +303,8 @@ impl DriveAlong {
         if greatest { self.drive.greatest() } else { self.drive.least() }
     }
 
-    /// The larger of what a number that is the first of two where it is 0 and the second where it is 1 comes to where it is at
-    /// its greatest and at its least, or the smaller of both.
+    /// The larger of what a number that is the first of two where it is 0 and the second where it is 1 comes to where
+    /// it is at its greatest and at its least, or the smaller of both.
     pub(crate) fn thickest(&self, [at_zero, at_one]: [f64; 2], larger: bool) -> f64 {
         let [a, b] = [true, false].map(|greatest| at_zero + (at_one - at_zero) * self.extreme(greatest));
         if larger { a.max(b) } else { a.min(b) }

@@ -3,8 +3,8 @@
 use super::drive::Drive;
 use super::hand::Hand;
 
-/// What a force and its energy are multiplied by, and the work that this does on the body by changing: half of a step's at
-/// each of its ends.
+/// What a force and its energy are multiplied by, and the work that this does on the body by changing: half of a step's
+/// at each of its ends.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Driven {
     /// By 1 where there is none.
@@ -38,8 +38,8 @@ impl Driven {
         }
     }
 
-    /// Books the step that ended at a time [s] with this energy [J]. One that is no number, such as that of gas without a
-    /// volume, has no work: the body is about to be stopped.
+    /// Books the step that ended at a time [s] with this energy [J]. One that is no number, such as that of gas without
+    /// a volume, has no work: the body is about to be stopped.
     pub(crate) fn book(&mut self, time: f64, energy: impl FnOnce() -> f64) {
         let Some(drive) = &self.drive else { return };
         let now = [drive.at(time).0, energy()];

@@ -3,8 +3,8 @@
 use super::drive::DriveAlong;
 use super::hand::Hand;
 
-/// The particles around such fibres, and what the volume fraction there is made of: the largest of all fibres and sheets, with
-/// what is painted over it.
+/// The particles around such fibres, and what the volume fraction there is made of: the largest of all fibres and
+/// sheets, with what is painted over it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DrivenFractions {
     /// Indices of the particles, ascending.

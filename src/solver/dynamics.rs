@@ -106,8 +106,8 @@ impl Dynamics<'_> {
         self.evaluate_those(time, state, |force| force.downcast_ref::<FibreForce>().is_none());
     }
 
-    /// Adds to the forces of the last evaluation what those of the next step are found from, `forces` [N] on the particles,
-    /// and gives the number of that evaluation, for [`Self::starts_from`].
+    /// Adds to the forces of the last evaluation what those of the next step are found from, `forces` [N] on the
+    /// particles, and gives the number of that evaluation, for [`Self::starts_from`].
     pub(super) fn end_with(&mut self, forces: &[DVec3]) -> u64 {
         axpy(1.0, forces, self.net);
         *self.current = true;

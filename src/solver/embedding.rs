@@ -40,7 +40,8 @@ impl EmbeddingWeights {
         }
     }
 
-    /// `sum phi²`: the share of a force on the point that comes back as the point's own acceleration, per particle mass.
+    /// `sum phi²`: the share of a force on the point that comes back as the point's own acceleration, per particle
+    /// mass.
     pub fn square_sum(&self) -> f64 {
         self.weights.iter().map(|(_, phi)| phi * phi).sum()
     }
@@ -135,10 +136,11 @@ impl<'a> Embedder<'a> {
         self.points.iter().map(|point| point.distance_squared(at)).fold(f64::INFINITY, f64::min).sqrt()
     }
 
-    /// Linear-reproducing weights at a point, over the particles that count there: those of more than a negligible share of
-    /// the heaviest kernel weight, 6 % unless all are kept. They are half of all in reach, which is what a fibre vertex costs at every step; linear
-    /// fields are reproduced all the same. The weights change abruptly from one point to the next, as a skin must not
-    /// ([`super::skin_weights`]). None where those particles lie on a plane or a line, or are too few.
+    /// Linear-reproducing weights at a point, over the particles that count there: those of more than a negligible
+    /// share of the heaviest kernel weight, 6 % unless all are kept. They are half of all in reach, which is what a
+    /// fibre vertex costs at every step; linear fields are reproduced all the same. The weights change abruptly from
+    /// one point to the next, as a skin must not ([`super::skin_weights`]). None where those particles lie on a plane
+    /// or a line, or are too few.
     pub(crate) fn vertex_weights(&self, at: DVec3) -> Option<EmbeddingWeights> {
         self.weighted(at, &self.that_count(at))
     }
@@ -217,8 +219,8 @@ impl<'a> Embedder<'a> {
     }
 }
 
-/// Whether a symmetric second moment, of offsets in support radii and of this weight, is far from singular. That of a single
-/// particle is round-off, and may have any sign.
+/// Whether a symmetric second moment, of offsets in support radii and of this weight, is far from singular. That of a
+/// single particle is round-off, and may have any sign.
 fn spans_space(c: DMat3, weight: f64) -> bool {
     let trace = c.x_axis.x + c.y_axis.y + c.z_axis.z;
     trace > 1e-9 * weight && c.determinant() > 1e-6 * trace.powi(3)

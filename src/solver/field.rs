@@ -7,8 +7,8 @@ use super::forces::{FibreForce, Inelastic, MatrixForce, MatrixThinning};
 /// A scalar at every particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FieldKind {
-    /// Equivalent strain of the matrix [1], `sqrt(2/3 e' : e')` with `e' = e - tr(e)/3 I` and `e = sym(R^T F) - I`: what
-    /// a bar of equal volume is stretched by that changes its shape as much.
+    /// Equivalent strain of the matrix [1], `sqrt(2/3 e' : e')` with `e' = e - tr(e)/3 I` and `e = sym(R^T F) - I`:
+    /// what a bar of equal volume is stretched by that changes its shape as much.
     Strain,
     /// Equivalent stress of the matrix after von Mises [Pa], `sqrt(3/2 s' : s')` with `s' = s - tr(s)/3 I` and
     /// `s = 2 mu e + lambda tr(e) I`: in the material's own frame, at the matrix itself, not thinned by its share.
@@ -62,8 +62,8 @@ impl Body {
         }
     }
 
-    /// Force [N] that every edge of every centre line carries along itself, negative where it is pressed; zero where it is
-    /// broken or nothing stretches.
+    /// Force [N] that every edge of every centre line carries along itself, negative where it is pressed; zero where it
+    /// is broken or nothing stretches.
     pub fn tensions(&self) -> Vec<Vec<f64>> {
         let edges = self.parts().fibres.iter().map(|line| line.vertices.len().saturating_sub(1));
         let mut lines: Vec<Vec<f64>> = edges.map(|count| vec![0.0; count]).collect();
@@ -73,8 +73,8 @@ impl Body {
         lines
     }
 
-    /// What every edge of every centre line does by itself: its drive, and the share by which that has it want to be shorter;
-    /// zeros where it does not act.
+    /// What every edge of every centre line does by itself: its drive, and the share by which that has it want to be
+    /// shorter; zeros where it does not act.
     pub fn activations(&self) -> Vec<Vec<[f64; 2]>> {
         let edges = self.parts().fibres.iter().map(|line| line.vertices.len().saturating_sub(1));
         let mut lines: Vec<Vec<[f64; 2]>> = edges.map(|count| vec![[0.0; 2]; count]).collect();

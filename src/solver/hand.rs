@@ -1,7 +1,8 @@
-//! A hand that leads a drive: from where the drive was to another value within a frame, and back to the drive when it lets go.
+//! A hand that leads a drive: from where the drive was to another value within a frame, and back to the drive when it
+//! lets go.
 
-/// By what share of a frame a hand begins to lead after the frame does: so what is evaluated at the end of the frame before, as
-/// far as it is told from the beginning of this one, knows nothing of it.
+/// By what share of a frame a hand begins to lead after the frame does: so what is evaluated at the end of the frame
+/// before, as far as it is told from the beginning of this one, knows nothing of it.
 pub(crate) const LATE: f64 = 1e-6;
 
 /// What a hand makes of a drive.
@@ -35,8 +36,8 @@ impl Hand {
         }
     }
 
-    /// As [`Self::lead`], of the value at one of the places along which a wave runs: from there, not from the value of the
-    /// first place.
+    /// As [`Self::lead`], of the value at one of the places along which a wave runs: from there, not from the value of
+    /// the first place.
     pub(crate) fn lead_along(&self, time: f64, own: f64) -> f64 {
         let ((start, a), (end, aim)) = (self.from, self.to);
         let s = (time - start) / (end - start);
@@ -49,8 +50,8 @@ impl Hand {
         }
     }
 
-    /// Until when [s] what it leads changes, if that by itself changes until `own` [s]: as long as it holds it, it may lead it
-    /// elsewhere at any time.
+    /// Until when [s] what it leads changes, if that by itself changes until `own` [s]: as long as it holds it, it may
+    /// lead it elsewhere at any time.
     pub(crate) fn until(&self, own: f64) -> f64 {
         if self.to.1.is_some() { f64::INFINITY } else { own.max(self.to.0) }
     }

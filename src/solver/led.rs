@@ -1,10 +1,10 @@
 //! Particles that follow a motion made elsewhere: the joints of a skeleton, or the points of a cache.
 //!
-//! How it works. Each particle is bound once, as the body is at rest. To a skeleton it is bound as a vertex of its skin is, by
-//! shares of joints, in the frame in which the skin was bound: where the joints go there, linearly blended, it goes. To a cache it
-//! is bound to the face that is nearest to it: its foot there keeps its shares of the corners, and its height over it stays.
-//! What a clip does between its keys, and a cache between its samples, is known at any time with its rate, so that what is held
-//! has the velocity of its motion.
+//! How it works. Each particle is bound once, as the body is at rest. To a skeleton it is bound as a vertex of its skin
+//! is, by shares of joints, in the frame in which the skin was bound: where the joints go there, linearly blended, it
+//! goes. To a cache it is bound to the face that is nearest to it: its foot there keeps its shares of the corners, and
+//! its height over it stays. What a clip does between its keys, and a cache between its samples, is known at any time
+//! with its rate, so that what is held has the velocity of its motion.
 
 use super::drive::After;
 use crate::geometry::point_cache::PointCache;

@@ -38,8 +38,8 @@ const REAL: f64 = 1e-6;
 const REAL_MODES: usize = 3;
 
 /// The fastest modes of `state` under `forces`, around the velocity zero; `scale` [m] is the length against which a
-/// displacement counts as small. No modes where nothing resists; none at all where `stop`, asked again and again, says that
-/// they are no longer wanted.
+/// displacement counts as small. No modes where nothing resists; none at all where `stop`, asked again and again, says
+/// that they are no longer wanted.
 pub(crate) fn fastest_modes(
     forces: &mut [Box<dyn Force>],
     state: &ParticleState,
@@ -69,8 +69,8 @@ pub(crate) struct Modes {
 pub(crate) struct ModeShape([Vec<DVec3>; 2]);
 
 impl Modes {
-    /// Greatest step [s] at which `integrator` keeps every mode from growing, where a drag that small motions do not show may
-    /// brake them by up to `drag` [1/s] more.
+    /// Greatest step [s] at which `integrator` keeps every mode from growing, where a drag that small motions do not
+    /// show may brake them by up to `drag` [1/s] more.
     pub(crate) fn greatest_stable_step(&self, integrator: &dyn Integrator, drag: f64) -> f64 {
         greatest_stable_step(integrator, self.found.iter().map(|(mode, _)| *mode), drag)
     }

@@ -28,8 +28,8 @@ impl Drift {
         self.before.is_some()
     }
 
-    /// Counts a frame of so many seconds in which all that was known of gave them so much; none where something else may
-    /// have.
+    /// Counts a frame of so many seconds in which all that was known of gave them so much; none where something else
+    /// may have.
     pub(super) fn end(&mut self, seconds: f64, now: Option<Momenta>, given: Momenta) {
         if let (Some(before), Some(now)) = (self.before.take(), now) {
             for (k, drifted) in self.drifted.iter_mut().enumerate() {

@@ -34,8 +34,8 @@ pub struct Lattice {
     pub spacing: f64,
     /// Unit axes in the model frame, as columns.
     pub axes: DMat3,
-    /// By how much it is stretched along them: particles whose indices differ by `o` are `D axes (stretch o)` apart. The
-    /// kernel is stretched along, so that weights hang on `|o|²` alone.
+    /// By how much it is stretched along them: particles whose indices differ by `o` are `D axes (stretch o)` apart.
+    /// The kernel is stretched along, so that weights hang on `|o|²` alone.
     pub stretch: DVec3,
     kernel: Kernel,
     volume: f64,
@@ -109,8 +109,8 @@ impl Neighbourhood {
         Ok(built.unwrap_or_else(|| unreachable!("nothing stops it")))
     }
 
-    /// [`Self::on_lattice`], where particles with a hollow between them are no neighbours; none where `stop`, asked again and
-    /// again, says that they are no longer wanted.
+    /// [`Self::on_lattice`], where particles with a hollow between them are no neighbours; none where `stop`, asked
+    /// again and again, says that they are no longer wanted.
     ///
     /// # Errors
     /// As [`Self::on_lattice`].
@@ -231,7 +231,8 @@ impl Neighbourhood {
         &self.lattice
     }
 
-    /// Whether hollows keep some particles from feeling others that are near enough: neighbour sums are no stencils then.
+    /// Whether hollows keep some particles from feeling others that are near enough: neighbour sums are no stencils
+    /// then.
     pub(super) fn is_cut(&self) -> bool {
         self.is_cut
     }

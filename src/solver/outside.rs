@@ -1,4 +1,5 @@
-//! The work that is done on a world from outside over one outer step: by prescribed motions, and by forces such as wind.
+//! The work that is done on a world from outside over one outer step: by prescribed motions, and by forces such as
+//! wind.
 
 use super::body::Body;
 use super::outside_body::OutsideBody;
@@ -23,8 +24,8 @@ impl Outside {
         Self { bodies: bodies.collect(), panels: panels.collect(), booked }
     }
 
-    /// The work done [J] from then until `now`, by the mean of the forces at both ends: that on the bodies, and what driven
-    /// panels and colliders did.
+    /// The work done [J] from then until `now`, by the mean of the forces at both ends: that on the bodies, and what
+    /// driven panels and colliders did.
     pub(crate) fn work_until(&self, now: &Self, world: &World) -> f64 {
         let bodies = self.bodies.iter().zip(&now.bodies);
         let of_bodies: f64 = bodies.map(|(before, now)| before.work_until(now).work).sum();

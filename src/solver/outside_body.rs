@@ -59,9 +59,9 @@ impl OutsideBody {
         Self { pushed: pushed(body, time), ..Self::default() }
     }
 
-    /// Work [J] from then until `now`: all that a held particle gained in motion and gave to what it is tied to, and what
-    /// forces from outside pushed. By the mean of the forces at both ends, or by those on the way where an integrator leaves
-    /// these.
+    /// Work [J] from then until `now`: all that a held particle gained in motion and gave to what it is tied to, and
+    /// what forces from outside pushed. By the mean of the forces at both ends, or by those on the way where an
+    /// integrator leaves these.
     pub(super) fn work_until(&self, now: &Self) -> WorkOnBody {
         let mut done = WorkOnBody::default();
         for (a, b) in self.held.iter().zip(&now.held) {

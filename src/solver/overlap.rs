@@ -185,8 +185,8 @@ pub(super) fn with_collider(index: usize, body: &Body, number: usize, gravity: D
     doubtful.then(|| Overlap { body: index, against, out: depth * way, inside, at, easing })
 }
 
-/// How two bodies overlap at a time [s], the second's place in the world being what is asked for, and how they are eased
-/// apart.
+/// How two bodies overlap at a time [s], the second's place in the world being what is asked for, and how they are
+/// eased apart.
 pub(super) fn of_bodies(
     [first, second]: [usize; 2],
     bodies: &[Body],

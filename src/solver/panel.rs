@@ -51,9 +51,9 @@ impl Panel {
         !(DVec2::new(x.x, x.z) - self.center).abs().cmpgt(self.half_size).any()
     }
 
-    /// Adds the panel's push at `time` [s] to the external forces of a body; returns the vertical force on the panel [N].
-    /// Where the body is eased out of it, the underside counts as that much higher. Where its particles hold on to the panel
-    /// is kept as places.
+    /// Adds the panel's push at `time` [s] to the external forces of a body; returns the vertical force on the panel
+    /// [N]. Where the body is eased out of it, the underside counts as that much higher. Where its particles hold on to
+    /// the panel is kept as places.
     pub(super) fn add_contact(&self, body: &mut Body, eased: Option<&Easing>, grip: &mut Grip<u32>, time: f64) -> f64 {
         let law = ContactLaw { friction: self.friction, ..body.parts().contact };
         let reach = body.parts().reach;

@@ -37,8 +37,9 @@ pub(crate) fn nearest_rotation(f: DMat3, start: DQuat) -> DQuat {
     q
 }
 
-/// The rotation R that maximises `tr(R^T F)` wherever it lies: of `near` and its half turns, the one that F is turned by
-/// less than 120 degrees from is where the search begins. What F leaves open (a line's turn about itself) stays as in there.
+/// The rotation R that maximises `tr(R^T F)` wherever it lies: of `near` and its half turns, the one that F is turned
+/// by less than 120 degrees from is where the search begins. What F leaves open (a line's turn about itself) stays as
+/// in there.
 pub(super) fn rotation_of(f: DMat3, near: DQuat) -> DQuat {
     let half_turns = [DQuat::IDENTITY, DQuat::from_xyzw(1.0, 0.0, 0.0, 0.0), DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0)];
     let starts = half_turns.into_iter().chain([DQuat::from_xyzw(0.0, 0.0, 1.0, 0.0)]).map(|half| near * half);

@@ -2,8 +2,8 @@
 
 use std::ops::{Deref, DerefMut};
 
-/// A buffer that a copy of its owner does not take along: a copy's is empty, and whoever uses it first makes it fit. So a
-/// copy of a force is as large as what its next evaluation depends on.
+/// A buffer that a copy of its owner does not take along: a copy's is empty, and whoever uses it first makes it fit. So
+/// a copy of a force is as large as what its next evaluation depends on.
 #[derive(Debug, Default)]
 pub(crate) struct Scratch<T>(T);
 

@@ -1,10 +1,10 @@
 //! The surface that is drawn: it rides on the material particles, embedded once at rest.
 //!
 //! Weights are those of [`super::skin_weights`]: the skin lies where it was modelled and follows every affine motion of
-//! the particles exactly, as far as they span space beside its distance; what lies further out turns with them, as on an
-//! arm. The absolute weights of a vertex sum to at most [`Skin::GREATEST_SUM`]: it moves by no more than so many times the
-//! greatest displacement of a particle, and by the turn of its arm. Lists are flat: 50 000 vertices are moved in a few
-//! milliseconds.
+//! the particles exactly, as far as they span space beside its distance; what lies further out turns with them, as on
+//! an arm. The absolute weights of a vertex sum to at most [`Skin::GREATEST_SUM`]: it moves by no more than so many
+//! times the greatest displacement of a particle, and by the turn of its arm. Lists are flat: 50 000 vertices are moved
+//! in a few milliseconds.
 
 use super::embedding::EmbeddingWeights;
 use super::forces::FlowSurface;
@@ -25,8 +25,8 @@ use std::sync::{Arc, OnceLock};
 /// A render surface that rides on the particles.
 #[derive(Clone, Debug, Default)]
 pub struct Skin {
-    /// Sources and weights of every point: those of point `p` are `starts[p]..starts[p + 1]`. A source is a particle or,
-    /// behind the `particles` of them, a direction of an arm.
+    /// Sources and weights of every point: those of point `p` are `starts[p]..starts[p + 1]`. A source is a particle
+    /// or, behind the `particles` of them, a direction of an arm.
     starts: Vec<u32>,
     sources: Vec<u32>,
     weights: Vec<f64>,
@@ -181,8 +181,8 @@ impl Skin {
         self.point_of.is_empty()
     }
 
-    /// Particles and weights of one vertex; none if there is no such vertex. Of one that hangs on an arm they are those of
-    /// the place where that begins.
+    /// Particles and weights of one vertex; none if there is no such vertex. Of one that hangs on an arm they are those
+    /// of the place where that begins.
     pub fn weights(&self, vertex: usize) -> Option<EmbeddingWeights> {
         let p = *self.point_of.get(vertex)? as usize;
         let range = self.starts[p] as usize..self.starts[p + 1] as usize;
@@ -196,8 +196,8 @@ impl Skin {
         FlowSurface { vertices, triangles: Arc::clone(&self.triangles) }
     }
 
-    /// The arm on which a vertex hangs over particles at `positions` [m]: from where its weights put it to where it is. Zero
-    /// for one that they carry by themselves.
+    /// The arm on which a vertex hangs over particles at `positions` [m]: from where its weights put it to where it is.
+    /// Zero for one that they carry by themselves.
     pub(super) fn arm(&self, vertex: usize, positions: &[DVec3]) -> DVec3 {
         let Some(&p) = self.point_of.get(vertex) else { return DVec3::ZERO };
         let range = self.starts[p as usize] as usize..self.starts[p as usize + 1] as usize;
@@ -242,8 +242,8 @@ impl Skin {
         })
     }
 
-    /// The directions of its arms over particles at `positions` [m]; what is drawn of it hangs on the particles and these
-    /// behind them.
+    /// The directions of its arms over particles at `positions` [m]; what is drawn of it hangs on the particles and
+    /// these behind them.
     pub(super) fn directions(&self, positions: &[DVec3]) -> Vec<DVec3> {
         self.arms.directions(positions)
     }

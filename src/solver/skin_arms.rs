@@ -1,9 +1,9 @@
 //! Arms: what particles leave of the way to a point of a skin far outside of them, turned as they turn.
 //!
 //! A rotation is no linear function of the particles; its three axes are. So every arm gives three *directions*, the
-//! model frame's axes turned, behind the particles, and a point sums over both: `x = sum w_k x_k + sum o_j R e_j`. Whoever
-//! sums needs to know nothing of rotations. Directions have no place: what moves the list of particles elsewhere leaves
-//! them alone.
+//! model frame's axes turned, behind the particles, and a point sums over both: `x = sum w_k x_k + sum o_j R e_j`.
+//! Whoever sums needs to know nothing of rotations. Directions have no place: what moves the list of particles
+//! elsewhere leaves them alone.
 
 use super::rotation::rotation_of;
 use super::skin_weights::Arm;
@@ -13,8 +13,8 @@ use rayon::prelude::*;
 /// Directions of an arm.
 pub(super) const DIRECTIONS: usize = 3;
 
-/// By how much the whole body's turn counts beside that of the particles around an arm. Where these hardly say how they are
-/// turned about some axis, it has the say, and that changes by and by; where all turn alike, it changes nothing.
+/// By how much the whole body's turn counts beside that of the particles around an arm. Where these hardly say how they
+/// are turned about some axis, it has the say, and that changes by and by; where all turn alike, it changes nothing.
 const WHOLE_SHARE: f64 = 0.05;
 
 /// The turns of all arms of a skin.

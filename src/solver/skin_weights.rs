@@ -1,18 +1,18 @@
 //! How points of a skin hang on the particles, wherever they lie: on them, at a tip, far outside.
 //!
 //! A point at X is carried by the particles X_k within a support radius that grows with the distance to the nearest of
-//! them, so that weights neither vanish nor jump: `H = max(h, 2.5 |X - X_nearest|)`. With p_k the kernel's shares,
-//! c their centre and S their second moment about it, moving least squares of first order are
-//! `w_k = p_k (1 + (X_k - c) . S^-1 (X - c))`: they sum to one, put the point where it is, and move it exactly under any
-//! linear deformation. But they grow without bound where the particles are flat beside its distance. What bounds them
-//! is the identity `sum p_k ((X_k - c) . S^-1 m)² = m . S^-1 m`: the weights are those of c + m with m the point nearest
-//! to X - c for which that is at most [`FARTHEST`]² (`m = S (S + t)^-1 (X - c)`, with t = 0 almost everywhere). Hence
+//! them, so that weights neither vanish nor jump: `H = max(h, 2.5 |X - X_nearest|)`. With p_k the kernel's shares, c
+//! their centre and S their second moment about it, moving least squares of first order are `w_k = p_k (1 + (X_k - c) .
+//! S^-1 (X - c))`: they sum to one, put the point where it is, and move it exactly under any linear deformation. But
+//! they grow without bound where the particles are flat beside its distance. What bounds them is the identity `sum p_k
+//! ((X_k - c) . S^-1 m)² = m . S^-1 m`: the weights are those of c + m with m the point nearest to X - c for which that
+//! is at most [`FARTHEST`]² (`m = S (S + t)^-1 (X - c)`, with t = 0 almost everywhere). Hence
 //!
 //! - `sum |w_k| <= 1 + FARTHEST`, for every point and any particles;
 //! - where the particles around span space and the point is no further off than eight times their spread, linear
 //!   deformations are exact;
-//! - otherwise an *arm* `X - c - m` is left, which turns with the particles around ([`super::skin_arms`]). It grows from
-//!   nothing: weights and arms are continuous in X, since so are H, p, c, S, and the projection onto an ellipsoid,
+//! - otherwise an *arm* `X - c - m` is left, which turns with the particles around ([`super::skin_arms`]). It grows
+//!   from nothing: weights and arms are continuous in X, since so are H, p, c, S, and the projection onto an ellipsoid,
 //!   a flat one and a point included.
 //!
 //! Plain moving least squares of a fixed radius instead fail at tips: kernel weights of all particles in reach may be
@@ -77,7 +77,8 @@ pub(super) struct SkinEmbedder<'a> {
 }
 
 impl<'a> SkinEmbedder<'a> {
-    /// Over particles at `points` (rest, model frame), with hollows across which nothing hangs on them; none without any.
+    /// Over particles at `points` (rest, model frame), with hollows across which nothing hangs on them; none without
+    /// any.
     pub(super) fn new(points: &'a [DVec3], kernel: Kernel, hollows: &'a Hollows) -> Option<Self> {
         if points.is_empty() {
             return None;
@@ -223,8 +224,9 @@ fn fading(radius: f64) -> f64 {
     (1.0 - s).powi(2) * (1.0 + 2.0 * s)
 }
 
-/// Up to which octave every particle stands for those of its cell: cells are `cell` [m] wide in the first, twice as wide in
-/// the next, until there are few. Which one of a cell is as good as random, so that thin parts keep their thickness.
+/// Up to which octave every particle stands for those of its cell: cells are `cell` [m] wide in the first, twice as
+/// wide in the next, until there are few. Which one of a cell is as good as random, so that thin parts keep their
+/// thickness.
 fn levels(points: &[DVec3], cell: f64) -> Vec<u8> {
     let corner = points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
     let mut levels = vec![0; points.len()];

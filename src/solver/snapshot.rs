@@ -89,8 +89,8 @@ impl TensionSnapshot {
 /// What the fibres of a world do by themselves at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ActivationSnapshot {
-    /// Of the edges of every fibre of every body: the value of the drive, and the share by which that has the edge want to be
-    /// shorter.
+    /// Of the edges of every fibre of every body: the value of the drive, and the share by which that has the edge want
+    /// to be shorter.
     pub bodies: Vec<Vec<Vec<[f64; 2]>>>,
 }
 
@@ -113,8 +113,8 @@ pub struct FieldSnapshot {
 }
 
 impl FieldSnapshot {
-    /// A field of a world as it stands, over its own range, which begins at 0 so that a body that nothing is done to has the
-    /// map's first colour.
+    /// A field of a world as it stands, over its own range, which begins at 0 so that a body that nothing is done to
+    /// has the map's first colour.
     pub fn of(world: &World, kind: FieldKind) -> Self {
         let bodies: Vec<Vec<f64>> = world.bodies().iter().map(|body| body.field(kind)).collect();
         let top = bodies.iter().flatten().copied().filter(|value| value.is_finite()).fold(kind.least(), f64::max);
@@ -201,7 +201,8 @@ impl BodySnapshot {
         moved
     }
 
-    /// What the surface hangs on beside the particles: directions that turn with the body, behind them in the rig's sums.
+    /// What the surface hangs on beside the particles: directions that turn with the body, behind them in the rig's
+    /// sums.
     pub(crate) fn directions(&self) -> Vec<DVec3> {
         self.embedding.0.as_ref().map_or_else(Vec::new, |skin| skin.directions(&self.particles))
     }

@@ -9,8 +9,8 @@ use super::state::ParticleState;
 use glam::DVec3;
 
 /// Square of the highest angular frequency [1/s²] of `state` under `forces`; `scale` [m] is the length against which a
-/// displacement counts as small. Zero when nothing resists; none where `stop`, asked again and again, says that it is no
-/// longer wanted.
+/// displacement counts as small. Zero when nothing resists; none where `stop`, asked again and again, says that it is
+/// no longer wanted.
 pub(crate) fn highest_frequency_squared(
     forces: &mut [Box<dyn Force>],
     state: &ParticleState,

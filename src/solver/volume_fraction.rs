@@ -26,8 +26,8 @@ pub(crate) fn volume_fractions(particles: &[DVec3], fibres: &[(f64, &[DVec3])], 
         .collect()
 }
 
-/// Raises the fractions at particles to those of a sheet: its `l_s` times the falloff at the distance to the nearest point of
-/// its triangles [m], which ends at `reach` [m].
+/// Raises the fractions at particles to those of a sheet: its `l_s` times the falloff at the distance to the nearest
+/// point of its triangles [m], which ends at `reach` [m].
 pub(crate) fn add_sheet(
     particles: &[DVec3],
     (fraction, triangles): (f64, Vec<[DVec3; 3]>),

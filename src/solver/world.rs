@@ -1,7 +1,7 @@
 //! The simulated world: bodies and panels, advanced frame by frame.
 //!
-//! What acts within a body, its contact with the room and the grabs are forces of the body's own and evaluated in each of
-//! its steps. Contact between two bodies ([`super::body_contact`]) and between a body and a panel ([`super::panel`])
+//! What acts within a body, its contact with the room and the grabs are forces of the body's own and evaluated in each
+//! of its steps. Contact between two bodies ([`super::body_contact`]) and between a body and a panel ([`super::panel`])
 //! belongs to a pair and is no force of either: it is evaluated here at the ends of every outer step, both sides of a
 //! pair together, and given as impulses, half of an outer step's before the bodies' own steps and half after them. Its
 //! energy is among the bodies' energies of contact.
@@ -199,8 +199,8 @@ impl World {
         self.since + (self.frame as f64 + f64::from(outer) / f64::from(self.plan.outer_steps)) * self.plan.frame_seconds
     }
 
-    /// Takes over the motion of `before`, the same world before an edit, so that the simulation goes on: time, panels, and
-    /// the state of every body that still has the same particles. The others start anew.
+    /// Takes over the motion of `before`, the same world before an edit, so that the simulation goes on: time, panels,
+    /// and the state of every body that still has the same particles. The others start anew.
     pub(crate) fn adopt(&mut self, before: &Self) {
         self.since = before.time();
         self.frame = 0;
@@ -232,8 +232,8 @@ impl World {
         self.peaks = self.measures();
     }
 
-    /// Evaluates the contact between bodies and with panels at `time` [s], `dt` [s] after it last was: each pair of things
-    /// together, equal and opposite.
+    /// Evaluates the contact between bodies and with panels at `time` [s], `dt` [s] after it last was: each pair of
+    /// things together, equal and opposite.
     fn evaluate_contact(&mut self, time: f64, dt: f64) {
         for body in &mut self.bodies {
             body.clear_external_forces();
@@ -276,14 +276,14 @@ impl World {
         }
     }
 
-    /// Advances by one frame. A body that diverges stops in the state of the frame before; the others go on. Bodies at rest
-    /// that nothing comes near take no steps.
+    /// Advances by one frame. A body that diverges stops in the state of the frame before; the others go on. Bodies at
+    /// rest that nothing comes near take no steps.
     pub fn advance_frame(&mut self) {
         self.advance_frame_unless(&|| false);
     }
 
-    /// [`Self::advance_frame`] unless `stop`, asked before every step, says that the frame is no longer wanted: false then,
-    /// and the world has to go back to a checkpoint.
+    /// [`Self::advance_frame`] unless `stop`, asked before every step, says that the frame is no longer wanted: false
+    /// then, and the world has to go back to a checkpoint.
     pub(crate) fn advance_frame_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
         let asleep = self.asleep();
         if !asleep.contains(&false) && !asleep.is_empty() {
@@ -301,8 +301,8 @@ impl World {
         let outer_dt = self.plan.frame_seconds / f64::from(self.plan.outer_steps);
         for outer in 0..self.plan.outer_steps {
             let time = self.time_at(outer);
-            // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the contact
-            // takes no energy.
+            // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the
+            // contact takes no energy.
             self.half_kick(time, outer_dt, &asleep);
             for panel in &mut self.panels {
                 panel.drift(time, outer_dt);

@@ -1,5 +1,5 @@
-//! How numbers are written for people, wherever they are shown: in a table, at a plot, beside a field; and how people write
-//! them. Imports nothing.
+//! How numbers are written for people, wherever they are shown: in a table, at a plot, beside a field; and how people
+//! write them. Imports nothing.
 
 pub(crate) mod number;
 #[cfg(feature = "gui")]

@@ -1,7 +1,8 @@
 //! Numbers as people type them: with arithmetic and with units, such as `2*3cm` or `1.5 kg / 4`.
 //!
 //! How it works. A recursive descent over sums, products, powers and parentheses, whose values carry powers of metre,
-//! kilogram and second. A plain number takes the unit of what it is typed for; one with units is taken only where these fit.
+//! kilogram and second. A plain number takes the unit of what it is typed for; one with units is taken only where these
+//! fit.
 
 /// Powers of metre, kilogram and second.
 type Dimension = [i8; 3];

@@ -114,8 +114,8 @@ impl<'a> LineSites<'a> {
         Ok(lines)
     }
 
-    /// The lines of a file as fibres, each with the place of its body: `only`, or else the one that it names. `remedy` is what
-    /// can be done about lines that lie elsewhere.
+    /// The lines of a file as fibres, each with the place of its body: `only`, or else the one that it names. `remedy`
+    /// is what can be done about lines that lie elsewhere.
     ///
     /// # Errors
     /// A file that cannot be read or holds nothing; a line that can be no fibre or lies far outside, with figures.
@@ -186,7 +186,8 @@ impl<'a> LineSites<'a> {
     }
 }
 
-/// The bodies that may be meant by a name: the one of that identifier, or else all of that title, the two also as one word.
+/// The bodies that may be meant by a name: the one of that identifier, or else all of that title, the two also as one
+/// word.
 fn meant(scene: &Scene, name: &str) -> Vec<usize> {
     let word = |name: &str| name.replace(|c: char| c.is_whitespace() || c.is_control(), "_");
     let ways: [&dyn Fn(&Body) -> bool; 4] =

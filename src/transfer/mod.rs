@@ -1,9 +1,9 @@
-//! Motions out and lines in, as the command line and the window do it alike: which frames of a run go into which formats for
-//! which program, pictures of them, and fibres as lines of other programs and back.
+//! Motions out and lines in, as the command line and the window do it alike: which frames of a run go into which
+//! formats for which program, pictures of them, and fibres as lines of other programs and back.
 //!
 //! [`RunFiles`] takes a run frame by frame and is the only one that writes motions; who runs it, at what pace and until
-//! when, is its caller's business. Options of the command line and dialogs are their own's, too; what both offer stands in
-//! tables here ([`Format`], [`Program`]).
+//! when, is its caller's business. Options of the command line and dialogs are their own's, too; what both offer stands
+//! in tables here ([`Format`], [`Program`]).
 
 mod error;
 mod finite;

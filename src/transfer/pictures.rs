@@ -17,8 +17,8 @@ pub(crate) struct Pictures {
 }
 
 impl Pictures {
-    /// PNG files in the folder `single`, the first of them of frame `first`, and moving pictures in a folder, in which a frame
-    /// lasts `seconds` [s].
+    /// PNG files in the folder `single`, the first of them of frame `first`, and moving pictures in a folder, in which
+    /// a frame lasts `seconds` [s].
     ///
     /// # Errors
     /// A folder that cannot be written.

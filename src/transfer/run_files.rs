@@ -39,8 +39,8 @@ impl RunFiles {
     /// Of a run that is put together of a scene, `runner` at its start or further on.
     ///
     /// # Errors
-    /// A driver that is missing and a motion that a format cannot hold, before anything is made; a folder that cannot be
-    /// written, a file there that is read.
+    /// A driver that is missing and a motion that a format cannot hold, before anything is made; a folder that cannot
+    /// be written, a file there that is read.
     pub(crate) fn create(
         order: &Order<'_>,
         (scene, assets): (&Scene, &Assets),

@@ -73,8 +73,8 @@ impl SceneRenderer {
         }
     }
 
-    /// A run as it stands, with the colours that were asked for. Their ranges widen as they must, so that a colour hardly changes
-    /// its meaning from one picture to the next.
+    /// A run as it stands, with the colours that were asked for. Their ranges widen as they must, so that a colour
+    /// hardly changes its meaning from one picture to the next.
     ///
     /// # Errors
     /// [`TransferError::NotFinite`].

@@ -31,8 +31,8 @@ const fn ctrl_shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
 }
 
-/// Each action in the order of the menus: `Action in Menu [keys] "name": "tooltip";`. The first key is shown; a name ends
-/// in an ellipsis where more is asked.
+/// Each action in the order of the menus: `Action in Menu [keys] "name": "tooltip";`. The first key is shown; a name
+/// ends in an ellipsis where more is asked.
 macro_rules! actions {
     ($($action:ident in $menu:ident [$($key:expr),*] $name:literal: $tooltip:literal;)*) => {
         /// Something that a person asks for.

@@ -1,7 +1,7 @@
 //! Ends from outside: signals, where the system has them.
 
-/// Calls `keep` once before a signal ends the program, as the system would have it end. Signals that are ignored stay so, and
-/// hang-ups of which that cannot be told are left to the system.
+/// Calls `keep` once before a signal ends the program, as the system would have it end. Signals that are ignored stay
+/// so, and hang-ups of which that cannot be told are left to the system.
 #[cfg(unix)]
 pub(super) fn before_the_end(keep: impl Fn() + Send + 'static) {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};

@@ -1,13 +1,14 @@
 //! What the hands did between two pictures, taken up in the order in which they did it.
 //!
-//! How it works. Where pictures are slow, a press, all that the pointer drew and its release come as the input of one frame.
-//! The toolkit asks of a frame only where the pointer came to rest in it and which buttons changed; a stroke that begins and
-//! ends in one is none to it. So the events of a frame are dealt out over several passes, each with at most one change that
-//! others depend on: a button, or a key. All passes but the last are not drawn, and cost what laying the window out takes.
+//! How it works. Where pictures are slow, a press, all that the pointer drew and its release come as the input of one
+//! frame. The toolkit asks of a frame only where the pointer came to rest in it and which buttons changed; a stroke
+//! that begins and ends in one is none to it. So the events of a frame are dealt out over several passes, each with at
+//! most one change that others depend on: a button, or a key. All passes but the last are not drawn, and cost what
+//! laying the window out takes.
 //!
-//! Why not otherwise. Tools that read the events themselves would each have to find out anew what lies under the pointer,
-//! and buttons, menus and fields would still lose clicks. To wait a picture for each event would have slow machines lag the
-//! more behind.
+//! Why not otherwise. Tools that read the events themselves would each have to find out anew what lies under the
+//! pointer, and buttons, menus and fields would still lose clicks. To wait a picture for each event would have slow
+//! machines lag the more behind.
 
 use egui::{Context, Event, Plugin, RawInput, Ui};
 use std::collections::VecDeque;

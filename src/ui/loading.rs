@@ -1,4 +1,5 @@
-//! A document or a model that is being read: on a thread of its own, since that may take long, and the window goes on meanwhile.
+//! A document or a model that is being read: on a thread of its own, since that may take long, and the window goes on
+//! meanwhile.
 
 use super::autosave::RecoveryOffer;
 use super::bodies::Layers;
@@ -12,7 +13,8 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel}
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// A model that is read within this time is there in the same frame: nothing flashes up for it. A scene without one always is.
+/// A model that is read within this time is there in the same frame: nothing flashes up for it. A scene without one
+/// always is.
 const QUICK: Duration = Duration::from_millis(100);
 /// How often it is looked whether a model is being read.
 const LOOK: Duration = Duration::from_millis(5);

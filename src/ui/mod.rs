@@ -1,8 +1,8 @@
 //! The window: sketch in two views, watch and pull in the third.
 //!
 //! It reads the document and the newest snapshot; what a person does to them leaves through two doors only, a
-//! [`crate::edit::Command`] for the document and a [`crate::sim::SimCommand`] for the running world. What is kept in files
-//! (scenes, tables, a person's patterns, changes to be recovered) is written by [`crate::io`].
+//! [`crate::edit::Command`] for the document and a [`crate::sim::SimCommand`] for the running world. What is kept in
+//! files (scenes, tables, a person's patterns, changes to be recovered) is written by [`crate::io`].
 
 pub(crate) mod action;
 mod activation_fields;

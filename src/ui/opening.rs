@@ -1,5 +1,5 @@
-//! What a newcomer sees first: the scene that the window starts with, in slow motion and beside itself without fibres, over
-//! and over until something is touched.
+//! What a newcomer sees first: the scene that the window starts with, in slow motion and beside itself without fibres,
+//! over and over until something is touched.
 
 use super::context::{Context, Ghost};
 use super::top_bar::TopBar;

@@ -82,7 +82,8 @@ fn show_panel(ui: &mut Ui, cx: &mut Context, panel: &mut Panel) {
     }
 }
 
-/// Chooses how a panel moves. What it did before is kept, so that a look at another motion loses no drive and no heights.
+/// Chooses how a panel moves. What it did before is kept, so that a look at another motion loses no drive and no
+/// heights.
 fn show_motions(ui: &mut Ui, panel: &mut Panel) {
     let id = ui.scope_id();
     let (kept_heights, kept_drive) = (id.with(("heights", &panel.id)), id.with(("drive", &panel.id)));

@@ -85,8 +85,8 @@ fn at_axis(mark: GridMark, range: &RangeInclusive<f64>) -> String {
 }
 
 /// The points of a curve that a plot can show: of every `bucket` that follow each other the lowest and the highest, in
-/// their order, and the last. Buckets begin at whole multiples of their size, counted by the points' own numbers, so that
-/// a growing curve does not flicker.
+/// their order, and the last. Buckets begin at whole multiples of their size, counted by the points' own numbers, so
+/// that a growing curve does not flicker.
 pub(super) fn thinned(points: impl Iterator<Item = (u64, [f64; 2])>, bucket: u64) -> Vec<[f64; 2]> {
     let mut kept = Vec::new();
     let mut open: Option<(u64, [f64; 2], [f64; 2])> = None;

@@ -105,8 +105,8 @@ impl Tone {
     }
 }
 
-/// The frame of a bar or panel, without a ground of its own: the window's is behind it already, and to fill it again pixel
-/// by pixel is a quarter of a frame's work where no graphics card does it.
+/// The frame of a bar or panel, without a ground of its own: the window's is behind it already, and to fill it again
+/// pixel by pixel is a quarter of a frame's work where no graphics card does it.
 pub(crate) fn panel(ui: &egui::Ui) -> egui::Frame {
     egui::Frame::side_top_panel(ui.style()).fill(Color32::TRANSPARENT)
 }

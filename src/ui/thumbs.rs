@@ -27,8 +27,8 @@ pub(super) struct Thumbs {
 }
 
 impl Thumbs {
-    /// The picture of this name, of which `png` is the file; none for now where enough was decoded in this frame, and for
-    /// ever where the file is no picture.
+    /// The picture of this name, of which `png` is the file; none for now where enough was decoded in this frame, and
+    /// for ever where the file is no picture.
     fn get(&mut self, ctx: &Context, name: &'static str, png: &[u8]) -> Option<TextureHandle> {
         if let Some(known) = self.known.get(name) {
             return known.clone();

@@ -181,8 +181,8 @@ impl TimeSeriesPanel {
         let pictures = tone.pictures();
         let ink = theme::color(pictures.text);
         let hue = |k: usize| theme::color(pictures.fibre(k));
-        // Kinds that follow each other are far apart in hue, and none of the first nine comes near another; a tenth lies
-        // between two of them.
+        // Kinds that follow each other are far apart in hue, and none of the first nine comes near another; a tenth
+        // lies between two of them.
         let of_kind =
             |k: usize| theme::color(pictures.hue(FIRST_HUE + ((4 * k % 9) as f32 + 0.5 * (k / 9) as f32) / 9.0));
         match self.tab {

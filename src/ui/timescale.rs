@@ -16,8 +16,8 @@ const STEPS: [f64; 21] = [
 /// Labels stand at least so far apart [points].
 const APART: f32 = 60.0;
 
-/// A stretch of time along a stretch of the window. It is longer than what is kept, so that what is there stays where it
-/// is while more comes.
+/// A stretch of time along a stretch of the window. It is longer than what is kept, so that what is there stays where
+/// it is while more comes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TimeScale {
     first: f64,
@@ -26,8 +26,8 @@ pub(super) struct TimeScale {
 }
 
 impl TimeScale {
-    /// The scale of what is kept from a first to a last time [s], with room up to `until` [s], in frames of this length [s],
-    /// over places of the window [points].
+    /// The scale of what is kept from a first to a last time [s], with room up to `until` [s], in frames of this length
+    /// [s], over places of the window [points].
     pub(super) fn new([first, last]: [f64; 2], until: f64, frame: f64, places: Rangef) -> Self {
         let kept = last.max(until) - first;
         let least = kept.max(ROOM * frame * (1.0 - 1e-6));

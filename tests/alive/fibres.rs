@@ -53,8 +53,8 @@ fn center(particles: &[usize], positions: &[DVec3]) -> DVec3 {
     particles.iter().map(|&i| positions[i]).sum::<DVec3>() / particles.len() as f64
 }
 
-/// `E_m`, the matrix's axial rigidity over E D², and `EI_m`, over E D⁴, with the offset [D] of its centre along X, of the
-/// section in the middle.
+/// `E_m`, the matrix's axial rigidity over E D², and `EI_m`, over E D⁴, with the offset [D] of its centre along X, of
+/// the section in the middle.
 fn section_of(baked: &Baked) -> [f64; 3] {
     let body = &baked.world.bodies()[0];
     let all = sections(body);

@@ -51,8 +51,8 @@ fn run_to(runner: &mut Runner, seconds: f64) {
     assert!(runner.world().divergence().is_none(), "{:?}", runner.world().divergence());
 }
 
-/// Checks every particle that one joint alone holds against the joints' own motion: places to 1e-7 m, which is what single
-/// precision leaves of the file, and velocities.
+/// Checks every particle that one joint alone holds against the joints' own motion: places to 1e-7 m, which is what
+/// single precision leaves of the file, and velocities.
 fn check(runner: &Runner, angle: (f64, f64), place: impl Fn(DVec3) -> DVec3) {
     let body = &runner.world().bodies()[0];
     let (mut below, mut above) = (0, 0);
@@ -166,7 +166,8 @@ fn the_work_of_what_leads_is_booked_and_closes_the_balance() {
     let springs = FollowSprings { damping: 0.0, ..FollowSprings::new(2000.0) };
     let soft = Follow::new("flesh", skeleton()).with_springs(springs);
     let hard = Follow::new("bones", skeleton()).with_select(FollowSelect::Distance(0.012));
-    // The joint sets out at once, which a step sees in its middle or not at all: it is played gently from a rest instead.
+    // The joint sets out at once, which a step sees in its middle or not at all: it is played gently from a rest
+    // instead.
     let mut rig_at_rest = rig;
     let tangents = [0.0; 4];
     let turn = DQuat::from_rotation_z(ANGLE).to_array();

@@ -1,4 +1,5 @@
-//! The motion of the character as its file says it, read by a reader of its own: joints alone, and what hangs on one of them.
+//! The motion of the character as its file says it, read by a reader of its own: joints alone, and what hangs on one of
+//! them.
 
 use glam::{DMat4, DQuat, DVec3, DVec4};
 use serde_json::Value;
@@ -91,8 +92,8 @@ impl Greeting {
         self.parents[node].map_or(own, |parent| self.world(parent, time) * own)
     }
 
-    /// Where a point near a bone is at a time, where all of the skin that is nearest to it hangs on one joint; before the motion
-    /// begins none.
+    /// Where a point near a bone is at a time, where all of the skin that is nearest to it hangs on one joint; before
+    /// the motion begins none.
     pub fn held_by_one(&self, at: DVec3, time: f64) -> Option<DVec3> {
         const BONES: [(usize, [f64; 3], [f64; 3]); 3] = [
             (1, [0.0, 0.15, -0.005], [0.0, 0.19, 0.0]),

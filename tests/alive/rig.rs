@@ -31,7 +31,8 @@ fn floats(values: impl IntoIterator<Item = f64>) -> Vec<u8> {
 }
 
 impl Rig {
-    /// The lower joint, "base", at the origin, stands still; "tip" holds what is above 7 cm alone, and shares with it from 5 cm on.
+    /// The lower joint, "base", at the origin, stands still; "tip" holds what is above 7 cm alone, and shares with it
+    /// from 5 cm on.
     pub fn column() -> Self {
         let mesh = column();
         let count = mesh.positions.len();

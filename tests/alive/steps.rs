@@ -117,8 +117,8 @@ fn what_is_driven_or_blown_at_is_not_stepped_in_long_steps() {
     }
 }
 
-/// The greatest kinetic energy over the work of the drive while a rod whose fibre resists bending shortens on a floor, in
-/// steps of so much of the stable one.
+/// The greatest kinetic energy over the work of the drive while a rod whose fibre resists bending shortens on a floor,
+/// in steps of so much of the stable one.
 fn liveliest(contract: f64, bending: f64, drive: Drive, share: f64) -> f64 {
     let mut rod = rod([3, 7, 3]);
     let mut fibre = upright(7, 0.5 * D, 40.0 * F, Activation::contracting(contract, drive));
@@ -171,8 +171,8 @@ fn what_acts_moves_to_the_same_bits_on_any_number_of_threads() {
     assert!(run(2) == one && run(5) == one);
 }
 
-/// The greatest kinetic energy [J] that a scene comes to in so many steps of a share of its stable one, all driven up to 1
-/// within the first of them.
+/// The greatest kinetic energy [J] that a scene comes to in so many steps of a share of its stable one, all driven up
+/// to 1 within the first of them.
 fn greatest_energy(mut scene: Scene, share: f64) -> f64 {
     scene.time.step = TimeStep::manual(share * parts(&scene).stable_dt, 50);
     let mut runner = runner(&scene);

@@ -1,7 +1,7 @@
 //! Integrators on scenes with Table 1's values: `cargo bench --bench integrators`.
 //!
-//! Prints the share of real time that each reaches at 60 frames a second on one thread, and its ratio to leap-frog's, all in
-//! one run and in turns. Above 1 a scene plays faster than it happens.
+//! Prints the share of real time that each reaches at 60 frames a second on one thread, and its ratio to leap-frog's,
+//! all in one run and in turns. Above 1 a scene plays faster than it happens.
 #![allow(clippy::print_stdout, reason = "a table is what it is for")]
 
 use sinew::bake::bake;

@@ -71,7 +71,8 @@ fn skin_a_frame(bencher: Bencher<'_, '_>) {
     });
 }
 
-/// A tube of 256 faces around the y axis, at 50 000 particles about as thick as they are apart; its ends are open at will.
+/// A tube of 256 faces around the y axis, at 50 000 particles about as thick as they are apart; its ends are open at
+/// will.
 fn tube(is_open: bool) -> Model {
     let (sides, rings) = (32_u32, [(0.5, -1.0), (0.5, 1.0), (0.49, 1.0), (0.49, -1.0)]);
     let at = |k: u32| {

@@ -1,7 +1,8 @@
 //! Force evaluations and stroke lifting, one thread: `cargo bench`.
 //!
 //! Divan prints times per evaluation; items per second are particles (matrix), structure particles (fibres), springs or
-//! faces (two-layer bodies). The matrix in f32 against f64 comes last, or alone by `cargo bench --bench solver precision`.
+//! faces (two-layer bodies). The matrix in f32 against f64 comes last, or alone by `cargo bench --bench solver
+//! precision`.
 #![allow(clippy::print_stdout, reason = "a benchmark's results")]
 
 mod precision;

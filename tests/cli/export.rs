@@ -9,8 +9,8 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// A prism of six sides in millimetres, Z up: a vertex that nothing uses first, caps of six corners, sides of four each with
-/// texture coordinates of its own, two objects, a material.
+/// A prism of six sides in millimetres, Z up: a vertex that nothing uses first, caps of six corners, sides of four each
+/// with texture coordinates of its own, two objects, a material.
 pub(super) const PRISM: &str = "mtllib prism.mtl\no sides\nv 3 3 3\n\
     v 30 0 0\nv 15 26 0\nv -15 26 0\nv -30 0 0\nv -15 -26 0\nv 15 -26 0\n\
     v 30 0 40\nv 15 26 40\nv -15 26 40\nv -30 0 40\nv -15 -26 40\nv 15 -26 40\n\
@@ -259,7 +259,8 @@ fn a_run_that_is_killed_leaves_whole_files() {
     assert!(3 * times.len() >= 2 * last, "{} {last}", times.len());
 }
 
-/// The checks of other programs' readers: skipped where they are not installed. `tests/tools/check_exports.sh` installs them.
+/// The checks of other programs' readers: skipped where they are not installed. `tests/tools/check_exports.sh` installs
+/// them.
 #[test]
 fn readers_of_others_find_the_same() {
     let python = std::env::var("SINEW_PYTHON").unwrap_or_else(|_| "python3".to_owned());

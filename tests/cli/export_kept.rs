@@ -1,4 +1,5 @@
-//! What a file holds beside its shape comes out again: normals, colours, names, materials. And what moves beside the bodies.
+//! What a file holds beside its shape comes out again: normals, colours, names, materials. And what moves beside the
+//! bodies.
 #![allow(clippy::format_push_string, clippy::needless_for_each, reason = "files of a few lines, built up as they read")]
 
 use super::export::{PRISM, desk, falling, obj};

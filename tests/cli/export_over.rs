@@ -1,4 +1,5 @@
-//! Motion that goes where something is already: what is read stays, what is old goes, what is there of a run that fails is whole.
+//! Motion that goes where something is already: what is read stays, what is old goes, what is there of a run that fails
+//! is whole.
 
 use super::Desk;
 use super::export::{PRISM, desk, falling, mdd};

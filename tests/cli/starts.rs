@@ -1,4 +1,5 @@
-//! What is doubtful about a start is said: once, with its figure and what to do, by `check`, by a run and in its report.
+//! What is doubtful about a start is said: once, with its figure and what to do, by `check`, by a run and in its
+//! report.
 
 use super::Desk;
 use serde_json::{Value, json};

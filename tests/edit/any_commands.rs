@@ -179,8 +179,8 @@ fn of_world() -> impl Strategy<Value = Command> {
     ]
 }
 
-/// Drives of everything that a drive can move, and of some things that are not there; some name no drive, or leave what they
-/// move no room.
+/// Drives of everything that a drive can move, and of some things that are not there; some name no drive, or leave what
+/// they move no room.
 fn of_drives() -> impl Strategy<Value = Command> {
     let mut all = every_field().drivables();
     all.push(Drivable::Fibre { body: "bar".into(), fibre: "none".into() });

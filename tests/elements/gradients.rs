@@ -17,8 +17,8 @@ pub fn forces(force: &mut dyn Force, time: f64, x: &[DVec3]) -> Vec<DVec3> {
     found
 }
 
-/// Error of the forces along random directions against fourth-order differences of the energy, relative; and the sums of
-/// forces and of torques, relative.
+/// Error of the forces along random directions against fourth-order differences of the energy, relative; and the sums
+/// of forces and of torques, relative.
 pub fn errors(force: &mut dyn Force, x: &[DVec3]) -> [f64; 3] {
     let found = forces(force, 0.0, x);
     let mut worst: f64 = 0.0;

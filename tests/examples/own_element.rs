@@ -1,7 +1,8 @@
-//! A structure of one's own, written outside the crate and put into a body of a scene: `cargo run --example own_element`.
+//! A structure of one's own, written outside the crate and put into a body of a scene: `cargo run --example
+//! own_element`.
 //!
-//! A cord runs from one point of a soft block through a ring at a second to a third, and slides there without friction. No
-//! spring between two points does that: what one side of the cord gets longer by, the other gives.
+//! A cord runs from one point of a soft block through a ring at a second to a third, and slides there without friction.
+//! No spring between two points does that: what one side of the cord gets longer by, the other gives.
 #![allow(clippy::print_stdout, reason = "an example talks to whoever runs it")]
 
 use glam::DVec3;

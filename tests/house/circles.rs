@@ -2,8 +2,8 @@
 //!
 //! A path is followed through the modules to the file that it ends in. A name that a module's file brings in by a `use`
 //! is followed further, to the file where it is defined, so that `use super::Thing` is an import of the sibling that
-//! defines the thing wherever the parent re-exports it. The parent's own `mod` and `pub use` of what lies below it are no
-//! imports, unless its code speaks of the name. Methods are not seen: only paths tie files.
+//! defines the thing wherever the parent re-exports it. The parent's own `mod` and `pub use` of what lies below it are
+//! no imports, unless its code speaks of the name. Methods are not seen: only paths tie files.
 
 use crate::imports::{Import, Kind, imports};
 use std::collections::{BTreeMap, BTreeSet};

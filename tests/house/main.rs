@@ -1,4 +1,5 @@
-//! The top-level modules, here called areas: who may import whom, how long a file may be, and that no files go round in a circle.
+//! The top-level modules, here called areas: who may import whom, how long a file may be, and that no files go round in
+//! a circle.
 
 mod circles;
 mod imports;
@@ -48,8 +49,11 @@ const TABLE: &[(&str, &[&str])] = &[
 /// A source file may have fewer lines than this.
 const LONGEST: usize = 400;
 
-/// Areas with files that still import each other in a circle. It only ever gets shorter: an area without a circle may not
-/// stand here.
+/// The widest that a line of a comment may be, as lines of code are.
+const WIDEST: usize = 120;
+
+/// Areas with files that still import each other in a circle. It only ever gets shorter: an area without a circle may
+/// not stand here.
 const KNOWN: &[&str] = &[];
 
 /// Why an area may not import something; none if it may.
@@ -158,6 +162,21 @@ fn the_table_has_no_circle() {
         assert!(!now.is_empty(), "a circle among {later:?}");
         before.extend(now.iter().map(|(name, _)| *name));
         left = later;
+    }
+}
+
+#[test]
+fn no_comment_is_wide() {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for path in ["src", "tests"].into_iter().flat_map(|folder| sources(&here.join(folder))) {
+        let text = fs::read_to_string(&path).expect("the file can be read");
+        for (number, line) in (1..).zip(text.lines()) {
+            let comment = line.trim_start().trim_start_matches(['/', '!']);
+            // Rows of tables cannot be broken.
+            let is_one = line.trim_start().starts_with("//") && !comment.trim_start().starts_with('|');
+            let width = line.chars().count();
+            assert!(!is_one || width <= WIDEST, "{}, line {number}: {width} characters", path.display());
+        }
     }
 }
 
@@ -276,7 +295,8 @@ fn circles_are_found_however_they_are_written() {
             ],
             &[&["io/a.rs", "io/b.rs"], &["io/c.rs", "io/d.rs"]],
         ),
-        // What only tests use, comments, visibilities and variables tie nothing; a module written inside a file is the file.
+        // What only tests use, comments, visibilities and variables tie nothing; a module written inside a file is the
+        // file.
         (&[("io/a.rs", "use super::b::B;"), ("io/b.rs", "#[cfg(test)] mod tests { use super::super::a::A; }")], &[]),
         (&[("io/a.rs", "use super::b::B;"), ("io/b.rs", "#[cfg(test)]\nuse super::a::{A, C};\nfn f() {}")], &[]),
         (

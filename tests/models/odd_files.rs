@@ -1,4 +1,5 @@
-//! More than sixty kinds of broken and odd files: each a solid of the right volume or one clear sentence, never a panic.
+//! More than sixty kinds of broken and odd files: each a solid of the right volume or one clear sentence, never a
+//! panic.
 
 use crate::cases::{CORNERS, Folder, NEVER, QUADS, triangles};
 use crate::gltf_document::Document;

@@ -90,7 +90,8 @@ fn patches_with_gaps_between_them_enclose_something_together() {
     holds(&single(positions, triangles), solid(&ball).volume);
 }
 
-/// Many pieces in a row along each axis: a place is inside if it is in any of them, however many lie before and behind it.
+/// Many pieces in a row along each axis: a place is inside if it is in any of them, however many lie before and behind
+/// it.
 #[test]
 fn places_in_a_long_row_of_pieces_are_told_from_those_beside_it() {
     let corner = |k: u32, axis: usize, apart: f64| {

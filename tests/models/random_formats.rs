@@ -30,8 +30,8 @@ const FILES: [(&str, bool); 8] = [
 /// Particles that are asked for, one after the other, until one is enough for the shape.
 const COUNTS: [u32; 3] = [60, 400, 4000];
 
-/// Every so manieth is put together and moved for 0.1 s, if [`MOVED`] particles are enough for it: every kind of mesh and
-/// every format is among them.
+/// Every so manieth is put together and moved for 0.1 s, if [`MOVED`] particles are enough for it: every kind of mesh
+/// and every format is among them.
 const EVERY: u64 = 13;
 const MOVED: u32 = 60;
 
@@ -148,8 +148,8 @@ fn worst(found: &[DVec3], expected: &[DVec3]) -> f64 {
     distances.fold(0.0, |worst, distance| if distance <= worst { worst } else { distance })
 }
 
-/// Puts a scene together and runs it for 0.1 s. One that is too thin for its particles is refused, which is another test:
-/// false.
+/// Puts a scene together and runs it for 0.1 s. One that is too thin for its particles is refused, which is another
+/// test: false.
 fn moved(scene: &Scene, assets: &Assets, model: &Model) -> Result<bool, String> {
     scene.validate().map_err(|error| error.to_string())?;
     let baked = match bake(scene, assets) {
@@ -191,8 +191,8 @@ fn all(counts: impl Fn(u64) -> &'static [u32] + Sync) {
     assert!(unfilled < 100, "{unfilled} are too thin for {} particles", COUNTS[2]);
 }
 
-/// 2,000 meshes through all formats, each filled with as few particles as it takes. Moved for 0.1 s is every thirteenth of
-/// them only: all of them take minutes.
+/// 2,000 meshes through all formats, each filled with as few particles as it takes. Moved for 0.1 s is every thirteenth
+/// of them only: all of them take minutes.
 #[test]
 fn every_format_is_read_filled_and_moved() {
     all(|seed| if seed.is_multiple_of(EVERY) { &[MOVED] } else { &[] });

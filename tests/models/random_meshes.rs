@@ -1,5 +1,6 @@
-//! Closed meshes made at random, the same for the same seed: dents, tips, blades, needles, combs, tubes, cavities, blocks
-//! that share edges, and several shells in one another, each with a volume that is found another way than by the crate.
+//! Closed meshes made at random, the same for the same seed: dents, tips, blades, needles, combs, tubes, cavities,
+//! blocks that share edges, and several shells in one another, each with a volume that is found another way than by the
+//! crate.
 
 use glam::{DQuat, DVec3};
 use std::collections::BTreeMap;
@@ -8,8 +9,8 @@ use std::f64::consts::TAU;
 /// How many kinds there are: seeds that follow each other go through all of them.
 pub const KINDS: u64 = 10;
 
-/// A closed mesh, its faces counter-clockwise seen from outside: vertices [m], faces, and what kind of thing it is. Half of
-/// them lie along the axes; the greatest extent is between 0.02 and 2 m.
+/// A closed mesh, its faces counter-clockwise seen from outside: vertices [m], faces, and what kind of thing it is.
+/// Half of them lie along the axes; the greatest extent is between 0.02 and 2 m.
 pub fn mesh(seed: u64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>, &'static str) {
     let made = made(seed);
     let whole = made.shells.iter().fold(Shell::default(), Shell::joined);
@@ -116,8 +117,8 @@ impl Ring {
     }
 }
 
-/// Cross sections joined; those of no width are points. `factor` widens them by ring and side. Rings in the order of their
-/// heights cannot run into each other; a `cyclic` row of them closes to a tube.
+/// Cross sections joined; those of no width are points. `factor` widens them by ring and side. Rings in the order of
+/// their heights cannot run into each other; a `cyclic` row of them closes to a tube.
 fn loft(rings: &[Ring], sides: u32, cyclic: bool, factor: impl Fn(usize, u32) -> f64) -> Shell {
     let mut shell = Shell::default();
     let mut first = Vec::new();
@@ -348,8 +349,8 @@ impl Shell {
 /// Rows along each axis on which shells that overlap are measured.
 const ROWS: usize = 96;
 
-/// Volume of what lies in any of several convex shells: each is as many half spaces as it has faces, and a row through them
-/// an interval.
+/// Volume of what lies in any of several convex shells: each is as many half spaces as it has faces, and a row through
+/// them an interval.
 fn union_of_convex(shells: &[Shell]) -> f64 {
     let every = || shells.iter().flat_map(|shell| &shell.points);
     let least = every().copied().fold(DVec3::INFINITY, DVec3::min);

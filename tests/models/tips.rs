@@ -129,8 +129,8 @@ fn points_over(particles: &[DVec3], points: &[DVec3], kernel: Kernel) -> Skin {
     Skin::embed(&shape, particles, kernel, &mut |_, _| {}).expect("a skin")
 }
 
-/// How much differs between one vertex and the next: sum of the absolute changes of the weights, or the way between them
-/// in spacings, whichever is greater.
+/// How much differs between one vertex and the next: sum of the absolute changes of the weights, or the way between
+/// them in spacings, whichever is greater.
 fn change(skin: &Skin, vertex: usize, positions: &[DVec3], particles: usize, spacing: f64) -> f64 {
     let mut weights = vec![0.0; particles];
     for (vertex, sign) in [(vertex, -1.0), (vertex + 1, 1.0)] {

@@ -275,7 +275,8 @@ fn a_report_has_what_a_run_cost_in_accuracy() {
     assert!(of["linear_momentum_drift"].is_null() && of["energy_gained"].is_number(), "{of}");
 }
 
-/// The step is never so long that the watch does not see it: a copy of a run says the same, and so does one gone on with.
+/// The step is never so long that the watch does not see it: a copy of a run says the same, and so does one gone on
+/// with.
 #[test]
 fn what_was_seen_goes_along_with_checkpoints() {
     let value = strained("explicit_euler", 1e-5, 40);

@@ -1,5 +1,5 @@
-//! Runs of every kind of body under any integrator, material, damping and step, drawn by a seed: each keeps its balance of
-//! energy and work, as it is seen frame by frame, or says that it does not.
+//! Runs of every kind of body under any integrator, material, damping and step, drawn by a seed: each keeps its balance
+//! of energy and work, as it is seen frame by frame, or says that it does not.
 
 use crate::balance::{KINDS, of_kind, runner, scene};
 use crate::common::wobble;

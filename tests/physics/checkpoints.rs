@@ -15,8 +15,8 @@ use sinew::solver::World;
 use sinew::test_support::solver::MatrixForce;
 use std::cell::Cell;
 
-/// A bar of curved and straight fibres that break, a ball of two layers and a ring, a panel that falls on them all, a floor,
-/// a pin that moves, damping, and measures with peaks.
+/// A bar of curved and straight fibres that break, a ball of two layers and a ring, a panel that falls on them all, a
+/// floor, a pin that moves, damping, and measures with peaks.
 const CROWD: &str = r#"{"version": 1, "room": {"floor": 0, "friction": 0.4},
     "time": {"frames_per_second": 240},
     "panels": [{"id": "lid", "height": 0.1, "size": [4, 4], "mass": 0.5, "motion": "falls"}],
@@ -60,8 +60,8 @@ fn bits(world: &World) -> Vec<u64> {
     all
 }
 
-/// Runs `frames` frames with a checkpoint at each, then goes back to some of them, in the same world and in another one of
-/// the same scene, and runs on.
+/// Runs `frames` frames with a checkpoint at each, then goes back to some of them, in the same world and in another one
+/// of the same scene, and runs on.
 fn goes_back_exactly(start: &World, frames: usize) {
     let mut world = start.clone();
     let mut kept = vec![(world.checkpoint(), bits(&world))];

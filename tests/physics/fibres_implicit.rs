@@ -1,5 +1,5 @@
-//! Stiff fibres in a soft matrix: taken implicitly they let the body step as the matrix alone would, and move it as small
-//! explicit steps do.
+//! Stiff fibres in a soft matrix: taken implicitly they let the body step as the matrix alone would, and move it as
+//! small explicit steps do.
 
 use crate::common::*;
 use glam::DVec3;

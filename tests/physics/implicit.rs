@@ -149,8 +149,8 @@ struct Cosine {
     mean: f64,
 }
 
-/// `mean + e^(-decay t) (a cos + b sin)(2 pi frequency t)` through values `dt` [s] apart, by least squares: the best of a
-/// fine net of frequencies and decays.
+/// `mean + e^(-decay t) (a cos + b sin)(2 pi frequency t)` through values `dt` [s] apart, by least squares: the best of
+/// a fine net of frequencies and decays.
 fn fit_cosine(values: &[f64], dt: f64, near: f64) -> Cosine {
     let mut best = (f64::INFINITY, Cosine { frequency: 0.0, decay: 0.0, mean: near });
     for frequency in (1000..1500).map(|k| 0.01 * f64::from(k)) {
@@ -301,8 +301,8 @@ fn what_cannot_be_solved_is_handed_over_and_counted() {
     assert!(runner.world().bodies()[0].state().center().y > 0.3, "it has bounced");
 }
 
-/// What is held, starts without speed and takes no blow is stepped as a whole where leap-frog would take hundreds of steps;
-/// a blow, a fall, a strand that may tear, a panel or another body leaves it to leap-frog.
+/// What is held, starts without speed and takes no blow is stepped as a whole where leap-frog would take hundreds of
+/// steps; a blow, a fall, a strand that may tear, a panel or another body leaves it to leap-frog.
 #[test]
 fn a_bake_chooses_the_whole_body_implicit_where_it_is_held_and_stiff() {
     let chosen = |change: &dyn Fn(&mut Scene)| {

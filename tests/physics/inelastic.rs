@@ -142,7 +142,8 @@ fn a_pulled_rod_yields_at_its_yield_stress_and_stays_long() {
             let expected = (2e4 + hardening * 0.05) / (1.0 + hardening / E);
             let pull = scalar(&runner, 0).abs() / area;
             println!("{pull} Pa pulled, {expected} by theory");
-            // What holds the lattice together does not yield: the pull is a little above, what the matter carries below.
+            // What holds the lattice together does not yield: the pull is a little above, what the matter carries
+            // below.
             assert!((1.0..1.07).contains(&(pull / expected)), "{pull} Pa pulled, not {expected}");
             assert!((0.92..1.0).contains(&(mean / expected)), "{mean} Pa, not {expected}");
         } else {

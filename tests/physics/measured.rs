@@ -9,7 +9,8 @@ use sinew::sim::Runner;
 
 const UP: [f64; 3] = [0.0, 1.0, 0.0];
 
-/// A bar of 5 x 12 x 5 particles that is clamped below and pulled by a fiftieth above, free to get thinner, with a fibre.
+/// A bar of 5 x 12 x 5 particles that is clamped below and pulled by a fiftieth above, free to get thinner, with a
+/// fibre.
 fn pulled() -> Scene {
     let mut bar = block([5, 12, 5], 1e5);
     bar.material.damping.air = 60.0;

@@ -1,4 +1,5 @@
-//! The fibre paper's figures with Table 1's own values: what the soft companions show is there too, smaller or sooner over.
+//! The fibre paper's figures with Table 1's own values: what the soft companions show is there too, smaller or sooner
+//! over.
 
 use crate::ship::{mirrored, number, ran, scene, vector};
 use sinew::scene::Scene;

@@ -40,7 +40,8 @@ fn two_halves_pull_as_springs_in_a_row() {
     };
     let (sharp, smooth) = (over_alone(0.0), over_alone(3.0 * D));
     println!("{sharp}, with a transition {smooth}");
-    // 2 / (1 + 1/4); the jump is spread over a support radius, which is 5 % of it here. A transition takes some of the soft half.
+    // 2 / (1 + 1/4); the jump is spread over a support radius, which is 5 % of it here. A transition takes some of the
+    // soft half.
     assert!((sharp / 1.6 - 1.0).abs() < 0.06 && smooth > 1.05 * sharp, "{sharp}, {smooth}");
 }
 

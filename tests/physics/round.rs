@@ -1,4 +1,5 @@
-//! Balls, cylinders, capsules and tori are filled as what they are, and a body that is scaled is filled by as many particles.
+//! Balls, cylinders, capsules and tori are filled as what they are, and a body that is scaled is filled by as many
+//! particles.
 
 use glam::DVec3;
 use sinew::bake::bake;

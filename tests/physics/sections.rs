@@ -1,7 +1,8 @@
 //! Sections of any size, shape and turn bend and twist as theory says.
 //!
 //! A rod is bent, and twisted, by one end that is turned against the other; the moment there over the turn between two
-//! sections well within the rod is its stiffness, whatever the ends do. `sections_of_every_kind` prints a table of forty.
+//! sections well within the rod is its stiffness, whatever the ends do. `sections_of_every_kind` prints a table of
+//! forty.
 
 use crate::common::*;
 use glam::{DMat3, DQuat, DVec3};
@@ -66,8 +67,8 @@ fn outline(kind: Kind, t: f64) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
     }
 }
 
-/// What theory says of a section of unit size: area, both second moments about its principal axes, the first of which is
-/// turned by an angle from y, centre, and J.
+/// What theory says of a section of unit size: area, both second moments about its principal axes, the first of which
+/// is turned by an angle from y, centre, and J.
 struct Theory {
     area: f64,
     bending: [f64; 2],
@@ -91,7 +92,8 @@ fn theory(kind: Kind) -> Theory {
             3.0,
         ),
         Kind::Leaf => plain(4.0, [4.0 / 12.0, 64.0 / 12.0], 1.123_252, 4.0),
-        // A square of two less one of one; about the diagonal and across it. J by finite differences of Prandtl's function.
+        // A square of two less one of one; about the diagonal and across it. J by finite differences of Prandtl's
+        // function.
         Kind::L => {
             let center = -1.0 / 6.0;
             let about = 4.0 / 3.0 - 1.0 / 3.0 - 3.0 * center * center;
@@ -272,7 +274,8 @@ fn turn_of(turned: Turned) -> ([f64; 3], f64) {
 
 const TURNS: [Turned; 4] = [Turned::Not, Turned::About(22.5), Turned::Askew(30.0), Turned::About(45.0)];
 
-/// Sections of every kind, of 3 to 6 layers in steps of a quarter; large ones of fewer layers, since they have many particles.
+/// Sections of every kind, of 3 to 6 layers in steps of a quarter; large ones of fewer layers, since they have many
+/// particles.
 fn forty() -> Vec<Section> {
     let mut all = Vec::new();
     for (kind, most) in [(Kind::Square, 13), (Kind::Round, 13), (Kind::L, 7), (Kind::Tube, 4), (Kind::Leaf, 5)] {

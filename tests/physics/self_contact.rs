@@ -12,8 +12,8 @@ fn sound(young_modulus: f64) -> f64 {
     (young_modulus * D.powi(3) / 4e-4).sqrt()
 }
 
-/// A U of two arms three layers thick and eight high, which lie `apart` layers from each other, on a base of three; they are
-/// thrown together at a share of the speed of sound, and float.
+/// A U of two arms three layers thick and eight high, which lie `apart` layers from each other, on a base of three;
+/// they are thrown together at a share of the speed of sound, and float.
 fn clap(young_modulus: f64, apart: u32, share: f64, self_contact: bool) -> Scene {
     let half = 0.5 * f64::from(apart) * D;
     let mut body = block([6 + apart, 11, 3], young_modulus);
@@ -30,7 +30,8 @@ fn clap(young_modulus: f64, apart: u32, share: f64, self_contact: bool) -> Scene
     scene
 }
 
-/// Pairs of particles that lie mirrored about zero along an axis at rest, and further than `beyond` [m] from each other.
+/// Pairs of particles that lie mirrored about zero along an axis at rest, and further than `beyond` [m] from each
+/// other.
 fn mirrored(rest: &[DVec3], axis: DVec3, beyond: f64) -> Vec<[usize; 2]> {
     let mirror = |x: DVec3| x - 2.0 * x.dot(axis) * axis;
     let partner = |x: DVec3| rest.iter().position(|y| y.distance(mirror(x)) < 1e-9);

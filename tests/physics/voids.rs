@@ -1,5 +1,5 @@
-//! Voids against theory and a finer computation: what is left of the stiffness, what a cut lets through, which walls are
-//! refused.
+//! Voids against theory and a finer computation: what is left of the stiffness, what a cut lets through, which walls
+//! are refused.
 
 use crate::common::*;
 use glam::DVec3;

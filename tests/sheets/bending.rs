@@ -20,8 +20,8 @@ fn energy(columns: usize, rows: usize, size: [f64; 2], shape: &dyn Fn([f64; 2]) 
     energies(&force, &bent).hinges
 }
 
-/// Bending energy of a cell far from any rim, over that of a plate of stiffness `BENDING` in which both curvatures have these
-/// squares in sum.
+/// Bending energy of a cell far from any rim, over that of a plate of stiffness `BENDING` in which both curvatures have
+/// these squares in sum.
 fn of_plate(size: [f64; 2], squares: f64, shape: &dyn Fn([f64; 2]) -> DVec3) -> f64 {
     let at = |columns: usize, rows: usize| energy(columns, rows, size, shape);
     // What grows with the area alone, whatever the rims do; diagonals come again after two cells.

@@ -40,8 +40,8 @@ pub fn energies(force: &SheetForce, x: &[DVec3]) -> Energies {
     energies
 }
 
-/// Error of the forces along random directions against fourth-order differences of the energy, relative; and the sums of
-/// forces and of torques, relative.
+/// Error of the forces along random directions against fourth-order differences of the energy, relative; and the sums
+/// of forces and of torques, relative.
 fn errors(force: &mut dyn Force, x: &[DVec3], scale: f64) -> [f64; 3] {
     let mut found = vec![DVec3::ZERO; x.len()];
     force.add_forces(0.0, &state(x), &mut found);

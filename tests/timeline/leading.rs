@@ -1,4 +1,5 @@
-//! Shared drives that a hand leads: the muscle moves at once, and what was played is kept, made again and keyed, bit for bit.
+//! Shared drives that a hand leads: the muscle moves at once, and what was played is kept, made again and keyed, bit
+//! for bit.
 
 use crate::{Run, advance, all_are_shown_again, ask, same, show, start, until};
 use sinew::scene::{Assets, Drive, DriveKeys, Interpolation, Scene};

@@ -15,7 +15,8 @@ const BLOCK: &str = "v -0.02 0 -0.02\nv 0.02 0 -0.02\nv 0.02 0.07 -0.02\nv -0.02
 v 0.02 0 0.02\nv 0.02 0.07 0.02\nv -0.02 0.07 0.02
 f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
 
-/// A window, and how often something was done to it: a click, a key, a drag, a word that is typed, a file that is dropped.
+/// A window, and how often something was done to it: a click, a key, a drag, a word that is typed, a file that is
+/// dropped.
 struct Hand {
     window: Window,
     gestures: usize,

@@ -1,7 +1,8 @@
-//! What the window shows is what a headless run of the same document computes, bit for bit: scenes are opened, edited by
-//! pointer and keys, saved, and run frame by frame in both.
+//! What the window shows is what a headless run of the same document computes, bit for bit: scenes are opened, edited
+//! by pointer and keys, saved, and run frame by frame in both.
 //!
-//! Each test prints `state_hash NAME 0123456789abcdef` of the frames that were shown, for `tests/tools/state_hashes.sh`.
+//! Each test prints `state_hash NAME 0123456789abcdef` of the frames that were shown, for
+//! `tests/tools/state_hashes.sh`.
 
 use super::editing::{set, type_path};
 use super::{Window, advance, click, draw, hold, is_settled, open, press_key, reset, until, view};

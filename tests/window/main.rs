@@ -64,7 +64,8 @@ fn open_with(document: Document, build: impl FnOnce(App) -> App + 'static) -> Wi
     window
 }
 
-/// The window on the built-in scene, held still a little after its start: in the same frame however busy the machine is.
+/// The window on the built-in scene, held still a little after its start: in the same frame however busy the machine
+/// is.
 fn still() -> Window {
     let mut window = open(Document::load(None).expect("the built-in scene"));
     hold(&mut window);
@@ -188,8 +189,8 @@ fn click_on(window: &mut Window, role: Role, label: &str) {
     window.run_steps(3);
 }
 
-/// Shows frames until what is looked for is there and lies where it lay a frame before: what is said in a dialog moves the
-/// buttons below.
+/// Shows frames until what is looked for is there and lies where it lay a frame before: what is said in a dialog moves
+/// the buttons below.
 fn until_still(window: &mut Window, place: impl Fn(&Window) -> Option<Rect>) {
     let mut before = None;
     until_seen(window, |window| {

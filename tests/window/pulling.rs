@@ -106,8 +106,8 @@ fn a_drag_beside_the_body_pulls_nothing() {
     assert!(center(window.state()).distance(start) < 1e-9);
 }
 
-/// A two-layer body hangs from the pointer by a spring MKS: it comes to rest M g / MKS below it, and on the floor once it
-/// is let go.
+/// A two-layer body hangs from the pointer by a spring MKS: it comes to rest M g / MKS below it, and on the floor once
+/// it is let go.
 #[test]
 fn a_two_layer_body_hangs_from_the_pointer_by_its_own_spring() {
     let mut window = open(scene(RING));

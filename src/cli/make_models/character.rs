@@ -1,5 +1,5 @@
-//! A plump little figure with long ears, on a skeleton of seven joints, that bows to both sides and waves. Ears and belly have
-//! no bones.
+//! A plump little figure with long ears, on a skeleton of seven joints, that bows to both sides and waves. Ears and
+//! belly have no bones.
 
 use super::field::{Stalk, smooth_union};
 use crate::geometry::closest::closest_on_segment;

@@ -1,8 +1,8 @@
 //! `sinew make-models`: the models in assets/, made anew. What they look like is in the code here, nothing is drawn by
 //! hand; the same code gives the same files on the same machine.
 //!
-//! Sizes of the fibre solids follow Table 1 of the fibre paper: vertices within 2 %, and a volume that holds its number of particles at the
-//! spacing of 6 mm that follows from its support radius of 15 mm.
+//! Sizes of the fibre solids follow Table 1 of the fibre paper: vertices within 2 %, and a volume that holds its number
+//! of particles at the spacing of 6 mm that follows from its support radius of 15 mm.
 
 mod bars;
 mod character;

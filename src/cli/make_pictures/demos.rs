@@ -1,5 +1,5 @@
-//! The little scenes that show what each pattern does: one of a few bodies, pressed, dropped, bent or stretched, with the
-//! pattern's fibres in it.
+//! The little scenes that show what each pattern does: one of a few bodies, pressed, dropped, bent or stretched, with
+//! the pattern's fibres in it.
 
 use crate::edit::fibre_ops::{Called, laid, made_to_act};
 use crate::io::{IoError, scene_from_json};

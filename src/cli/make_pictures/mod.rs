@@ -1,5 +1,5 @@
-//! `sinew make-pictures`: the pictures of the window's galleries, made anew. What they show is run and drawn by the program
-//! itself; the same code gives the same pictures on the same driver.
+//! `sinew make-pictures`: the pictures of the window's galleries, made anew. What they show is run and drawn by the
+//! program itself; the same code gives the same pictures on the same driver.
 
 mod demos;
 #[cfg(feature = "render")]

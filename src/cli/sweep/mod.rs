@@ -32,9 +32,9 @@ use std::path::{Path, PathBuf};
 pub struct Sweep {
     /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB
     scene: PathBuf,
-    /// Values to try, as in /bodies/0/fibres/0/volume_fraction=0,0.25,0.5; several lists give every combination. Also 0.1..0.9/9
-    /// (nine values), 1e4..1e7/4/log (four, equal factors apart), 0.1..0.9/random (see --samples); /a,/b=1,2 changes two
-    /// values together
+    /// Values to try, as in /bodies/0/fibres/0/volume_fraction=0,0.25,0.5; several lists give every combination. Also
+    /// 0.1..0.9/9 (nine values), 1e4..1e7/4/log (four, equal factors apart), 0.1..0.9/random (see --samples); /a,/b=1,2
+    /// changes two values together
     #[arg(long, value_name = "POINTER=a,b,c", required = true)]
     vary: Vec<Vary>,
     /// How many rows to draw of every combination, where something is `random`

@@ -41,8 +41,8 @@ impl Against {
     }
 }
 
-/// The plot: a line for each combination of all else that is varied. Rows that diverged, and values that are no numbers, are
-/// left out; of a vector its length is drawn.
+/// The plot: a line for each combination of all else that is varied. Rows that diverged, and values that are no
+/// numbers, are left out; of a vector its length is drawn.
 pub(super) fn plot(title: &str, against: &Against, rows: &[Row]) -> String {
     let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
     for row in rows.iter().filter(|row| row.diverged.is_none()) {

@@ -121,8 +121,8 @@ pub(super) struct Samples {
     pub(super) seed: u64,
 }
 
-/// Every combination of the values of several lists, and for each as many samples as are asked for of those that are drawn; the
-/// samples vary fastest, then the last list.
+/// Every combination of the values of several lists, and for each as many samples as are asked for of those that are
+/// drawn; the samples vary fastest, then the last list.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Product<'a> {
     lists: &'a [Vary],
@@ -212,7 +212,8 @@ impl<'a> Product<'a> {
     }
 }
 
-/// A share from 0 to 1 that follows from three numbers alone (SplitMix64), so that each row's is known without the others'.
+/// A share from 0 to 1 that follows from three numbers alone (SplitMix64), so that each row's is known without the
+/// others'.
 fn share(seed: u64, list: u64, sample: u64) -> f64 {
     let mixed = [list, sample].into_iter().fold(mix(seed), |state, next| mix(state ^ mix(next)));
     (mixed >> 11) as f64 / (1_u64 << 53) as f64

@@ -27,7 +27,8 @@ pub fn turned(body: &OwnedBody, pivot: DVec3, axis: DVec3, radians: f64) -> Resu
     Ok(carried(body, &Rigid { turn, offset: pivot - turn * pivot }))
 }
 
-/// The body larger by a factor above zero about a pivot [m], world. The scene's assets have to have its mesh in the new scale.
+/// The body larger by a factor above zero about a pivot [m], world. The scene's assets have to have its mesh in the new
+/// scale.
 ///
 /// # Errors
 /// A factor that leaves nothing.

@@ -1,4 +1,5 @@
-//! What becomes of pins when their body is moved, turned or scaled: their regions are the body's, their motions the world's.
+//! What becomes of pins when their body is moved, turned or scaled: their regions are the body's, their motions the
+//! world's.
 
 use super::rigid::Rigid;
 use crate::scene::{Distance, Motion, Pin};

@@ -2,9 +2,9 @@
 
 use crate::scene::{InnerOffset, TwoLayer, TwoLayerShape};
 
-/// A two-layer body larger by a factor that behaves alike. Its springs are as stiff, so that under gravity it sags by the same
-/// share of its size with masses that follow the factor, and bulges by it with the gas following its square; swings take
-/// the square root of it longer, and damping follows that.
+/// A two-layer body larger by a factor that behaves alike. Its springs are as stiff, so that under gravity it sags by
+/// the same share of its size with masses that follow the factor, and bulges by it with the gas following its square;
+/// swings take the square root of it longer, and damping follows that.
 #[must_use]
 pub fn scaled_two_layer(body: &TwoLayer, factor: f64) -> TwoLayer {
     let mut body = body.clone();

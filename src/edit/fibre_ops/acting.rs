@@ -6,9 +6,9 @@ use crate::scene::{Activation, Drive, Fibre, FibreSource, SharedDrive, Wave};
 use crate::sketch::pattern::Act;
 use glam::DVec3;
 
-/// Has fibres that were [laid](super::laid) along `lines` do the acts of these, those of one muscle by one shared drive, and
-/// gives the drives that the body needs for it beside those that are `there`. A drive is called by `id` and the muscle; one
-/// that is there already and is the same is followed.
+/// Has fibres that were [laid](super::laid) along `lines` do the acts of these, those of one muscle by one shared
+/// drive, and gives the drives that the body needs for it beside those that are `there`. A drive is called by `id` and
+/// the muscle; one that is there already and is the same is followed.
 pub fn made_to_act(
     fibres: &mut [Fibre],
     (lines, acts): (&[Vec<DVec3>], &[Option<Act>]),

@@ -60,10 +60,10 @@ pub struct Called<'a> {
     pub spacing: f64,
 }
 
-/// New fibres along `lines`, vertices in the model frame [m], as stiff along themselves as new fibres are in this material,
-/// with a number in their names where they are several. Their identifiers are unlike those of `others`, the fibres that
-/// stay in the body. Vertices lie as far apart as the particles at least: closer ones would only shrink the time step. Lines
-/// of less than two different points are left out.
+/// New fibres along `lines`, vertices in the model frame [m], as stiff along themselves as new fibres are in this
+/// material, with a number in their names where they are several. Their identifiers are unlike those of `others`, the
+/// fibres that stay in the body. Vertices lie as far apart as the particles at least: closer ones would only shrink the
+/// time step. Lines of less than two different points are left out.
 pub fn laid(called: Called<'_>, lines: &[Vec<DVec3>], material: &Material, others: &[Fibre]) -> Vec<Fibre> {
     let Called { id, title, bending, spacing } = called;
     let stiffness = Stiffness::Rigidity(bending_rigidity(material, STIFFER, bending));

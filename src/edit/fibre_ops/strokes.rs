@@ -5,7 +5,8 @@ use super::error::FibreEditError;
 use crate::scene::{Fibre, FibreSource};
 use crate::sketch::View;
 
-/// Runs a fibre the other way, and with it a wave along it; it curls to the same side as before. A pair of strokes stays one.
+/// Runs a fibre the other way, and with it a wave along it; it curls to the same side as before. A pair of strokes
+/// stays one.
 ///
 /// # Errors
 /// None for a fibre of a valid document.

@@ -71,8 +71,8 @@ impl Transform {
         Some(strokes.map(|stroke| carried_stroke(stroke, &map)))
     }
 
-    /// What becomes of how a fibre acts: the axis that it curls about turns along, and a mirroring reverses a sense of turning
-    /// about an axis as well as one along the fibre.
+    /// What becomes of how a fibre acts: the axis that it curls about turns along, and a mirroring reverses a sense of
+    /// turning about an axis as well as one along the fibre.
     fn carry(&self, fibre: Fibre) -> Fibre {
         let volume = self.matrix.determinant();
         let sense = volume.signum();
@@ -116,8 +116,8 @@ fn exact(matrix: DMat3) -> DMat3 {
     DMat3::from_cols_array(&matrix.to_cols_array().map(near))
 }
 
-/// Moves, turns, mirrors or scales a fibre, with what it does by itself. A pair of strokes stays one under any move and scaling,
-/// and under turns and mirrorings that take axes to axes; it becomes vertices under others.
+/// Moves, turns, mirrors or scales a fibre, with what it does by itself. A pair of strokes stays one under any move and
+/// scaling, and under turns and mirrorings that take axes to axes; it becomes vertices under others.
 ///
 /// # Errors
 /// Numbers that are not finite, or strokes that give no curve.

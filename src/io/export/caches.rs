@@ -1,9 +1,9 @@
 //! Point caches: PC2 and MDD, one a body, with its rest shape beside them. Numbers are single precision, as the formats
 //! have them.
 //!
-//! PC2 (3ds Max, Blender): "POINTCACHE2", a zero; version 1, points, number of the first frame, frames a sample, samples;
-//! then x, y, z of every point of every sample, the least byte first. MDD (LightWave, Blender): samples, points, the time of
-//! every sample [s], then the points, the greatest byte first.
+//! PC2 (3ds Max, Blender): "POINTCACHE2", a zero; version 1, points, number of the first frame, frames a sample,
+//! samples; then x, y, z of every point of every sample, the least byte first. MDD (LightWave, Blender): samples,
+//! points, the time of every sample [s], then the points, the greatest byte first.
 
 use super::names::{different, file_name};
 use super::obj::write_rest;
@@ -37,8 +37,8 @@ fn rest_file(folder: &Path, name: &str) -> PathBuf {
     folder.join(format!("{name}_rest.obj"))
 }
 
-/// Writes the rest shape of every body, once the caches of an earlier run, which are of other shapes, are gone; gives the
-/// caches.
+/// Writes the rest shape of every body, once the caches of an earlier run, which are of other shapes, are gone; gives
+/// the caches.
 fn write_rests(folder: &Path, subject: &Subject, ending: &str) -> Result<Vec<PathBuf>, IoError> {
     let mut caches = Vec::new();
     for (name, body) in names(subject).iter().zip(&subject.bodies) {

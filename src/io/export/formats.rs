@@ -97,8 +97,8 @@ impl MotionFiles {
     /// Makes the folder and what stands beside the frames.
     ///
     /// # Errors
-    /// A folder or file that cannot be written; [`IoError::TooLong`] for a motion that a format cannot hold, before anything
-    /// is made.
+    /// A folder or file that cannot be written; [`IoError::TooLong`] for a motion that a format cannot hold, before
+    /// anything is made.
     pub(crate) fn create(
         formats: &[MotionFormat],
         folder: &Path,
@@ -132,7 +132,8 @@ impl MotionFiles {
     /// Writes the next frame.
     ///
     /// # Errors
-    /// [`IoError::NotFinite`] for a place that is no numbers, a file that cannot be written; the frames before stay whole.
+    /// [`IoError::NotFinite`] for a place that is no numbers, a file that cannot be written; the frames before stay
+    /// whole.
     pub(crate) fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
         if let Some((what, value)) = frame.not_finite(self.is_single, |body| self.names[body].clone()) {
             return Err(IoError::NotFinite { what, value });
@@ -149,8 +150,8 @@ impl MotionFiles {
         results.into_iter().collect()
     }
 
-    /// What was written, as it is told, and where, of formats that got a frame; and how many files of an earlier run lie
-    /// behind.
+    /// What was written, as it is told, and where, of formats that got a frame; and how many files of an earlier run
+    /// lie behind.
     pub(crate) fn written(&self) -> Vec<(String, PathBuf, usize)> {
         let each = |writer: &dyn MotionWriter| {
             let left_over = writer.left_over();

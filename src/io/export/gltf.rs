@@ -1,7 +1,7 @@
 //! glTF 2.0 as GLB: bodies with a morph target a frame, and an animation that goes from one to the next.
 //!
-//! All targets of a mesh are in a viewer's memory at once, so that this is for short clips. Numbers are single precision, in
-//! metres with Y up whatever is asked for elsewhere: the format knows no other unit or axis.
+//! All targets of a mesh are in a viewer's memory at once, so that this is for short clips. Numbers are single
+//! precision, in metres with Y up whatever is asked for elsewhere: the format knows no other unit or axis.
 
 use super::gltf_clip::ClipMesh;
 use super::looks::Look;

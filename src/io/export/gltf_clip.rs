@@ -1,5 +1,5 @@
-//! The vertices of a body as glTF has them: those of its file first, in their order, and behind them a copy of each at every
-//! seam, where one vertex has several texture coordinates or normals. Polygons are cut into triangles.
+//! The vertices of a body as glTF has them: those of its file first, in their order, and behind them a copy of each at
+//! every seam, where one vertex has several texture coordinates or normals. Polygons are cut into triangles.
 
 use super::looks::merged_parts;
 use crate::geometry::file_mesh::{FileMesh, FilePart, UvSet};
@@ -60,8 +60,8 @@ struct Vertices {
     normals: Vec<u32>,
     /// Whether a vertex of the file has its coordinates.
     is_taken: Vec<bool>,
-    /// Copies of a vertex of the file, by their normals and by the bits of their coordinates in every set: what is told apart
-    /// by its number in the file alone is the same.
+    /// Copies of a vertex of the file, by their normals and by the bits of their coordinates in every set: what is told
+    /// apart by its number in the file alone is the same.
     copies: HashMap<(u32, u32, Vec<[u32; 2]>), u32>,
 }
 

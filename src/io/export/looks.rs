@@ -1,5 +1,5 @@
-//! What faces look like: parts of a file that are of one name and look, however often the file goes from one to another and
-//! back.
+//! What faces look like: parts of a file that are of one name and look, however often the file goes from one to another
+//! and back.
 
 use crate::geometry::file_mesh::{FileMesh, FilePart};
 use std::collections::HashMap;

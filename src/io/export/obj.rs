@@ -89,8 +89,8 @@ fn end_vertex(out: &mut dyn Write, colour: Option<&[f32; 4]>) -> io::Result<()> 
     }
 }
 
-/// Writes faces over the vertices that were written last, with normals in the order of those of the mesh, if there are any;
-/// vertices without any face as points.
+/// Writes faces over the vertices that were written last, with normals in the order of those of the mesh, if there are
+/// any; vertices without any face as points.
 fn write_faces<'a>(out: &mut dyn Write, mesh: &'a FileMesh, normals: &[DVec3], next: &mut Next<'a>) -> io::Result<()> {
     let first = next.vertex;
     next.vertex += mesh.points.len();

@@ -45,8 +45,8 @@ impl Length {
 }
 
 /// Writes the bodies of a frame as one mesh, one after another: `body` counts them from 0. Texture coordinates are the
-/// faces' `texcoord`, two numbers a corner; normals are there where every vertex has one. What a body has not of what another
-/// has is zero, and its colour white.
+/// faces' `texcoord`, two numbers a corner; normals are there where every vertex has one. What a body has not of what
+/// another has is zero, and its colour white.
 pub(super) fn write_mesh(out: &mut dyn Write, subject: &Subject, bodies: &[BodyFrame], time: f64) -> io::Result<()> {
     let meshes = || subject.bodies.iter().map(|body| &body.mesh);
     let counts = || meshes().flat_map(|mesh| &mesh.counts);

@@ -1,4 +1,5 @@
-//! Files that say at their head how many frames there are, and where each of them lies, so that none can be added at the end.
+//! Files that say at their head how many frames there are, and where each of them lies, so that none can be added at
+//! the end.
 //!
 //! Frames go to a file aside. Whenever a half of what was published has been added the whole is written anew, and once
 //! more at the end: all that is copied is three times the file, and what a run that is killed leaves is whole, and two

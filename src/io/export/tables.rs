@@ -7,8 +7,8 @@ use glam::DVec3;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Names of the columns. Places and velocities are in the unit that was asked for, stress is in pascals, and the direction
-/// of the fibres has length one or, where there are none, zero; a field that a body has not is empty.
+/// Names of the columns. Places and velocities are in the unit that was asked for, stress is in pascals, and the
+/// direction of the fibres has length one or, where there are none, zero; a field that a body has not is empty.
 const HEAD: [&str; 14] = [
     "body",
     "particle",

@@ -1,8 +1,8 @@
 //! USD as text: `motion.usda` over a folder of layers, one for what stays, one a frame for what moves.
 //!
-//! The frames are value clips: the stage finds the layer of a time by its number, so that none of them has to be read for
-//! another, nothing but the present frame is ever in memory here, and a run that ends early leaves a stage that ends early.
-//! Numbers of the frames are the stage's time codes. Places are single precision, as the schemas have them.
+//! The frames are value clips: the stage finds the layer of a time by its number, so that none of them has to be read
+//! for another, nothing but the present frame is ever in memory here, and a run that ends early leaves a stage that
+//! ends early. Numbers of the frames are the stage's time codes. Places are single precision, as the schemas have them.
 
 use super::usd_shape::{PrimNames, Widths, prim_names, write_shape};
 use super::usd_text::{extent_of, quoted, write_list, write_vectors};

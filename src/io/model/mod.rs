@@ -121,7 +121,8 @@ fn guarded<T>(read: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
     catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| Err(Failure::new("it is damaged")))
 }
 
-/// Reads a model from the bytes of a file of that name, which need not be there; files beside it that it refers to must.
+/// Reads a model from the bytes of a file of that name, which need not be there; files beside it that it refers to
+/// must.
 ///
 /// # Errors
 /// As [`load_model`], but for those of reading.

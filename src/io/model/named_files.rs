@@ -19,8 +19,8 @@ pub(in crate::io) struct NamedFiles {
 }
 
 impl NamedFiles {
-    /// Takes the first of the names that a file is there for, from the folder `beside` in `folder`; what is `told` is missing
-    /// where none is.
+    /// Takes the first of the names that a file is there for, from the folder `beside` in `folder`; what is `told` is
+    /// missing where none is.
     fn take(&mut self, (folder, beside): (&Path, &Path), names: &[&str], told: &str) -> Option<PathBuf> {
         let found = names.iter().flat_map(|name| ways(name)).map(|name| beside.join(name));
         let found = found.into_iter().find(|path| folder.join(path).is_file()).map(|path| within(folder, path));
@@ -40,8 +40,8 @@ impl NamedFiles {
     }
 }
 
-/// The ways in which a name may lead to a file: as it stands, with the slashes of this system, and beside the file that names
-/// it, wherever it lay where that was written.
+/// The ways in which a name may lead to a file: as it stands, with the slashes of this system, and beside the file that
+/// names it, wherever it lay where that was written.
 fn ways(name: &str) -> Vec<String> {
     let slashes = name.replace('\\', "/");
     let last = slashes.rsplit('/').next().unwrap_or_default().to_owned();

@@ -1,7 +1,7 @@
 //! Wavefront OBJ with its MTL: objects, groups and materials are parts, a material's diffuse colour is their colour.
 //!
-//! Read here: the crates that read OBJ in double precision take polylines for faces, know no continued lines, pass over a
-//! first line behind a byte order mark so that every index is off by one, and say of no fault in which line it is.
+//! Read here: the crates that read OBJ in double precision take polylines for faces, know no continued lines, pass over
+//! a first line behind a byte order mark so that every index is off by one, and say of no fault in which line it is.
 
 use super::failure::Failure;
 use super::mtl::Materials;

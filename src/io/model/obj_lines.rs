@@ -15,8 +15,8 @@ pub(in crate::io) struct ObjLine {
     pub(in crate::io) points: Vec<DVec3>,
 }
 
-/// All polylines in their order. One that begins where the one before it ended, in the same object, goes on from it: some
-/// programs write every edge by itself.
+/// All polylines in their order. One that begins where the one before it ended, in the same object, goes on from it:
+/// some programs write every edge by itself.
 pub(super) fn read(bytes: &[u8]) -> Result<Vec<ObjLine>, Failure> {
     let text = without_mark(bytes);
     let mut positions = Vec::new();

@@ -3,7 +3,8 @@
 use glam::{DVec2, DVec3};
 
 /// Cuts a polygon into triangles of its corners, by ears; convex or not, but flat more or less. Corners are given by
-/// index, so are triangles. A polygon that crosses itself still comes out in one less triangle less than it has corners.
+/// index, so are triangles. A polygon that crosses itself still comes out in one less triangle less than it has
+/// corners.
 pub(in crate::io) fn triangulate(corners: &[u32], positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
     match *corners {
         [a, b, c] => triangles.push([a, b, c]),

@@ -1,7 +1,7 @@
 //! STL, binary and text. It has neither units nor connections, and its normals say no more than its corners.
 //!
-//! Read here: the crates that read STL stop after the first of several solids, or tell text by its first word alone, and
-//! say of a damaged file neither line nor bytes.
+//! Read here: the crates that read STL stop after the first of several solids, or tell text by its first word alone,
+//! and say of a damaged file neither line nor bytes.
 
 use super::failure::{Failure, missing};
 use super::notes::{note, warning};

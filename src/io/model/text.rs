@@ -1,5 +1,5 @@
-//! Text as exporters write it: with or without a byte order mark, in UTF-8, UTF-16 or Latin-1, with lines that end as on
-//! any system, and numbers as C, Fortran and spreadsheets print them.
+//! Text as exporters write it: with or without a byte order mark, in UTF-8, UTF-16 or Latin-1, with lines that end as
+//! on any system, and numbers as C, Fortran and spreadsheets print them.
 
 use std::borrow::Cow;
 

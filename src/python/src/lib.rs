@@ -1,6 +1,6 @@
-//! sinew for Python: a scene is read, changed by pointers and run frame by frame; positions, velocities and stresses come as
-//! NumPy arrays. Numbers are SI, arrays of points have a row a particle: `(n, 3)`. Arrays are copies: what is done to them
-//! moves nothing.
+//! sinew for Python: a scene is read, changed by pointers and run frame by frame; positions, velocities and stresses
+//! come as NumPy arrays. Numbers are SI, arrays of points have a row a particle: `(n, 3)`. Arrays are copies: what is
+//! done to them moves nothing.
 //!
 //! ```python
 //! import sinew

@@ -12,8 +12,8 @@ pub(crate) fn refused(error: impl fmt::Display) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
-/// A scene. `scene[pointer]` is what an RFC 6901 pointer leads to, and `scene[pointer] = value` replaces it, as `--set` of the
-/// command line does; a value that the scene cannot have raises ValueError and leaves it as it was.
+/// A scene. `scene[pointer]` is what an RFC 6901 pointer leads to, and `scene[pointer] = value` replaces it, as `--set`
+/// of the command line does; a value that the scene cannot have raises ValueError and leaves it as it was.
 #[pyclass(module = "sinew")]
 pub(crate) struct Scene {
     pub(crate) scene: sinew::scene::Scene,

@@ -65,7 +65,8 @@ impl Simulation {
         self.step(py, frames)
     }
 
-    /// Goes on until everything rests, for a time [s] at most, ten times the scene's duration unless given; whether it does.
+    /// Goes on until everything rests, for a time [s] at most, ten times the scene's duration unless given; whether it
+    /// does.
     #[pyo3(signature = (seconds = None))]
     fn until_rest(&mut self, py: Python<'_>, seconds: Option<f64>) -> PyResult<bool> {
         for _ in 0..self.runner.frames_for(seconds.unwrap_or(10.0 * self.scene.time.duration)) {
@@ -169,7 +170,8 @@ impl Simulation {
         Ok(found)
     }
 
-    /// Every frame so far: a dictionary of columns, those of `sinew simulate --series` with their units, (frames + 1,) each.
+    /// Every frame so far: a dictionary of columns, those of `sinew simulate --series` with their units, (frames + 1,)
+    /// each.
     fn series<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let found = PyDict::new(py);
         for (place, column) in self.series.columns().iter().enumerate() {

@@ -157,8 +157,8 @@ fn contraction(at: &At<'_>, of: &Activation, shared: &[SharedDrive]) -> Checked 
     share(at, of.contract, "fibre shorter by {} of its length", range)
 }
 
-/// Checks a share by which something wants to be smaller, times a drive of this range; `what` it makes of what, with `{}` for
-/// the share.
+/// Checks a share by which something wants to be smaller, times a drive of this range; `what` it makes of what, with
+/// `{}` for the share.
 pub(super) fn share(at: &At<'_>, contract: f64, what: &str, range: [f64; 2]) -> Checked {
     finite(at, contract, "")?;
     let [low, high] = CONTRACTION;

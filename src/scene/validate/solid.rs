@@ -30,8 +30,8 @@ const LEAST_PARTICLES: usize = 8;
 /// Memory that a material particle takes with its neighbours [bytes].
 const BYTES_PER_PARTICLE: f64 = 2500.0;
 
-/// Checks a fibre solid but for its identifier. `before` are the particles of the bodies before it; gives those with its
-/// own.
+/// Checks a fibre solid but for its identifier. `before` are the particles of the bodies before it; gives those with
+/// its own.
 pub(super) fn solid(at: &At<'_>, body: &Body, before: f64) -> Result<f64, SceneError> {
     shape(&at.field("shape"), &body.shape)?;
     placement(&at.field("placement"), &body.placement)?;

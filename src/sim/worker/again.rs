@@ -1,4 +1,5 @@
-//! A journal's motion, made again without a window, a clock or a thread of its own: by the same simulation that heard it.
+//! A journal's motion, made again without a window, a clock or a thread of its own: by the same simulation that heard
+//! it.
 
 use super::queue::command_queue;
 use super::shared::{Outlet, Shared};

@@ -50,7 +50,8 @@ impl Comparison {
         self.runs.is_some()
     }
 
-    /// Brings all runs forward by so much [s]; false where `stop` ended that on the way, from where it goes on next time.
+    /// Brings all runs forward by so much [s]; false where `stop` ended that on the way, from where it goes on next
+    /// time.
     pub(super) fn advance_unless(&mut self, seconds: f64, stop: &dyn Fn() -> bool) -> bool {
         self.runs.as_mut().is_none_or(|runs| runs.advance_unless(seconds, stop))
     }

@@ -2,8 +2,8 @@
 
 use crate::sim::command::SimCommand;
 
-/// What a command does to an older one that still waits. Of documents and ghosts that follow each other only the newest is
-/// put together, whatever the others would have been.
+/// What a command does to an older one that still waits. Of documents and ghosts that follow each other only the newest
+/// is put together, whatever the others would have been.
 pub(super) enum Effect {
     /// It takes its place: with or without the older one all comes to the same.
     Supersedes,
@@ -36,8 +36,8 @@ pub(super) fn effect(newer: &SimCommand, older: &SimCommand) -> Effect {
                 Effect::Passes
             }
         }
-        // Settings and all the rest do not heed each other. Whether time runs is all the same to an edit and a ghost: no
-        // frame is computed between two commands.
+        // Settings and all the rest do not heed each other. Whether time runs is all the same to an edit and a ghost:
+        // no frame is computed between two commands.
         (Speed(_) | Field(_) | Tension(_) | Activation(_), _)
         | (_, Speed(_) | Field(_) | Tension(_) | Activation(_))
         | (Edit(_) | Ghost(_), Edit(_) | Ghost(_) | Play | Pause) => Effect::Passes,

@@ -94,8 +94,8 @@ impl GhostRun {
         }
     }
 
-    /// Brings it to where the live run is [s]; false where `stop` ended it on the way: it has to go back then. One that fails is
-    /// given up.
+    /// Brings it to where the live run is [s]; false where `stop` ended it on the way: it has to go back then. One that
+    /// fails is given up.
     ///
     /// # Errors
     /// What the failure was.

@@ -81,8 +81,8 @@ impl LiveRun {
         self.runner.as_mut()
     }
 
-    /// Advances by a frame, unless `stop` says in the midst of it that it is no longer wanted: false then, and all is as it
-    /// was before.
+    /// Advances by a frame, unless `stop` says in the midst of it that it is no longer wanted: false then, and all is
+    /// as it was before.
     pub(super) fn advance_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
         let Some(before) = self.stored() else { return true };
         self.runner_mut().is_none_or(|runner| before.advance_unless(runner, stop))

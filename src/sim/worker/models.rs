@@ -1,7 +1,7 @@
 //! Models that came into the document since it was opened.
 //!
-//! Why not within the commands. An edit may take the place of one that was sent before it, and what waits between them; the
-//! models of a document only ever become more, so that the newest ones serve every edit of it.
+//! Why not within the commands. An edit may take the place of one that was sent before it, and what waits between them;
+//! the models of a document only ever become more, so that the newest ones serve every edit of it.
 
 use super::shared::lock;
 use crate::scene::Assets;

@@ -146,8 +146,8 @@ impl Motion {
         true
     }
 
-    /// One frame, of the live run or of a replay; false where something that waits ended it. One that somebody asked for is
-    /// ended by less.
+    /// One frame, of the live run or of a replay; false where something that waits ended it. One that somebody asked
+    /// for is ended by less.
     pub(super) fn advance(&mut self, was_asked: bool) -> bool {
         if self.replay.is_active() {
             self.replay.advance(self.runs.live.runner().is_some(), &mut self.playback);

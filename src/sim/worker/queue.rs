@@ -3,8 +3,8 @@
 //! Commands are heard in the order in which they were sent, and the window never waits. A command that a newer one
 //! makes pointless leaves the queue for it, so that it stays as short as what a person can ask for while a frame is
 //! computed. Whether it does is decided by what lies between them: nothing may, that would turn out otherwise without
-//! the older one. What is being done just now is treated as if it still waited, as far as it can be stopped: the work on a
-//! document that a newer one replaces ends.
+//! the older one. What is being done just now is treated as if it still waited, as far as it can be stopped: the work
+//! on a document that a newer one replaces ends.
 
 use super::effect::{Effect, effect};
 use super::shared::lock;
@@ -166,9 +166,9 @@ impl Queue {
 }
 
 impl Waiting {
-    /// Appends a command without the older ones that it supersedes. An edit comes where the one was that it supersedes: a
-    /// ghost that was asked for behind that begins from where the edited scene is. True where it makes pointless what is
-    /// being done just now.
+    /// Appends a command without the older ones that it supersedes. An edit comes where the one was that it supersedes:
+    /// a ghost that was asked for behind that begins from where the edited scene is. True where it makes pointless what
+    /// is being done just now.
     fn push(&mut self, command: SimCommand) -> bool {
         let mut documents = u64::from(matches!(command, SimCommand::Edit(_) | SimCommand::Open(..)));
         let mut place = None;

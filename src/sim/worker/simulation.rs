@@ -79,8 +79,8 @@ impl Simulation {
         }
     }
 
-    /// Does what has waited until everything was heard: a ghost that was wanted during a replay, which may have ended by
-    /// itself, and where something was asked for the numbers of the present frame.
+    /// Does what has waited until everything was heard: a ghost that was wanted during a replay, which may have ended
+    /// by itself, and where something was asked for the numbers of the present frame.
     pub(super) fn settle(&mut self, was_asked: bool) {
         self.rebuild_ghost();
         if was_asked {
@@ -125,7 +125,8 @@ impl Simulation {
         self.motion.record_series();
     }
 
-    /// Puts the scene together. After an edit the motion goes on; where that fails or is stopped, what was there before does.
+    /// Puts the scene together. After an edit the motion goes on; where that fails or is stopped, what was there before
+    /// does.
     fn rebuild(&mut self, keeps_motion: bool) {
         let scene = Arc::clone(&self.scene);
         self.is_stale = false;

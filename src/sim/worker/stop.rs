@@ -1,7 +1,7 @@
 //! Whether what is being put together or computed is still wanted.
 //!
-//! A frame that somebody waits for is ended: all is as it was before it then, so that it is computed anew, with what was
-//! asked for done. One that is nearly there is let go on, as most are.
+//! A frame that somebody waits for is ended: all is as it was before it then, so that it is computed anew, with what
+//! was asked for done. One that is nearly there is let go on, as most are.
 
 use crate::sim::command::SimCommand;
 use std::sync::Arc;
@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 /// A frame may take so long whatever waits for it.
 const GRACE: Duration = Duration::from_millis(120);
 
-/// Edits that follow each other closely, as those of a slider do, let a frame take this long at most, or none would ever
-/// be seen.
+/// Edits that follow each other closely, as those of a slider do, let a frame take this long at most, or none would
+/// ever be seen.
 const GREATEST_GRACE: Duration = Duration::from_millis(600);
 
 /// How much a command that waits minds the frame that is being computed.
@@ -64,8 +64,8 @@ impl Urgency {
     }
 }
 
-/// Flags that end the putting together of a scene, and the frame that is being computed, when they are looked at next. Copies
-/// share them.
+/// Flags that end the putting together of a scene, and the frame that is being computed, when they are looked at next.
+/// Copies share them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Stop(Arc<Flags>);
 

@@ -61,8 +61,8 @@ pub(super) fn acts_of_worm(values: &[f64], fibre: usize) -> Act {
     if fibre < 2 { Act::running("below", values, 0.0) } else { Act::running("above", values, OPPOSITE) }
 }
 
-/// Four fibres along the longer level axis from its far end, the first two on one side, the others on the other. Values as
-/// of a worm.
+/// Four fibres along the longer level axis from its far end, the first two on one side, the others on the other. Values
+/// as of a worm.
 pub(super) fn tail(values: &[f64], inner: &Inner) -> Vec<Polyline> {
     let &[.., vertices] = values else { return Vec::new() };
     let [along, aside] = level(inner);
@@ -77,7 +77,8 @@ pub(super) fn acts_of_tail(values: &[f64], fibre: usize) -> Act {
     if fibre < 2 { Act::running("left", values, 0.0) } else { Act::running("right", values, OPPOSITE) }
 }
 
-/// The four edges along an axis: first those at the low end of `split`, each pair from one end of `paired` to the other.
+/// The four edges along an axis: first those at the low end of `split`, each pair from one end of `paired` to the
+/// other.
 fn pairs(vertices: f64, along: usize, split: usize, paired: usize) -> Vec<Polyline> {
     let mut fibres = Vec::new();
     for of_split in [0.0, 1.0] {
@@ -126,7 +127,8 @@ pub(super) fn acts_of_rings(values: &[f64], _fibre: usize) -> Act {
     Act::new("beat", values, 0.0)
 }
 
-/// Rays from the middle at the lower face of something flat. Values: contraction, period, arms, hub as a share, vertices.
+/// Rays from the middle at the lower face of something flat. Values: contraction, period, arms, hub as a share,
+/// vertices.
 pub(super) fn starfish(values: &[f64], inner: &Inner) -> Vec<Polyline> {
     let &[_, _, arms, hub, vertices] = values else { return Vec::new() };
     (0..arms as usize)

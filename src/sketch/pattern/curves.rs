@@ -35,8 +35,8 @@ pub(super) fn c_shape(values: &[f64], _inner: &Inner) -> Vec<Polyline> {
     rows(fibres, vertices, |y| 0.5 - bulge * ((PI * y).sin() - 0.5))
 }
 
-/// Waves of one period one behind the other, each in an upright plane. Values: fibres, swing of the lower half towards +x
-/// as a share of the half width, vertices.
+/// Waves of one period one behind the other, each in an upright plane. Values: fibres, swing of the lower half towards
+/// +x as a share of the half width, vertices.
 pub(super) fn s_shape(values: &[f64], _inner: &Inner) -> Vec<Polyline> {
     let &[fibres, swing, vertices] = values else { return Vec::new() };
     rows(fibres, vertices, |y| 0.5 + 0.5 * swing * (TAU * y).sin())

@@ -50,7 +50,8 @@ pub(super) fn frame(values: &[f64], _inner: &Inner) -> Vec<Polyline> {
         .collect()
 }
 
-/// Short straight fibres anywhere, in any direction. Values: fibres, length as a share of the least extent, seed, vertices.
+/// Short straight fibres anywhere, in any direction. Values: fibres, length as a share of the least extent, seed,
+/// vertices.
 pub(super) fn short_fibres(values: &[f64], inner: &Inner) -> Vec<Polyline> {
     let &[fibres, length, seed, vertices] = values else { return Vec::new() };
     let mut random = SplitMix64(seed as u64);

@@ -1,10 +1,10 @@
 //! Patterns: layouts of fibres to start from, fitted to a box; each makes one deformation plain.
 //!
-//! How it works. A layout is drawn in the unit cube and stretched into the box, less a margin, so that no number a person
-//! types can lead out of it. What has to know the box (angles, lengths, which way is flat) is told its extents.
+//! How it works. A layout is drawn in the unit cube and stretched into the box, less a margin, so that no number a
+//! person types can lead out of it. What has to know the box (angles, lengths, which way is flat) is told its extents.
 //!
-//! Why not fitted to the surface. Fibres that leave a model's surface are trimmed when they are put into it, as those that
-//! were drawn by hand; a pattern is a start and is edited as any fibre.
+//! Why not fitted to the surface. Fibres that leave a model's surface are trimmed when they are put into it, as those
+//! that were drawn by hand; a pattern is a start and is edited as any fibre.
 
 mod acting;
 mod curves;

@@ -6,8 +6,8 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// A layout that a person saved: in JSON an object with `title`, `does` and `fibres`, each a list of [x, y, z] in the unit
-/// cube, and `acts`, what each of them does by itself, where any does something.
+/// A layout that a person saved: in JSON an object with `title`, `does` and `fibres`, each a list of [x, y, z] in the
+/// unit cube, and `acts`, what each of them does by itself, where any does something.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Unchecked")]
 pub struct OwnPattern {
@@ -70,8 +70,8 @@ impl TryFrom<Unchecked> for OwnPattern {
 }
 
 impl OwnPattern {
-    /// The layout of `fibres` [m] in the box from `min` to `max` [m], model frame. What sticks out of the box is brought to
-    /// its faces.
+    /// The layout of `fibres` [m] in the box from `min` to `max` [m], model frame. What sticks out of the box is
+    /// brought to its faces.
     ///
     /// # Errors
     /// No fibres, one of fewer than two vertices or with one that is no number, a box without volume.

@@ -46,12 +46,13 @@ pub struct Pattern {
     pub does: &'static str,
     /// What it is given; the last one is the margin as a share of the box's least extent.
     pub parameters: &'static [Parameter],
-    /// Bending stiffness of its fibres over their axial rigidity, in particle spacings squared: fibres in the middle plane of
-    /// something flat carry it by bending alone.
+    /// Bending stiffness of its fibres over their axial rigidity, in particle spacings squared: fibres in the middle
+    /// plane of something flat carry it by bending alone.
     pub bending: f64,
     /// Polylines in the unit cube, from the values before the margin.
     pub(super) layout: fn(&[f64], &Inner) -> Vec<Polyline>,
-    /// What a fibre does by itself, from the values before the margin and its place in the layout; nothing unless given.
+    /// What a fibre does by itself, from the values before the margin and its place in the layout; nothing unless
+    /// given.
     pub(super) acting: Option<fn(&[f64], usize) -> Act>,
 }
 
@@ -61,8 +62,9 @@ impl Pattern {
         self.parameters.iter().map(|parameter| parameter.default).collect()
     }
 
-    /// The fibres' vertices [m] in the box from `min` to `max` [m], model frame, by the values of the parameters in their
-    /// order. Values are held within their ranges, those that are left out are defaults. A box without volume has none.
+    /// The fibres' vertices [m] in the box from `min` to `max` [m], model frame, by the values of the parameters in
+    /// their order. Values are held within their ranges, those that are left out are defaults. A box without volume has
+    /// none.
     pub fn lay(&self, values: &[f64], min: DVec3, max: DVec3) -> Vec<Polyline> {
         let held = self.held(values);
         let Some((&margin, values)) = held.split_last() else { return Vec::new() };
@@ -86,8 +88,8 @@ impl Pattern {
         self.acting.is_some()
     }
 
-    /// What each of so many fibres does by itself, by the values of the parameters as [`Pattern::lay`] takes them; empty
-    /// where they only resist.
+    /// What each of so many fibres does by itself, by the values of the parameters as [`Pattern::lay`] takes them;
+    /// empty where they only resist.
     pub fn acts(&self, values: &[f64], fibres: usize) -> Vec<Option<Act>> {
         let held = self.held(values);
         let Some((act, (_, values))) = self.acting.zip(held.split_last()) else { return Vec::new() };

@@ -36,8 +36,8 @@ const WITHIN: f64 = 0.72;
 /// Side veins have this share of the midrib's vertices.
 const SIDE: f64 = 0.5;
 
-/// A midrib along the longest axis and pairs of veins that leave it. Values: pairs, share of the half width, angle to the
-/// midrib [degrees], vertices of the midrib.
+/// A midrib along the longest axis and pairs of veins that leave it. Values: pairs, share of the half width, angle to
+/// the midrib [degrees], vertices of the midrib.
 pub(super) fn vein(values: &[f64], inner: &Inner) -> Vec<Polyline> {
     let &[pairs, reach, angle, vertices] = values else { return Vec::new() };
     let midrib = line(vertices, inner.place(0.0, 0.5, 0.5), inner.place(1.0, 0.5, 0.5));

@@ -15,7 +15,8 @@ impl Body {
         self.shared = drives;
     }
 
-    /// Has a hand lead a shared drive, within two times [s], to a value, or let go of it. False where there is no such drive.
+    /// Has a hand lead a shared drive, within two times [s], to a value, or let go of it. False where there is no such
+    /// drive.
     pub(in crate::solver) fn lead(&mut self, id: &str, times: [f64; 2], aim: Option<f64>) -> bool {
         let Some(shared) = self.shared.iter().find(|shared| *shared.id == *id) else { return false };
         if let Some(hand) = shared.drive.led(times, aim) {

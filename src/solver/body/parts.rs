@@ -69,7 +69,8 @@ pub struct BodyParts {
 }
 
 impl BodyParts {
-    /// A step that follows the body's stiffest motion [s]: its own, or leap-frog's where its own is not bounded by that.
+    /// A step that follows the body's stiffest motion [s]: its own, or leap-frog's where its own is not bounded by
+    /// that.
     pub(super) fn resolved_dt(&self) -> f64 {
         if self.stable_dt.is_finite() { self.dt } else { self.dt.min(self.explicit_dt) }
     }

@@ -5,8 +5,9 @@ use crate::solver::forces::{Force, Gravity};
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
-/// A body sleeps once its forces are this share of those of a body at rest, or of a particle's weight, and its velocities
-/// likewise: it stays as it is then, and what is at rest but for that may still be about to give way as a whole.
+/// A body sleeps once its forces are this share of those of a body at rest, or of a particle's weight, and its
+/// velocities likewise: it stays as it is then, and what is at rest but for that may still be about to give way as a
+/// whole.
 const ASLEEP: f64 = 1e-3;
 
 impl Body {
@@ -16,8 +17,8 @@ impl Body {
         self.settled(time, self.parts.rest_scale)
     }
 
-    /// Whether nothing of its own would change anything from `time` [s] on: nothing moves or pushes by far, and no force is
-    /// yet to come, go or be evaluated.
+    /// Whether nothing of its own would change anything from `time` [s] on: nothing moves or pushes by far, and no
+    /// force is yet to come, go or be evaluated.
     pub(in crate::solver) fn may_sleep(&self, time: f64) -> bool {
         if self.divergence.is_some() {
             return true;

@@ -43,10 +43,11 @@ impl ActiveSprings {
         }
     }
 
-    /// Books the work of the step that ended at a time [s] in these positions [m]: half of what the change of the rest lengths
-    /// does to the energy in the shape before and half of what it does in that after it.
+    /// Books the work of the step that ended at a time [s] in these positions [m]: half of what the change of the rest
+    /// lengths does to the energy in the shape before and half of what it does in that after it.
     pub(crate) fn book(&mut self, time: f64, positions: &[DVec3], passive: impl Fn(u32) -> Passive) {
-        // With c the contraction, E = sum k (L - L0 (1 - c))² / 2 changes by c' - c times this, and by the squares of L0.
+        // With c the contraction, E = sum k (L - L0 (1 - c))² / 2 changes by c' - c times this, and by the squares of
+        // L0.
         let (mut tension, mut squares) = (0.0, 0.0);
         for &spring in self.springs.iter() {
             let ([a, b], stiffness, rest) = passive(spring);

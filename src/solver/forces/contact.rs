@@ -1,4 +1,5 @@
-//! Contact of particles with planes: penalty that only pushes, with Coulomb friction (see [`super::grip`] for what holds).
+//! Contact of particles with planes: penalty that only pushes, with Coulomb friction (see [`super::grip`] for what
+//! holds).
 
 use super::force::{Force, StepLimit};
 use super::grip::Grip;
@@ -45,8 +46,8 @@ impl ContactLaw {
         push * normal - if size > 0.0 { pull * (drag / size) } else { DVec3::ZERO }
     }
 
-    /// What acts against a motion along the surface, were there no limit to it: a vector and what it is multiplied by to be
-    /// a force [N].
+    /// What acts against a motion along the surface, were there no limit to it: a vector and what it is multiplied by
+    /// to be a force [N].
     fn pull(&self, normal: DVec3, velocity: DVec3, stretch: DVec3) -> (DVec3, f64) {
         let slip = velocity.reject_from_normalized(normal);
         if self.holding == 0.0 {
@@ -55,7 +56,8 @@ impl ContactLaw {
         (self.holding * stretch.reject_from_normalized(normal) + self.sticking * slip, 1.0)
     }
 
-    /// What is left of a stretch [m] once what holds has been dragged along as far as it must; none of what does not touch.
+    /// What is left of a stretch [m] once what holds has been dragged along as far as it must; none of what does not
+    /// touch.
     pub(crate) fn dragged(&self, gap: f64, normal: DVec3, velocity: DVec3, stretch: DVec3) -> Option<DVec3> {
         if gap >= self.radius || self.friction <= 0.0 || self.holding <= 0.0 {
             return None;
@@ -64,8 +66,8 @@ impl ContactLaw {
         Some(stretch.reject_from_normalized(normal).clamp_length_max(longest))
     }
 
-    /// How a touch at signed distance `gap` [m] resists [N/m], where velocities change by `1/h` of positions: by stiffness
-    /// and damping along the normal, and across it as far as it sticks.
+    /// How a touch at signed distance `gap` [m] resists [N/m], where velocities change by `1/h` of positions: by
+    /// stiffness and damping along the normal, and across it as far as it sticks.
     pub(super) fn resistance(&self, [gap, h]: [f64; 2], normal: DVec3, velocity: DVec3, stretch: DVec3) -> DMat3 {
         let Self { stiffness, damping, friction, sticking, holding, .. } = *self;
         let along = outer(normal, normal);
@@ -158,8 +160,8 @@ impl Contact {
         (0..self.planes.len()).any(|plane| positions.iter().any(|&x| self.depth(plane, time, x) > 0.0))
     }
 
-    /// How plane `index` resists a particle that touches it [N/m], where velocities change by `1/h` of positions: by its
-    /// stiffness and damping along the normal, and across it as far as the particle sticks.
+    /// How plane `index` resists a particle that touches it [N/m], where velocities change by `1/h` of positions: by
+    /// its stiffness and damping along the normal, and across it as far as the particle sticks.
     pub(crate) fn resistance(
         &self,
         index: usize,

@@ -11,8 +11,8 @@ use std::sync::Arc;
 /// Speed [m/s] against the flow that the time step is chosen for, beside those at the start.
 const USUAL_SPEED: f64 = 1.0;
 
-/// On every face `(1/4) rho C A |u . n| (u . n) n`, u the flow's velocity against the face's: a plate across the flow, which
-/// has two such sides, is pushed by `(1/2) rho C A u²`. What flows along a face does not touch it.
+/// On every face `(1/4) rho C A |u . n| (u . n) n`, u the flow's velocity against the face's: a plate across the flow,
+/// which has two such sides, is pushed by `(1/2) rho C A u²`. What flows along a face does not touch it.
 #[derive(Clone, Debug)]
 pub(crate) struct Flow {
     /// Velocity [m/s].
@@ -39,7 +39,8 @@ pub(crate) struct FlowSurface {
 }
 
 impl Flow {
-    /// A flow of this velocity [m/s], times a drive if there is one, of density times drag coefficient `density` [kg/m³].
+    /// A flow of this velocity [m/s], times a drive if there is one, of density times drag coefficient `density`
+    /// [kg/m³].
     pub(crate) fn new(velocity: DVec3, drive: Option<Drive>, density: f64, surface: FlowSurface) -> Self {
         Self { velocity, drive, density, surface: Arc::new(surface), power: 0.0, work: 0.0, booked: None }
     }

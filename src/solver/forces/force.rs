@@ -33,19 +33,20 @@ pub trait Force: Any + Send + Sync {
     }
 
     /// Groups of particles such that the force on one hangs only on the motion of itself and of those in its groups:
-    /// implicit integrators ask for stiffnesses there. Without any, none hangs on another; a force that ties more than it
-    /// says is still stepped rightly, but with more evaluations.
+    /// implicit integrators ask for stiffnesses there. Without any, none hangs on another; a force that ties more than
+    /// it says is still stepped rightly, but with more evaluations.
     fn couplings(&self) -> Vec<Vec<u32>> {
         Vec::new()
     }
 
-    /// Whether it acts between the body's own particles alone: of all its forces neither sum nor moment is anything, wherever the
-    /// body is.
+    /// Whether it acts between the body's own particles alone: of all its forces neither sum nor moment is anything,
+    /// wherever the body is.
     fn is_internal(&self) -> bool {
         false
     }
 
-    /// Until when [s] it may change though nothing moves. One that does not say so may at any time, and its body never sleeps.
+    /// Until when [s] it may change though nothing moves. One that does not say so may at any time, and its body never
+    /// sleeps.
     fn changes_until(&self) -> f64 {
         f64::INFINITY
     }
@@ -55,14 +56,14 @@ pub trait Force: Any + Send + Sync {
         0.0
     }
 
-    /// Whether what it does not come from the body alone: it may give energy that no [`Self::add_energy`] tells of, though
-    /// it does not change in time.
+    /// Whether what it does not come from the body alone: it may give energy that no [`Self::add_energy`] tells of,
+    /// though it does not change in time.
     fn does_work(&self) -> bool {
         false
     }
 
-    /// The work that it has done on the body from outside so far [J], where it books that step by step; work of one that
-    /// [`Self::does_work`] and does not is told from where the body is at the ends of frames.
+    /// The work that it has done on the body from outside so far [J], where it books that step by step; work of one
+    /// that [`Self::does_work`] and does not is told from where the body is at the ends of frames.
     fn outside_work(&self) -> Option<f64> {
         None
     }
@@ -86,8 +87,9 @@ pub trait Force: Any + Send + Sync {
         false
     }
 
-    /// Goes on from where the forces of the same body stood before an edit, and from any time: what has broken stays broken,
-    /// and nothing that was noted of the body's start counts any more. There are none where the body starts anew.
+    /// Goes on from where the forces of the same body stood before an edit, and from any time: what has broken stays
+    /// broken, and nothing that was noted of the body's start counts any more. There are none where the body starts
+    /// anew.
     fn adopt(&mut self, _before: &[Box<dyn Force>]) {}
 
     /// Energy [J] that it has lost for good so far, to yielding or viscosity; only what says so here.
@@ -95,8 +97,8 @@ pub trait Force: Any + Send + Sync {
         0.0
     }
 
-    /// Tells every number beside positions and velocities that the motion goes on from, such as what has yielded, in a fixed
-    /// order; hashes of states hold them.
+    /// Tells every number beside positions and velocities that the motion goes on from, such as what has yielded, in a
+    /// fixed order; hashes of states hold them.
     fn remembered(&self, _number: &mut dyn FnMut(f64)) {}
 
     /// What the force is called where forces are timed one by one.
@@ -109,14 +111,14 @@ pub trait Force: Any + Send + Sync {
         &[]
     }
 
-    /// Memory that a copy takes beside what copies share [bytes], so that a recording of many can be bounded. By default
-    /// that of the value itself; one with lists of its own adds them.
+    /// Memory that a copy takes beside what copies share [bytes], so that a recording of many can be bounded. By
+    /// default that of the value itself; one with lists of its own adds them.
     fn bytes(&self) -> usize {
         size_of_val(self)
     }
 
-    /// A copy that resists every move from the start as much as the force ever does, with what drives it at its greatest or
-    /// at its least: what the stable step is measured with.
+    /// A copy that resists every move from the start as much as the force ever does, with what drives it at its
+    /// greatest or at its least: what the stable step is measured with.
     fn clone_at_extreme(&self, _greatest: bool) -> Box<dyn Force> {
         self.clone_box()
     }

@@ -25,8 +25,8 @@ pub struct Grab {
 const FOLLOW: f64 = 25.0;
 
 impl Grab {
-    /// A grab that moves every body alike: stiffness and damping scale with its mass, and stay below what a step of `dt`
-    /// [s] can take at the point.
+    /// A grab that moves every body alike: stiffness and damping scale with its mass, and stay below what a step of
+    /// `dt` [s] can take at the point.
     pub(crate) fn scaled(point: EmbeddingWeights, target: DVec3, state: &ParticleState, dt: f64) -> Self {
         let mass = state.mass();
         // Mass that a force on the point has to move at first: 1 / sum phi² / m.

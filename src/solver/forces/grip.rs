@@ -1,8 +1,9 @@
 //! How particles hold on to what they touch.
 //!
-//! Where a particle first touches something, a spring along the surface is tied there, without stretch and as stiff as the
-//! contact is across it. The spring is dragged along where its pull would pass Coulomb's limit (Cundall and Strack, 1979):
-//! what lies on a slope less steep than the angle of friction stays where it is, and what slides is braked by that limit.
+//! Where a particle first touches something, a spring along the surface is tied there, without stretch and as stiff as
+//! the contact is across it. The spring is dragged along where its pull would pass Coulomb's limit (Cundall and Strack,
+//! 1979): what lies on a slope less steep than the angle of friction stays where it is, and what slides is braked by
+//! that limit.
 
 use glam::DVec3;
 

@@ -94,7 +94,8 @@ impl Pressure {
         Self { driven: Driven::by(drive), ..self }
     }
 
-    /// Keeps the pressure from here on as it is at a time [s] at `positions` [m]: particles feel only those beside them then.
+    /// Keeps the pressure from here on as it is at a time [s] at `positions` [m]: particles feel only those beside them
+    /// then.
     pub(crate) fn freeze(&mut self, time: f64, positions: &[DVec3]) {
         self.frozen = Some(self.pressure(time, positions));
     }

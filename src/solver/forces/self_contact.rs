@@ -1,8 +1,9 @@
 //! Contact of a body with itself: particles that were far apart at rest and come near push each other away.
 //!
-//! Particles are balls that touch their neighbours. Two of them that lay at least twice as far apart at rest push each other
-//! along the line through their centres, so that both momenta are kept; neighbours, which the matrix or the springs hold,
-//! never do. There is no friction: balls are bumpy, and faces of them hold each other as by a friction of some 0.8.
+//! Particles are balls that touch their neighbours. Two of them that lay at least twice as far apart at rest push each
+//! other along the line through their centres, so that both momenta are kept; neighbours, which the matrix or the
+//! springs hold, never do. There is no friction: balls are bumpy, and faces of them hold each other as by a friction of
+//! some 0.8.
 
 use super::force::{Force, StepLimit};
 use crate::geometry::neighbours::PointGrid;
@@ -71,8 +72,8 @@ impl SelfContact {
         self.particles.iter().map(|of| positions[of.particle as usize]).collect()
     }
 
-    /// Looks for pairs that are near, where too much has moved since that was last done. What the body moves as a whole does
-    /// not count.
+    /// Looks for pairs that are near, where too much has moved since that was last done. What the body moves as a whole
+    /// does not count.
     fn look_around(&mut self, positions: &[DVec3]) {
         let Self { particles, near, .. } = self;
         let slack = SLACK * self.largest;
@@ -166,8 +167,8 @@ impl Force for SelfContact {
     }
 }
 
-/// Particles that lie at the surface of a heap of balls `spacing` [m] apart: there are more on one side of them than on the
-/// other, by a fifth of their number times the spacing.
+/// Particles that lie at the surface of a heap of balls `spacing` [m] apart: there are more on one side of them than on
+/// the other, by a fifth of their number times the spacing.
 pub(crate) fn surface_particles(points: &[DVec3], spacing: f64) -> Vec<u32> {
     const ONE_SIDED: f64 = 0.2;
     let grid = PointGrid::new(points, 1.6 * spacing);

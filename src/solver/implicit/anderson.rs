@@ -22,8 +22,8 @@ impl Anderson {
         self.differences.clear();
     }
 
-    /// From `x`, whose plain step is `p`, the step that is taken instead: of all combinations of what is remembered the one
-    /// whose own step would be least, were the iteration linear.
+    /// From `x`, whose plain step is `p`, the step that is taken instead: of all combinations of what is remembered the
+    /// one whose own step would be least, were the iteration linear.
     pub(super) fn step(&mut self, x: &[DVec3], p: &[DVec3]) -> Vec<DVec3> {
         if let Some([last_x, last_p]) = self.last.take() {
             if self.differences.len() == MEMORY {
@@ -45,8 +45,8 @@ impl Anderson {
     }
 }
 
-/// Solves the small positive system of a least-squares problem, by elimination without exchanges; what is not told apart
-/// from round-off gets no share.
+/// Solves the small positive system of a least-squares problem, by elimination without exchanges; what is not told
+/// apart from round-off gets no share.
 fn least_squares(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     let n = b.len();
     let before: Vec<f64> = (0..n).map(|k| a[k][k]).collect();

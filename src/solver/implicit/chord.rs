@@ -54,7 +54,8 @@ pub(super) struct Chord {
 }
 
 impl Chord {
-    /// Makes the matrix for steps of `h` [s] ready; `state` is where the body is at `time` [s]. False where there is none.
+    /// Makes the matrix for steps of `h` [s] ready; `state` is where the body is at `time` [s]. False where there is
+    /// none.
     pub(super) fn prepare(&mut self, dynamics: &mut Dynamics<'_>, state: &ParticleState, time: f64, h: f64) -> bool {
         let origin = Origin {
             breaks: dynamics.forces.iter().map(|force| force.breaks().len()).sum(),
@@ -67,8 +68,8 @@ impl Chord {
         self.use_factor(dynamics, state, time, h)
     }
 
-    /// Makes the matrix anew because it did not serve in `state`: with what the body touches there, and of a body without
-    /// a matrix that turns from its present stiffness. False where that would be the same matrix.
+    /// Makes the matrix anew because it did not serve in `state`: with what the body touches there, and of a body
+    /// without a matrix that turns from its present stiffness. False where that would be the same matrix.
     pub(super) fn renew(&mut self, dynamics: &mut Dynamics<'_>, state: &ParticleState, time: f64, h: f64) -> bool {
         let Some(basis) = self.basis.clone() else { return false };
         if basis.turns.is_none() {

@@ -17,8 +17,8 @@ const SETTLED: f64 = 1e-9;
 /// Share of the reach by which particles are moved to ask for the stiffness.
 const SMALL: f64 = 4e-8;
 
-/// Angular frequency [rad/s] of the slowest swing of a body around its rest, without damping, gravity and what it touches.
-/// None of one that nothing holds, or that is too large to be factored.
+/// Angular frequency [rad/s] of the slowest swing of a body around its rest, without damping, gravity and what it
+/// touches. None of one that nothing holds, or that is too large to be factored.
 pub(crate) fn first_mode(parts: &BodyParts) -> Option<f64> {
     let n = parts.rest.len();
     if parts.constraints.is_empty() {

@@ -1,15 +1,15 @@
 //! The whole body implicit: what every implicit integrator steps by.
 //!
-//! Every stage of such a step asks for the x at which `M ((x - xb) / h - vb) / h = f(x, (x - xb) / h, t)`, with a step h and a
-//! base (xb, vb) of its own ([`Stage`]). It is found by chord steps: the matrix
+//! Every stage of such a step asks for the x at which `M ((x - xb) / h - vb) / h = f(x, (x - xb) / h, t)`, with a step
+//! h and a base (xb, vb) of its own ([`Stage`]). It is found by chord steps: the matrix
 //!
 //! ```text
 //! A = M / h² + K + D / h,      K = -df/dx,  D = -df/dv,
 //! ```
 //!
-//! is that of one state, factored once for a body and a step, and turned with the particles where they have a matrix that
-//! turns, `T A^-1 T^T`. What it is wrong by is left to Anderson's acceleration. K and D are found by moving particles and
-//! asking the forces, so that no formula of a force stands here again.
+//! is that of one state, factored once for a body and a step, and turned with the particles where they have a matrix
+//! that turns, `T A^-1 T^T`. What it is wrong by is left to Anderson's acceleration. K and D are found by moving
+//! particles and asking the forces, so that no formula of a force stands here again.
 //!
 //! - `sparsity`: whose forces hang on whose motion, and which particles may be moved at once;
 //! - `stiffness`: K and D by such moves;

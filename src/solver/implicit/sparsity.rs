@@ -60,8 +60,8 @@ impl Sparsity {
         self.starts[i] + self.row(i).partition_point(|&k| (k as usize) < j)
     }
 
-    /// Sets of particles of which no two change the force on the same one: they can be moved at once, and each force that
-    /// changes tells which of them did it.
+    /// Sets of particles of which no two change the force on the same one: they can be moved at once, and each force
+    /// that changes tells which of them did it.
     pub(super) fn colours(&self) -> Vec<Vec<u32>> {
         let mut colour_of = vec![usize::MAX; self.len()];
         let mut taken_by: Vec<usize> = Vec::new();

@@ -25,8 +25,8 @@ pub(in crate::solver) struct Stepper {
 
 /// How often a step is halved before leap-frog takes over.
 const MOST_HALVINGS: u32 = 2;
-/// Share of the body's reach that a body at the room, or what of it touches the room, may go towards or away from it in a
-/// step: a faster one strikes it, and a blow that no step resolves would win or lose energy by chance.
+/// Share of the body's reach that a body at the room, or what of it touches the room, may go towards or away from it in
+/// a step: a faster one strikes it, and a blow that no step resolves would win or lose energy by chance.
 const STRIKING: f64 = 0.05;
 /// Share of its stable step that leap-frog takes.
 const SAFETY: f64 = 0.6;
@@ -111,8 +111,9 @@ impl Stepper {
     }
 }
 
-/// Whether the body, which touches the room or a collider or would do so at the end of a free step of `dt` [s], moves along its normal too
-/// fast for such steps: what touches it, or the whole by its present speed or the one to which the present forces bring it.
+/// Whether the body, which touches the room or a collider or would do so at the end of a free step of `dt` [s], moves
+/// along its normal too fast for such steps: what touches it, or the whole by its present speed or the one to which the
+/// present forces bring it.
 fn strikes(dynamics: &Dynamics<'_>, state: &ParticleState, time: f64, dt: f64) -> bool {
     if !dynamics.may_touch() {
         return false;

@@ -22,8 +22,8 @@ pub(super) struct Stiffness {
 /// position would drown in the round-off of the elastic forces.
 const FASTER: f64 = 1e5;
 
-/// Moves that one copy of the forces is asked for, one after the other. Fixed, so that warm starts and with them the bits
-/// do not depend on the number of threads.
+/// Moves that one copy of the forces is asked for, one after the other. Fixed, so that warm starts and with them the
+/// bits do not depend on the number of threads.
 const MOVES_A_COPY: usize = 24;
 
 impl Stiffness {

@@ -8,8 +8,8 @@ use crate::solver::state::ParticleState;
 use glam::DVec3;
 
 /// `x' = (4 x - x_before) / 3 + 2/3 dt v'`, and v' alike with a': order 2, one stage a step, stable at any step; takes
-/// energy of what it does not resolve. Where the step before does not lead here, such as after a blow, it starts with a step
-/// of TR-BDF2.
+/// energy of what it does not resolve. Where the step before does not lead here, such as after a blow, it starts with a
+/// step of TR-BDF2.
 #[derive(Clone, Default)]
 pub(crate) struct Bdf2 {
     stepper: Stepper,

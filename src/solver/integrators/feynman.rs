@@ -6,12 +6,12 @@ use crate::solver::linear_algebra::vectors::axpy;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
-/// `v(t + dt/2) = v(t - dt/2) + dt a(t); x(t + dt) = x(t) + dt v(t + dt/2)`, begun by `v(dt/2) = v(0) + dt/2 a(0)`: the scheme
-/// of the Feynman Lectures, vol. I, sec. 9-6. Order 2 and symplectic, one force evaluation a step.
+/// `v(t + dt/2) = v(t - dt/2) + dt a(t); x(t + dt) = x(t) + dt v(t + dt/2)`, begun by `v(dt/2) = v(0) + dt/2 a(0)`: the
+/// scheme of the Feynman Lectures, vol. I, sec. 9-6. Order 2 and symplectic, one force evaluation a step.
 ///
-/// The velocities that it goes on from are those of half steps and its own. What is shown between is carried on to the whole
-/// step by half a kick. A particle that was struck, or whose step changes, begins anew from what it shows. Forces that depend
-/// on velocity see that of the half step before, as under leap-frog: the two differ by rounding alone.
+/// The velocities that it goes on from are those of half steps and its own. What is shown between is carried on to the
+/// whole step by half a kick. A particle that was struck, or whose step changes, begins anew from what it shows. Forces
+/// that depend on velocity see that of the half step before, as under leap-frog: the two differ by rounding alone.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Feynman {
     accelerations: Vec<DVec3>,

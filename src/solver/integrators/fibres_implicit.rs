@@ -9,8 +9,8 @@ use crate::solver::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Share of a step at which the fibres' forces are taken: one half is the midpoint, which lets stiff motions ring, one is
-/// backward Euler, which takes most energy from them.
+/// Share of a step at which the fibres' forces are taken: one half is the midpoint, which lets stiff motions ring, one
+/// is backward Euler, which takes most energy from them.
 const SHARE: f64 = 0.6;
 
 /// A step is halved so often before leap-frog takes it in steps of its own.
@@ -19,8 +19,8 @@ const MOST_HALVINGS: u32 = 3;
 /// Share of the stable step that leap-frog then takes.
 const SAFETY: f64 = 0.5;
 
-/// What a product of two blocks and a material particle take in time, beside each other, and how many passes a step mostly
-/// takes.
+/// What a product of two blocks and a material particle take in time, beside each other, and how many passes a step
+/// mostly takes.
 const PRODUCT: f64 = 5.0;
 const PARTICLE: f64 = 80.0;
 const PASSES: f64 = 2.5;

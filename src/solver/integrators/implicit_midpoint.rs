@@ -5,8 +5,8 @@ use crate::solver::dynamics::Dynamics;
 use crate::solver::implicit::{Stage, StageSolver, Stepper, Unconverged};
 use crate::solver::state::ParticleState;
 
-/// The rates of the middle, which they lead to: `x' = x + dt v_m; v' = v + dt a(x_m, v_m)`. Order 2, no oscillation grows or
-/// fades at any step, and momenta are kept; stiff ones ring on.
+/// The rates of the middle, which they lead to: `x' = x + dt v_m; v' = v + dt a(x_m, v_m)`. Order 2, no oscillation
+/// grows or fades at any step, and momenta are kept; stiff ones ring on.
 #[derive(Clone, Default)]
 pub(crate) struct ImplicitMidpoint {
     stepper: Stepper,

@@ -17,8 +17,8 @@ pub trait Integrator: Send + Sync {
         false
     }
 
-    /// Memory that a copy takes beside what copies share [bytes]; by default that of the value itself, one with lists of
-    /// its own adds them.
+    /// Memory that a copy takes beside what copies share [bytes]; by default that of the value itself, one with lists
+    /// of its own adds them.
     fn bytes(&self) -> usize {
         size_of_val(self)
     }

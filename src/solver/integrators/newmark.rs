@@ -5,8 +5,8 @@ use crate::solver::dynamics::Dynamics;
 use crate::solver::implicit::{Stage, StageSolver, Stepper, Unconverged};
 use crate::solver::state::ParticleState;
 
-/// `x' = x + dt v + dt²/4 (a + a'); v' = v + dt/2 (a + a')`, beta 1/4 and gamma 1/2: order 2, no oscillation grows or fades
-/// at any step; stiff ones ring on.
+/// `x' = x + dt v + dt²/4 (a + a'); v' = v + dt/2 (a + a')`, beta 1/4 and gamma 1/2: order 2, no oscillation grows or
+/// fades at any step; stiff ones ring on.
 #[derive(Clone, Default)]
 pub(crate) struct Newmark {
     stepper: Stepper,

@@ -6,8 +6,8 @@ use crate::solver::implicit::{Stage, StageSolver, Stepper, Unconverged};
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
-/// Two stages of `h = (1 - 1/sqrt 2) dt`: order 2, stable at any step, and stiff oscillations end within a step. It needs no
-/// force at the start. Angular momentum falls where stiff bodies turn.
+/// Two stages of `h = (1 - 1/sqrt 2) dt`: order 2, stable at any step, and stiff oscillations end within a step. It
+/// needs no force at the start. Angular momentum falls where stiff bodies turn.
 #[derive(Clone, Default)]
 pub(crate) struct Sdirk2 {
     stepper: Stepper,

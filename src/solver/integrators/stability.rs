@@ -3,8 +3,8 @@
 /// Growth a step that passes for none.
 const GROWTH_A_STEP: f64 = 2e-4;
 
-/// Growth of the amplitude that passes for none in a second [1/s]: the energy of an undamped oscillation grows under explicit
-/// Euler and midpoint at any step, and by a hundredth in a second at this one.
+/// Growth of the amplitude that passes for none in a second [1/s]: the energy of an undamped oscillation grows under
+/// explicit Euler and midpoint at any step, and by a hundredth in a second at this one.
 const GROWTH_A_SECOND: f64 = 5e-3;
 
 /// Share of a step over the fastest rate below which none is looked for.

@@ -6,9 +6,9 @@ use crate::solver::implicit::{Stage, StageSolver, Stepper, Unconverged};
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 
-/// Trapezoidal rule to `c dt`, `c = 2 - sqrt 2`, then a backward difference over both parts: order 2, stable at any step.
-/// Both stages have the same step, and so the same matrix. Stiff oscillations end within a step, slow ones hardly fade;
-/// where bodies turn it keeps angular momentum best of those that do so.
+/// Trapezoidal rule to `c dt`, `c = 2 - sqrt 2`, then a backward difference over both parts: order 2, stable at any
+/// step. Both stages have the same step, and so the same matrix. Stiff oscillations end within a step, slow ones hardly
+/// fade; where bodies turn it keeps angular momentum best of those that do so.
 #[derive(Clone, Default)]
 pub(crate) struct TrBdf2 {
     stepper: Stepper,

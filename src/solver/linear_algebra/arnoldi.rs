@@ -14,9 +14,9 @@ pub(crate) struct KrylovSpace {
     pub residual: f64,
 }
 
-/// The Krylov space of the operator `apply` and a unit vector `start`, of `most` vectors at most. What is shorter than a
-/// billionth of `scale` counts as rounding: the space is complete then. None where `stop`, asked before every product, says
-/// that it is no longer wanted.
+/// The Krylov space of the operator `apply` and a unit vector `start`, of `most` vectors at most. What is shorter than
+/// a billionth of `scale` counts as rounding: the space is complete then. None where `stop`, asked before every
+/// product, says that it is no longer wanted.
 pub(crate) fn krylov_space(
     start: Vec<DVec3>,
     most: usize,

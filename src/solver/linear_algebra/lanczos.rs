@@ -11,8 +11,8 @@ const ITERATIONS: usize = 60;
 const SETTLED: f64 = 2e-4;
 const CHECK_EVERY: usize = 8;
 
-/// Greatest eigenvalue of the symmetric operator `apply`, from a unit vector `start` that has a part in it; none where `stop`,
-/// asked before every product, says that it is no longer wanted.
+/// Greatest eigenvalue of the symmetric operator `apply`, from a unit vector `start` that has a part in it; none where
+/// `stop`, asked before every product, says that it is no longer wanted.
 pub(crate) fn greatest_eigenvalue(
     start: Vec<DVec3>,
     mut apply: impl FnMut(&[DVec3]) -> Vec<DVec3>,

@@ -1,4 +1,5 @@
-//! The rotations nearest to several deformation gradients, by the iteration of [`crate::solver::rotation`] on all at once.
+//! The rotations nearest to several deformation gradients, by the iteration of [`crate::solver::rotation`] on all at
+//! once.
 
 use super::lanes::{Lanes, Wide, quaternion_of};
 use super::matrix::Mat3x;
@@ -16,8 +17,8 @@ const ROUND_OFF: f64 = 1e-15;
 const SHORT_ROUND_OFF: f64 = 1e-8;
 /// What squares of short numbers are multiplied by before they are cubed.
 const SHORT_UNIT: f64 = 1e9;
-/// Angle [rad] below which the step that is taken leaves no error that short numbers hold: it is of its third power, and
-/// of its square times the strain.
+/// Angle [rad] below which the step that is taken leaves no error that short numbers hold: it is of its third power,
+/// and of its square times the strain.
 const LAST_SHORT_STEP: f64 = 5e-4;
 
 /// [`nearest_rotation`] of several deformation gradients `f` from warm starts `q`.

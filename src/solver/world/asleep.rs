@@ -1,7 +1,7 @@
 //! Bodies at rest, with all that touches them at rest, which nothing has to be computed for.
 //!
-//! Whether a body sleeps through a frame follows from the state at its start alone: so it wakes in the same frame however a
-//! run is divided, replayed or shared among threads.
+//! Whether a body sleeps through a frame follows from the state at its start alone: so it wakes in the same frame
+//! however a run is divided, replayed or shared among threads.
 
 use super::World;
 use crate::solver::body::Body;

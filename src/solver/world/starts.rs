@@ -6,8 +6,8 @@ use crate::solver::overlap::{EasedPair, of_bodies, with_collider, with_panel, wi
 use crate::solver::panel::Panel;
 
 impl World {
-    /// Finds what overlaps and eases it apart from now on. After an edit what is known of before goes on: of bodies that
-    /// go on themselves (by the index of each in the world before) a touch is the motion's own.
+    /// Finds what overlaps and eases it apart from now on. After an edit what is known of before goes on: of bodies
+    /// that go on themselves (by the index of each in the world before) a touch is the motion's own.
     pub(super) fn ease_apart(&mut self, before: Option<(&Self, &[Option<usize>])>) {
         let time = self.time();
         let gravity = self.gravity.at(self.time());

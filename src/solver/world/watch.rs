@@ -1,9 +1,9 @@
-//! The balance of a world is watched as it goes: of every body by itself, what others give it counted as from outside, and of
-//! all together, where contact between them shows.
+//! The balance of a world is watched as it goes: of every body by itself, what others give it counted as from outside,
+//! and of all together, where contact between them shows.
 //!
-//! The energies of a fibre solid take several times as long as its forces, so that they are looked at only after so many
-//! evaluations that the time does not count, and at the end of a run. Nothing of the motion hangs on it, but that one that has
-//! gained beyond all measure is stopped.
+//! The energies of a fibre solid take several times as long as its forces, so that they are looked at only after so
+//! many evaluations that the time does not count, and at the end of a run. Nothing of the motion hangs on it, but that
+//! one that has gained beyond all measure is stopped.
 
 use super::World;
 use super::watched::{Accuracy, Watch, Watched};
@@ -21,8 +21,8 @@ const COST: f64 = 0.01;
 /// Evaluations of the forces that a look at a fibre solid takes as long as.
 const OF_A_SOLID: f64 = 6.0;
 
-/// A look at so few particles, times the evaluations that it takes as long as, is not worth counting: as many microseconds, a
-/// few, for each of a second's frames.
+/// A look at so few particles, times the evaluations that it takes as long as, is not worth counting: as many
+/// microseconds, a few, for each of a second's frames.
 const FEW: f64 = 600.0;
 
 /// Evaluations of the forces that one of an implicit step takes as long as, with what is solved besides.
@@ -124,8 +124,8 @@ impl World {
         self.bodies.iter().map(of).sum()
     }
 
-    /// Looks at the balance of energy and work now. It is done from time to time as frames go by; whoever ends a run does it
-    /// once more.
+    /// Looks at the balance of energy and work now. It is done from time to time as frames go by; whoever ends a run
+    /// does it once more.
     pub fn look(&mut self) {
         if self.watch.bodies.len() != self.bodies.len() {
             return;

@@ -47,8 +47,8 @@ pub struct Accuracy {
     pub gained: f64,
     /// The greatest energy handled, by which the gain is judged [J].
     pub handled: f64,
-    /// Linear momentum [kg m/s] and angular momentum [kg m²/s] that came from nowhere, while nothing but steady gravity, other
-    /// bodies and panels acted; none where that never was.
+    /// Linear momentum [kg m/s] and angular momentum [kg m²/s] that came from nowhere, while nothing but steady
+    /// gravity, other bodies and panels acted; none where that never was.
     pub drift: Option<[f64; 2]>,
     /// For how long that was followed [s].
     pub followed: f64,

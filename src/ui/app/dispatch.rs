@@ -1,7 +1,7 @@
 //! What becomes of every action: why it cannot be asked for just now, and what performs it, side by side.
 //!
-//! How it works. [`App::dispatch`] answers for each action with a [`Dispatch`]. Its match has no branch for the rest, so
-//! that an action that is listed in [`crate::ui::action`] and has no branch here does not compile.
+//! How it works. [`App::dispatch`] answers for each action with a [`Dispatch`]. Its match has no branch for the rest,
+//! so that an action that is listed in [`crate::ui::action`] and has no branch here does not compile.
 
 use super::App;
 use crate::draw::SkinStyle;

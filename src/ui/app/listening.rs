@@ -78,8 +78,8 @@ impl App {
     /// Takes up a state that follows another one.
     fn take_state(&mut self, before: &Published) {
         let now = self.cx.simulation.published().clone();
-        // What was noticed before the motion began is said before what happened in it. What nobody has to act on does not
-        // take the place of what somebody has, such as why a model was opened in so many particles.
+        // What was noticed before the motion began is said before what happened in it. What nobody has to act on does
+        // not take the place of what somebody has, such as why a model was opened in so many particles.
         let is_heeded = matches!(self.cx.status.message, Some((Severity::Warning | Severity::Error, _)));
         if now.status.notes != before.status.notes
             && (now.status.warns || !is_heeded)

@@ -102,16 +102,16 @@ impl App {
         Self { patterns: self.patterns.with_folder(folder), ..self }
     }
 
-    /// Keeps changed documents in a folder, from which they are recovered when the program ended without asking; without
-    /// one nothing is kept.
+    /// Keeps changed documents in a folder, from which they are recovered when the program ended without asking;
+    /// without one nothing is kept.
     #[must_use]
     pub fn with_recovery(self, folder: impl Into<PathBuf>) -> Self {
         self.autosave.keep_in(folder.into());
         self
     }
 
-    /// Keeps changes before the program is ended from outside: by Ctrl-C in its terminal, by the end of that terminal or of the
-    /// session, by whoever wants it to end. It ends as it would have, then.
+    /// Keeps changes before the program is ended from outside: by Ctrl-C in its terminal, by the end of that terminal
+    /// or of the session, by whoever wants it to end. It ends as it would have, then.
     #[must_use]
     pub fn with_ends_from_outside(self) -> Self {
         before_the_end(self.autosave.keeping());
@@ -141,7 +141,8 @@ impl App {
         self.carry_out(&ctx);
         outliner::left_panel(ui, &mut self.cx, self.views.editing_mut());
         self.carry_out(&ctx);
-        // Strips play by themselves where a graphics card draws; where that is work, only the one under the pointer does.
+        // Strips play by themselves where a graphics card draws; where that is work, only the one under the pointer
+        // does.
         let (comparison, patterns) = (&mut self.comparison, &mut self.patterns);
         self.right_panel.show(ui, &mut self.cx, comparison, patterns, in_software == Some(false));
         self.carry_out(&ctx);

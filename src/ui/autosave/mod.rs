@@ -1,5 +1,5 @@
-//! Nothing is lost: changes are saved or given up only when that is asked for, a document outlives the program, and what
-//! other programs do to its file is noticed.
+//! Nothing is lost: changes are saved or given up only when that is asked for, a document outlives the program, and
+//! what other programs do to its file is noticed.
 
 mod ask;
 mod offer;

@@ -9,8 +9,8 @@ use crate::ui::context::{Context, OpenDocument, Severity};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Looks after the document: keeps what is not saved, notices what other programs do to its file, asks before something is
-/// lost.
+/// Looks after the document: keeps what is not saved, notices what other programs do to its file, asks before something
+/// is lost.
 pub(crate) struct Autosave {
     thread: AutosaveThread,
     /// The document's file as it was when it was read or saved; none where it may hold anything.

@@ -30,8 +30,8 @@ fn half_size(body: &OwnedBody) -> DVec3 {
     }
 }
 
-/// Adds a body under an identifier that is free, where it stands free; `bounds` is the box around it as it is placed [m].
-/// It is chosen then, and drawn into from now on.
+/// Adds a body under an identifier that is free, where it stands free; `bounds` is the box around it as it is placed
+/// [m]. It is chosen then, and drawn into from now on.
 pub(crate) fn add_body(verb: &str, body: &OwnedBody, bounds: Bounds, cx: &mut Context) {
     let at = beside(0.5 * (bounds.max - bounds.min), cx);
     let body = moved(&copy(body, cx.scene()), at - bounds.center());

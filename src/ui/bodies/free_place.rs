@@ -28,8 +28,8 @@ pub(super) fn usual_size(cx: &Context) -> f64 {
     extents.get(extents.len() / 2).copied().unwrap_or(HAND)
 }
 
-/// Where the middle of a body of this half size [m] stands free of all others, where they are now and where they start: beside
-/// them, a little above the floor, or else above them.
+/// Where the middle of a body of this half size [m] stands free of all others, where they are now and where they start:
+/// beside them, a little above the floor, or else above them.
 pub(crate) fn beside(half: DVec3, cx: &Context) -> DVec3 {
     let published = cx.simulation.published();
     let of = |points: &[DVec3]| Bounds::of(points.iter().copied());

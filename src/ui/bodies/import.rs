@@ -82,8 +82,8 @@ fn resized(solid: &Arc<Solid>, factor: f64) -> Arc<Solid> {
     Arc::new(sized)
 }
 
-/// Puts in the solid of a body's model, of which there is one in the size that the body had before. False where there is
-/// none of either size.
+/// Puts in the solid of a body's model, of which there is one in the size that the body had before. False where there
+/// is none of either size.
 pub(crate) fn scaled_model(before: ModelFile<'_>, after: &OwnedBody, cx: &mut Context) -> bool {
     let Some(now) = after.view().model() else { return true };
     if cx.document.assets.solid(now).is_some() {
@@ -96,9 +96,9 @@ pub(crate) fn scaled_model(before: ModelFile<'_>, after: &OwnedBody, cx: &mut Co
     true
 }
 
-/// Puts in the files of a body that comes from elsewhere, its model and the motions that it follows, which it names by whole
-/// paths or as those that ship, and names them as the document does. Gives the box around the body as it is placed [m]; none
-/// where it is of no model.
+/// Puts in the files of a body that comes from elsewhere, its model and the motions that it follows, which it names by
+/// whole paths or as those that ship, and names them as the document does. Gives the box around the body as it is
+/// placed [m]; none where it is of no model.
 ///
 /// # Errors
 /// What cannot be read.
@@ -158,7 +158,8 @@ fn bring_model(body: &mut OwnedBody, cx: &mut Context) -> Result<Option<Bounds>,
     Ok(around)
 }
 
-/// A model that ships has no folder: it goes beside the scene's file, now or when the scene is first saved. Gives its name.
+/// A model that ships has no folder: it goes beside the scene's file, now or when the scene is first saved. Gives its
+/// name.
 fn put_down(name: &str, cx: &mut Context) -> Result<String, String> {
     if cx.document.is_example || cx.document.folder.as_os_str().is_empty() {
         cx.document.is_example = true;

@@ -9,7 +9,8 @@ use crate::scene::{
 const PARTICLES: f64 = 500.0;
 /// Layers of them at least across its thinnest part.
 const LAYERS: f64 = 4.0;
-/// Young's modulus for each metre of size [Pa/m]: under its own weight a body of any size gives by the same share of it.
+/// Young's modulus for each metre of size [Pa/m]: under its own weight a body of any size gives by the same share of
+/// it.
 const STIFFNESS: f64 = 6e5;
 const DENSITY: f64 = 1000.0;
 /// Radial damping [1/s], with which what has landed comes to rest.

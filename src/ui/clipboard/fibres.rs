@@ -72,8 +72,8 @@ fn shared(fibre: &Fibre) -> Option<&String> {
     }
 }
 
-/// Gives a fibre the drive that it followed where it is from, one of `drives`, for its own, unless the body that it goes into
-/// has the same.
+/// Gives a fibre the drive that it followed where it is from, one of `drives`, for its own, unless the body that it
+/// goes into has the same.
 fn settle(fibre: &mut Fibre, drives: &[SharedDrive], body: &Body) {
     let drive_in = |drives: &[SharedDrive]| {
         let id = shared(fibre)?;

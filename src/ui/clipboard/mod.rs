@@ -1,5 +1,5 @@
-//! The system's clipboard: fibres, sheets, bodies, keys of drives and patterns as JSON text, so that they go from scene to scene,
-//! window to window and into letters.
+//! The system's clipboard: fibres, sheets, bodies, keys of drives and patterns as JSON text, so that they go from scene
+//! to scene, window to window and into letters.
 
 mod bodies;
 mod fibres;

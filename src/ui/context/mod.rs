@@ -204,8 +204,8 @@ impl Context {
         self.scene().any_body(self.active.index).map(|body| body.id().to_owned())
     }
 
-    /// Gives the present document to the simulation, which goes on from its present motion. The body that was active stays
-    /// that under its new number; where it is gone, another one is.
+    /// Gives the present document to the simulation, which goes on from its present motion. The body that was active
+    /// stays that under its new number; where it is gone, another one is.
     fn hand_over(&mut self, active: Option<String>) {
         let place = active.and_then(|id| self.scene().all_bodies().position(|body| body.id() == id));
         if place != Some(self.active.index) {

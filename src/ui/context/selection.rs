@@ -1,4 +1,5 @@
-//! What is selected: fibres of the active body, vertices of one of them while those are edited, a sheet, a pin, or the body itself.
+//! What is selected: fibres of the active body, vertices of one of them while those are edited, a sheet, a pin, or the
+//! body itself.
 
 /// Fibres by their identifiers, the last chosen at the end; vertices of that one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -71,8 +71,8 @@ impl Simulation {
         self.worker.send(command);
     }
 
-    /// Runs another scene of the same bodies in place of the document, until that is changed; or the document again. The
-    /// motion goes on.
+    /// Runs another scene of the same bodies in place of the document, until that is changed; or the document again.
+    /// The motion goes on.
     pub(crate) fn show_instead(&mut self, scene: Option<Arc<Scene>>, document: &OpenDocument) {
         let shown = scene.as_ref().unwrap_or(document.scene());
         if self.worker.send(SimCommand::Edit(Arc::clone(shown))) {
@@ -184,13 +184,14 @@ impl Simulation {
         }
     }
 
-    /// Looks at the numbers of every frame since the start. The solver waits meanwhile: to be read, not to be worked with.
+    /// Looks at the numbers of every frame since the start. The solver waits meanwhile: to be read, not to be worked
+    /// with.
     pub(crate) fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
         self.worker.time_series(read)
     }
 
-    /// Asks for the motion as it is kept, to be written; it comes with the next frame, or once the scene is put together. None
-    /// comes where that fails.
+    /// Asks for the motion as it is kept, to be written; it comes with the next frame, or once the scene is put
+    /// together. None comes where that fails.
     pub(crate) fn take_motion(&self) -> Receiver<Option<TakenMotion>> {
         let (sender, receiver) = channel();
         self.ask(SimCommand::Take(MotionTaker(sender)));

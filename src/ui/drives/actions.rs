@@ -157,8 +157,8 @@ pub(crate) fn copied_keys(cx: &mut Context) -> Option<String> {
     Some(text)
 }
 
-/// Puts the keys of a text at the time that is shown, selected: those of one drive into the drive of the selected keys, where
-/// there is one, and else all into the drives that they are from. False where the text holds none.
+/// Puts the keys of a text at the time that is shown, selected: those of one drive into the drive of the selected keys,
+/// where there is one, and else all into the drives that they are from. False where the text holds none.
 pub(crate) fn paste_keys(text: &str, cx: &mut Context) -> bool {
     let clipping = serde_json::from_str::<Clipping>(text).ok().filter(|clipping| !clipping.keys.is_empty());
     let Some(Clipping { keys, .. }) = clipping else { return false };

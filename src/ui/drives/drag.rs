@@ -8,8 +8,8 @@ use crate::ui::context::{Context, Step};
 use crate::ui::timescale::TimeScale;
 use egui::{Pos2, Rect};
 
-/// A way of the pointer along an axis that is none yet, so that a key that is moved in time keeps its value, and the other way
-/// round [points].
+/// A way of the pointer along an axis that is none yet, so that a key that is moved in time keeps its value, and the
+/// other way round [points].
 const STILL: f32 = 4.0;
 
 /// Keys that are dragged.

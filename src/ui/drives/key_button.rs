@@ -1,5 +1,5 @@
-//! The button beside a field that can be driven: hollow where it does not change in time, half full where it does, and full, in
-//! another colour, where it has a key in the frame that is shown.
+//! The button beside a field that can be driven: hollow where it does not change in time, half full where it does, and
+//! full, in another colour, where it has a key in the frame that is shown.
 
 use super::actions::{KeyState, key_state, toggle_key};
 use crate::scene::Drivable;

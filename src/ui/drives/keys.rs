@@ -47,8 +47,8 @@ pub(super) fn without_keys(keys: &DriveKeys, which: &[usize]) -> Drive {
     }
 }
 
-/// Moves some keys in time [s], none of them before the start, and in value, none of them out of `limits`. Those that stay and
-/// come to lie in the frame of one that is moved make room for it. Tells which the moved ones are now.
+/// Moves some keys in time [s], none of them before the start, and in value, none of them out of `limits`. Those that
+/// stay and come to lie in the frame of one that is moved make room for it. Tells which the moved ones are now.
 pub(super) fn moved_keys(
     keys: &DriveKeys,
     which: &[usize],
@@ -99,8 +99,8 @@ pub(super) fn with_key_on(keys: &DriveKeys, time: f64, frame: f64) -> (DriveKeys
     (keys, index)
 }
 
-/// A drive as keys that go on as it does. Of a wave the least and the greatest value of a swing, over and over: it neither
-/// rises at its start nor runs along a fibre then.
+/// A drive as keys that go on as it does. Of a wave the least and the greatest value of a swing, over and over: it
+/// neither rises at its start nor runs along a fibre then.
 pub(super) fn as_keys(drive: Option<&Drive>, shared: &[SharedDrive], time: f64, frame: f64) -> DriveKeys {
     match drive.and_then(|drive| drive.resolved(shared)) {
         Some(Drive::Keyframes(keys)) => keys.clone(),

@@ -1,9 +1,10 @@
-//! Drives in the window: lanes below the timeline, in which their courses are seen and their keys are moved, and buttons for
-//! keys beside every field that can be driven.
+//! Drives in the window: lanes below the timeline, in which their courses are seen and their keys are moved, and
+//! buttons for keys beside every field that can be driven.
 //!
-//! How it works. What can be driven is what [`Scene::drivables`](crate::scene::Scene::drivables) lists; what is done to a drive
-//! comes from the pure functions of `keys` and leaves as a [`Command::SetDrive`](crate::edit::Command::SetDrive), a whole
-//! gesture as one step. A lane that follows a shared drive shows it and leaves its keys to the lane of that.
+//! How it works. What can be driven is what [`Scene::drivables`](crate::scene::Scene::drivables) lists; what is done to
+//! a drive comes from the pure functions of `keys` and leaves as a
+//! [`Command::SetDrive`](crate::edit::Command::SetDrive), a whole gesture as one step. A lane that follows a shared
+//! drive shows it and leaves its keys to the lane of that.
 
 mod actions;
 mod drag;

@@ -34,8 +34,8 @@ pub(crate) fn select_all(cx: &mut Context) {
     cx.selection.set(shown);
 }
 
-/// Copies of the selected fibres, which are selected then. Gives the number of the gesture that goes on with them, and what
-/// they are copies of.
+/// Copies of the selected fibres, which are selected then. Gives the number of the gesture that goes on with them, and
+/// what they are copies of.
 pub(crate) fn duplicate(cx: &mut Context) -> (u64, Vec<String>) {
     let (gesture, of) = (cx.begin_gesture(), cx.selection.fibres().to_vec());
     let Some(body) = cx.active_body() else { return (gesture, of) };

@@ -1,8 +1,8 @@
 //! A body that is moved, turned or scaled.
 //!
-//! How it works. What is changed is where it starts, so that the simulation goes back there and rests while the gesture goes
-//! on. The result view shows the bodies as they would be placed ([`Context::placed`]); the document changes once, at the end,
-//! and the simulation goes on if it ran.
+//! How it works. What is changed is where it starts, so that the simulation goes back there and rests while the gesture
+//! goes on. The result view shows the bodies as they would be placed ([`Context::placed`]); the document changes once,
+//! at the end, and the simulation goes on if it ran.
 
 use super::moving::{Change, Kind, Subject};
 use super::state::Editing;
@@ -17,8 +17,8 @@ use crate::ui::context::{Context, Request, Severity, Step};
 use glam::{DQuat, DVec3};
 use std::sync::Arc;
 
-/// The body that is selected, and its middle where it starts [m]; none before it is put together. The simulation rests at its
-/// start from now on.
+/// The body that is selected, and its middle where it starts [m]; none before it is put together. The simulation rests
+/// at its start from now on.
 pub(super) fn body_subject(cx: &mut Context) -> Option<(Subject, DVec3)> {
     let (original, pivot) = (cx.chosen_body()?.owned(), cx.body_pivot()?);
     let plays = cx.simulation.is_playing();

@@ -1,5 +1,5 @@
-//! Handles at the middle of what is selected: arrows along the axes, a square to move freely, a ring to turn, a square on it
-//! to scale.
+//! Handles at the middle of what is selected: arrows along the axes, a square to move freely, a ring to turn, a square
+//! on it to scale.
 
 use super::allowed::Allowed;
 use super::courses::{distance_to, seen_pivot, vertex_at, view_from_model};
@@ -21,8 +21,8 @@ const NEAR: f64 = 6.0;
 /// An axis that is seen shorter than this share of its length has no arrow.
 const SHORTEST: f32 = 0.25;
 
-/// Where the gizmo stands and where its arrows end; none if nothing is selected or a gesture goes on elsewhere, nor where
-/// it is not allowed, but for a gesture of keys.
+/// Where the gizmo stands and where its arrows end; none if nothing is selected or a gesture goes on elsewhere, nor
+/// where it is not allowed, but for a gesture of keys.
 fn gizmo(editing: &Editing, frame: &ViewFrame, allowed: Allowed, cx: &Context) -> Option<(Pos2, [Option<Pos2>; 3])> {
     if editing.boxed.is_some() || (!allowed.handles && editing.moving.is_none()) {
         return None;

@@ -1,5 +1,5 @@
-//! Editing fibres and bodies that are there: choosing them and their vertices, moving, turning and scaling them, painting, and
-//! what menus do to them.
+//! Editing fibres and bodies that are there: choosing them and their vertices, moving, turning and scaling them,
+//! painting, and what menus do to them.
 
 mod actions;
 mod allowed;

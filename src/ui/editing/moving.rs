@@ -73,8 +73,8 @@ pub(super) enum Subject {
         originals: Vec<Fibre>,
         /// Vertices of the one fibre; all of every fibre if none.
         vertices: Option<Vec<usize>>,
-        /// What the fibres are copies of, where they are: copies that are given up go again, and none is left on what it
-        /// is a copy of.
+        /// What the fibres are copies of, where they are: copies that are given up go again, and none is left on what
+        /// it is a copy of.
         copied: Option<Vec<String>>,
     },
     /// A sheet, as it was.

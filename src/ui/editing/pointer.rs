@@ -1,4 +1,5 @@
-//! What the pointer does to fibres, vertices and bodies in the views: clicks, handles, boxes; and what is painted over them.
+//! What the pointer does to fibres, vertices and bodies in the views: clicks, handles, boxes; and what is painted over
+//! them.
 
 use super::allowed::Allowed;
 use super::brush::{brush, paint_brush};

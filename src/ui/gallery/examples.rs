@@ -70,7 +70,8 @@ impl Example {
         EXAMPLES.iter().find(|example| example.name == name)
     }
 
-    /// The scene and the models that it names. Those lie in no folder: the scene names them by their files' names alone.
+    /// The scene and the models that it names. Those lie in no folder: the scene names them by their files' names
+    /// alone.
     ///
     /// # Errors
     /// None for what ships.

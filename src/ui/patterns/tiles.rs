@@ -50,7 +50,8 @@ pub(super) fn paint_strip(ui: &Ui, strips: &mut Thumbs, pattern: &Pattern, place
     }
 }
 
-/// One row of the gallery: a place for the picture, the name and what it does. Gives the place, and the row to be clicked.
+/// One row of the gallery: a place for the picture, the name and what it does. Gives the place, and the row to be
+/// clicked.
 pub(super) fn tile(ui: &mut Ui, title: &str, does: &str) -> (Option<Rect>, Response) {
     let (place, tile) = ui.allocate_exact_size(egui::vec2(ui.available_width(), PICTURE), Sense::click());
     tile.widget_info(|| egui::WidgetInfo::labeled(Role::Button, true, title));

@@ -1,9 +1,9 @@
-//! What leaves the window for other programs and comes from them: motions, clips and pictures out, fibres as lines out and
-//! in.
+//! What leaves the window for other programs and comes from them: motions, clips and pictures out, fibres as lines out
+//! and in.
 //!
-//! How it works. What is asked beforehand is plain data ([`TransferQuestion`]) that a dialog shows. What is written is written
-//! by a thread of its own from a copy of the motion that shares its frames with the recording, so that neither the window
-//! nor the simulation waits; a line at the foot of the window tells how far it has come.
+//! How it works. What is asked beforehand is plain data ([`TransferQuestion`]) that a dialog shows. What is written is
+//! written by a thread of its own from a copy of the motion that shares its frames with the recording, so that neither
+//! the window nor the simulation waits; a line at the foot of the window tells how far it has come.
 
 mod answer;
 mod ask;

@@ -104,7 +104,8 @@ impl ViewOptions {
         self.ask_for_colours(cx);
     }
 
-    /// Colours fibres by what they do by themselves, or no longer; a solid that hides them is seen through from then on.
+    /// Colours fibres by what they do by themselves, or no longer; a solid that hides them is seen through from then
+    /// on.
     pub(crate) fn toggle_activation(&mut self, cx: &mut Context) {
         self.activation = !self.activation;
         if self.activation {

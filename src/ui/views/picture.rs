@@ -72,8 +72,8 @@ impl Painter {
         picture.viewport.as_ref().map(|viewport| read_back(&self.renderer, viewport))
     }
 
-    /// What shows `inputs` as `camera` sees it in a place of the window, drawn anew only if something has changed; none where
-    /// there is no room.
+    /// What shows `inputs` as `camera` sees it in a place of the window, drawn anew only if something has changed; none
+    /// where there is no room.
     pub(crate) fn paint(
         &self,
         picture: &mut ViewPicture,

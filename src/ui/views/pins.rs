@@ -1,5 +1,5 @@
-//! Pins where they hold: those of the scene's regions, and points that were left pinned while they were dragged. They are
-//! chosen and removed there.
+//! Pins where they hold: those of the scene's regions, and points that were left pinned while they were dragged. They
+//! are chosen and removed there.
 
 use super::frame::ViewFrame;
 use super::kind::PaneKind;
@@ -73,8 +73,8 @@ fn paint_pin(painter: &Painter, [at, head]: [Pos2; 2], colour: Color32, hovered:
     painter.circle(head, radius, colour, Stroke::new(1.0, Color32::from_black_alpha(120)));
 }
 
-/// Shows what the bodies follow: the bones as the result has them, and the particles that are held to a motion, as pins hold
-/// theirs.
+/// Shows what the bodies follow: the bones as the result has them, and the particles that are held to a motion, as pins
+/// hold theirs.
 pub(super) fn follows(ui: &Ui, frame: &ViewFrame, cx: &Context) {
     if cx.simulation.is_comparing() || frame.kind != PaneKind::Result {
         return;

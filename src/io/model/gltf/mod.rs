@@ -1,8 +1,8 @@
-//! glTF 2.0, as text with its buffers and as GLB: meshes of the default scene, in the places and the pose that its nodes,
-//! skins and morph targets give them.
+//! glTF 2.0, as text with its buffers and as GLB: meshes of the default scene, in the places and the pose that its
+//! nodes, skins and morph targets give them.
 //!
-//! Read here, from JSON on: the crates that read glTF 2.0 refuse files for parts that have nothing to do with their shape,
-//! read nothing where data is missing, and fall over numbers of other types than a vertex usually has.
+//! Read here, from JSON on: the crates that read glTF 2.0 refuse files for parts that have nothing to do with their
+//! shape, read nothing where data is missing, and fall over numbers of other types than a vertex usually has.
 
 mod accessor;
 mod animation;

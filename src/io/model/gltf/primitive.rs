@@ -91,8 +91,8 @@ impl Piece<'_, '_> {
         Ok(Some(Drawn { mesh, uv_sets, material, own_colours, part }))
     }
 
-    /// Texture coordinates, whose second one points down in the format. Those that cannot be read are none: a shape does
-    /// without.
+    /// Texture coordinates, whose second one points down in the format. Those that cannot be read are none: a shape
+    /// does without.
     fn uv_sets(&self, vertices: usize) -> Vec<Vec<[f64; 2]>> {
         let set = |number: usize| self.primitive.attributes.get(&format!("TEXCOORD_{number}"));
         let read = |&index: &usize| {

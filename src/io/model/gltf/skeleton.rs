@@ -1,4 +1,5 @@
-//! The skeleton of a glTF document: its nodes, the joints of its skins, the meshes that hang on them, and its animations.
+//! The skeleton of a glTF document: its nodes, the joints of its skins, the meshes that hang on them, and its
+//! animations.
 
 use super::super::failure::Failure;
 use super::accessor::{Accessors, Rows, Whole};

@@ -1,7 +1,7 @@
 //! PLY, text and binary of either byte order.
 //!
-//! Read here: the crates that read PLY take coordinates through single precision, or tell of a fault neither its line nor
-//! its property, and want headers in UTF-8 with the names and line ends of their own choice.
+//! Read here: the crates that read PLY take coordinates through single precision, or tell of a fault neither its line
+//! nor its property, and want headers in UTF-8 with the names and line ends of their own choice.
 
 mod header;
 mod values;
@@ -162,8 +162,8 @@ struct Faces {
     corners: Vec<i64>,
     /// Where each face ends in the list, and what a message calls it.
     ends: Vec<(usize, bool)>,
-    /// Texture coordinates of the faces' corners, and where those of each face end in the list; a face's are used where they
-    /// are as many as its corners.
+    /// Texture coordinates of the faces' corners, and where those of each face end in the list; a face's are used where
+    /// they are as many as its corners.
     textures: Vec<[f64; 2]>,
     texture_ends: Vec<usize>,
 }
@@ -211,7 +211,8 @@ impl Faces {
         Ok(())
     }
 
-    /// The faces as the file lists them, strips as their triangles, over `points`; `textures` are those of the vertices.
+    /// The faces as the file lists them, strips as their triangles, over `points`; `textures` are those of the
+    /// vertices.
     fn as_listed(&self, points: &[DVec3], textures: Vec<[f64; 2]>) -> FileMesh {
         let mut mesh = FileMesh { points: points.to_vec(), ..FileMesh::default() };
         let (mut triangles, mut textured, mut first) = (Vec::new(), Vec::new(), 0);

@@ -1,7 +1,7 @@
 //! Contact of a body's particles with colliders: the law of [`super::contact`], in the frame of what is touched.
 //!
-//! Forces see how far a particle is from each collider where it is; what is too fast for them is caught at the end of a step
-//! ([`put_back`]).
+//! Forces see how far a particle is from each collider where it is; what is too fast for them is caught at the end of a
+//! step ([`put_back`]).
 
 mod put_back;
 
@@ -138,8 +138,8 @@ impl ColliderContact {
         self.touched[index].easing.map_or((0.0, 0.0), |easing| easing.at(time))
     }
 
-    /// Where a particle at `x` [m] touches one of them, granted depth included, and the unit vector out of it there, in the
-    /// world.
+    /// Where a particle at `x` [m] touches one of them, granted depth included, and the unit vector out of it there, in
+    /// the world.
     fn foot(&self, index: usize, pose: &Pose, left: f64, law: &ContactLaw, x: DVec3) -> Option<Foot> {
         let deep = left + self.spacing;
         let foot = self.colliders[index].obstacle.foot(pose.to_local(x), law.radius - left, deep)?;

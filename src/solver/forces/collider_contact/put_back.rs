@@ -22,8 +22,8 @@ impl ColliderContact {
         if self.colliders[index].obstacle.is_shell() { least.max(LEFT_OF_A_SHELL * law.radius) } else { least }
     }
 
-    /// Puts back what went through a collider, or too deep into one, in the step that ends at a time [s]; `held` are the
-    /// axes along which each particle is held. Whether there was any.
+    /// Puts back what went through a collider, or too deep into one, in the step that ends at a time [s]; `held` are
+    /// the axes along which each particle is held. Whether there was any.
     pub(crate) fn put_back(&mut self, time: f64, state: &mut ParticleState, held: impl Fn() -> Vec<BVec3>) -> bool {
         if self.before.len() != state.len() || time <= self.began {
             return false;
@@ -75,13 +75,14 @@ impl ColliderContact {
         any
     }
 
-    /// Where a particle belongs that moved so in a collider's own frame, and the unit vector out of the collider there; none
-    /// if it may stay.
+    /// Where a particle belongs that moved so in a collider's own frame, and the unit vector out of the collider there;
+    /// none if it may stay.
     fn caught(&self, index: usize, [from, to]: [DVec3; 2], law: &ContactLaw, least: f64) -> Option<(DVec3, DVec3)> {
         let obstacle = &self.colliders[index].obstacle;
         let deep = self.spacing - least.min(0.0);
         let foot = obstacle.foot(to, law.radius, deep);
-        // What lies in it and not too deep is pushed out; what has come out of a thing on its other side went through it.
+        // What lies in it and not too deep is pushed out; what has come out of a thing on its other side went through
+        // it.
         let lies_in = foot.is_some_and(|foot| foot.gap < 0.0 && foot.gap >= least);
         if !lies_in && let Some(entry) = obstacle.entry(from, to) {
             let at = from.lerp(to, entry.share);

@@ -3,8 +3,8 @@
 use super::contract::{Element, Local, Slopes};
 use glam::DVec3;
 
-/// As stiff against any move of points against each other as an element of a majorant k ever is: `k/2 sum |p - mean|²`. It keeps no
-/// torque and moves nothing: the stable step is measured with it.
+/// As stiff against any move of points against each other as an element of a majorant k ever is: `k/2 sum |p - mean|²`.
+/// It keeps no torque and moves nothing: the stable step is measured with it.
 #[derive(Clone, Debug)]
 pub(crate) struct Bound {
     points: Vec<u32>,

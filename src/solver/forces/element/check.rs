@@ -1,5 +1,5 @@
-//! What is tried of every element before it acts: that its slopes are its energy's, that they move and turn nothing as a whole,
-//! and that it is no stiffer than it says.
+//! What is tried of every element before it acts: that its slopes are its energy's, that they move and turn nothing as
+//! a whole, and that it is no stiffer than it says.
 
 use super::contract::{Element, Local, MOST_POINTS, Slopes};
 use glam::{DQuat, DVec3};

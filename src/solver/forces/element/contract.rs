@@ -10,8 +10,8 @@ pub const MOST_POINTS: usize = 8;
 pub struct Local<'a> {
     /// Where its points are [m], in the order of [`Element::points`].
     pub points: &'a [DVec3],
-    /// How the material is turned around those that it reads it at, from the model frame into the world, in the order of
-    /// [`Element::turns`].
+    /// How the material is turned around those that it reads it at, from the model frame into the world, in the order
+    /// of [`Element::turns`].
     pub turns: &'a [DQuat],
 }
 
@@ -20,8 +20,8 @@ pub struct Local<'a> {
 pub struct Slopes<'a> {
     /// Gradients by its points [N].
     pub points: &'a mut [DVec3],
-    /// Derivatives by small turns of the material around the points of [`Element::turns`], `R -> R exp([w]x)`, so in the
-    /// model frame [N m].
+    /// Derivatives by small turns of the material around the points of [`Element::turns`], `R -> R exp([w]x)`, so in
+    /// the model frame [N m].
     pub turns: &'a mut [DVec3],
 }
 
@@ -39,8 +39,8 @@ pub enum Change {
 
 /// Energy of a few points that ride on a body's particles, and of how the material around some of them is turned.
 ///
-/// It must depend on nothing but where the points are to each other and to the material: then momentum and angular momentum
-/// are kept. [`check`](super::check()) tries that, and that the slopes are the energy's.
+/// It must depend on nothing but where the points are to each other and to the material: then momentum and angular
+/// momentum are kept. [`check`](super::check()) tries that, and that the slopes are the energy's.
 pub trait Element: Send + Sync {
     /// The structure's points that it hangs on, [`MOST_POINTS`] at most, none of them twice.
     fn points(&self) -> &[u32];
@@ -56,15 +56,15 @@ pub trait Element: Send + Sync {
     /// Adds the derivatives of the energy to `out`.
     fn slopes(&self, at: &Local<'_>, out: &mut Slopes<'_>);
 
-    /// Greatest stiffness k [N/m] with which it ever resists any move of its points, in whatever state and however it is
-    /// driven: no curvature of the energy by its points is above k. Where there is no such number, infinity: the step is then
-    /// measured with the element as it is at the start.
+    /// Greatest stiffness k [N/m] with which it ever resists any move of its points, in whatever state and however it
+    /// is driven: no curvature of the energy by its points is above k. Where there is no such number, infinity: the
+    /// step is then measured with the element as it is at the start.
     fn majorant(&self) -> f64 {
         f64::INFINITY
     }
 
-    /// Told the value of its drive now, before it is asked for anything. Only the energy may follow it, not what the element is
-    /// made of: the work that a drive does is told from what its change adds to the energy.
+    /// Told the value of its drive now, before it is asked for anything. Only the energy may follow it, not what the
+    /// element is made of: the work that a drive does is told from what its change adds to the energy.
     fn activate(&mut self, _value: f64) {}
 
     /// Told where it is at the end of every step: it may yield or break.
@@ -72,16 +72,18 @@ pub trait Element: Send + Sync {
         Change::None
     }
 
-    /// Tells every number that it goes on from beside what it was made of, in a fixed order; hashes of states hold them.
+    /// Tells every number that it goes on from beside what it was made of, in a fixed order; hashes of states hold
+    /// them.
     fn remembered(&self, _number: &mut dyn FnMut(f64)) {}
 
-    /// Between which of the structure's points lines are drawn; from each of its points to the next unless it says otherwise.
+    /// Between which of the structure's points lines are drawn; from each of its points to the next unless it says
+    /// otherwise.
     fn lines(&self) -> Vec<[u32; 2]> {
         self.points().windows(2).map(|ends| [ends[0], ends[1]]).collect()
     }
 
-    /// What resists every move from the start as much as the element ever does where it has no [`Self::majorant`]; itself
-    /// unless it can say more.
+    /// What resists every move from the start as much as the element ever does where it has no [`Self::majorant`];
+    /// itself unless it can say more.
     fn stiffest(&self, _start: &Local<'_>) -> Box<dyn Element> {
         self.clone_box()
     }

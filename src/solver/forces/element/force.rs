@@ -25,8 +25,8 @@ pub struct ElementForce {
 }
 
 impl ElementForce {
-    /// Of these structures among particles that start at `positions` [m]; `orientation` is the turn of the model frame in the
-    /// world there.
+    /// Of these structures among particles that start at `positions` [m]; `orientation` is the turn of the model frame
+    /// in the world there.
     pub(crate) fn new(structures: Vec<Structure>, positions: &[DVec3], orientation: DQuat) -> Self {
         let mut turns: Vec<Vec<DQuat>> = structures.iter().map(|of| vec![orientation; of.points.len()]).collect();
         let place = |(of, turns): (&Structure, &Vec<DQuat>)| of.places(positions, turns);
@@ -108,8 +108,8 @@ impl Force for ElementForce {
         self.structures.iter_mut().filter_map(|of| of.drive.as_mut()).for_each(|drive| drive.give(to, led));
     }
 
-    /// Books the work of the step: half of what the change of the drives adds to the energy where it began, half of what it adds
-    /// where it ended. Then lets go what yields or breaks.
+    /// Books the work of the step: half of what the change of the drives adds to the energy where it began, half of
+    /// what it adds where it ended. Then lets go what yields or breaks.
     fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
         let at = self.places(&state.positions);
         if let (true, Some((before, was))) = (self.is_driven(), &self.booked) {

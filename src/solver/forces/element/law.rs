@@ -1,8 +1,9 @@
 //! How an element's force hangs on what it measures.
 //!
-//! Energies are `E = m0 psi(x)` with `x = m / m0 + c` of a length, an area or a volume m, m0 that at rest and c the share by which
-//! a drive has it want to be smaller; `E = psi(x)` with `x = m - m0 + c` [rad] of an angle. So psi' is dE/dm: a force [N], a tension
-//! [N/m], a pressure [Pa] or a moment [N m]. As psi'' does not hang on c, no drive makes an element stiffer.
+//! Energies are `E = m0 psi(x)` with `x = m / m0 + c` of a length, an area or a volume m, m0 that at rest and c the
+//! share by which a drive has it want to be smaller; `E = psi(x)` with `x = m - m0 + c` [rad] of an angle. So psi' is
+//! dE/dm: a force [N], a tension [N/m], a pressure [Pa] or a moment [N m]. As psi'' does not hang on c, no drive makes
+//! an element stiffer.
 
 /// Widths of a muscle over which its force is told where it is steepest by.
 const STEEPEST: f64 = 2.0;
@@ -74,8 +75,8 @@ impl Law {
         }
     }
 
-    /// Greatest of `psi'(x) / (x - c)` over all x of a size above c, for any c from `least` to `most`, which is how a pulled line
-    /// resists sideways; infinite where it still pulls as it vanishes.
+    /// Greatest of `psi'(x) / (x - c)` over all x of a size above c, for any c from `least` to `most`, which is how a
+    /// pulled line resists sideways; infinite where it still pulls as it vanishes.
     pub(super) fn greatest_over_size(&self, [least, most]: [f64; 2]) -> f64 {
         match self {
             // As `k (x - 1) / (x - c)`, whose bound is that of ever longer ones for c up to 1.

@@ -16,11 +16,11 @@ pub(crate) enum Measure {
     Area,
     /// Volume of the tetrahedron of four points [m³], below zero where it is turned inside out.
     Volume,
-    /// Angle at the edge from the first point to the second between the triangles with the third and the fourth [rad], 0 where
-    /// they lie in one plane.
+    /// Angle at the edge from the first point to the second between the triangles with the third and the fourth [rad],
+    /// 0 where they lie in one plane.
     Dihedral,
-    /// Angle by which the material around the second point is turned against that around the first about the line between
-    /// them at rest [rad], which is this unit vector of the model frame.
+    /// Angle by which the material around the second point is turned against that around the first about the line
+    /// between them at rest [rad], which is this unit vector of the model frame.
     Twist(DVec3),
 }
 
@@ -55,8 +55,8 @@ impl Measure {
         }
     }
 
-    /// Calls `point` and `turn` with every derivative of the value, by the points and by turns of the material. None where it has
-    /// no direction: of a line without length, or of one that is straight.
+    /// Calls `point` and `turn` with every derivative of the value, by the points and by turns of the material. None
+    /// where it has no direction: of a line without length, or of one that is straight.
     pub(super) fn slopes(
         self,
         at: &Local<'_>,

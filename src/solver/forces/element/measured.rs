@@ -24,8 +24,8 @@ pub(crate) struct MeasuredElement {
 }
 
 impl MeasuredElement {
-    /// Of the structure's first points, which measure `rest` at rest; it wants to be smaller by the share (or angle) `contract`
-    /// where its drive, whose values lie between `driven`, is 1.
+    /// Of the structure's first points, which measure `rest` at rest; it wants to be smaller by the share (or angle)
+    /// `contract` where its drive, whose values lie between `driven`, is 1.
     pub(crate) fn new((measure, rest): (Measure, f64), law: Law, contract: f64, driven: [f64; 2]) -> Self {
         let points = (0..measure.points() as u32).collect();
         Self { points, measure, law, rest, contract, driven, value: 1.0, last: rest }
@@ -97,8 +97,8 @@ impl Element for MeasuredElement {
         });
     }
 
-    /// Of a length `2 max(psi'', psi' / s) / m0`: along the line and across it, of both its points; the others grow with what
-    /// they measure, or as it vanishes.
+    /// Of a length `2 max(psi'', psi' / s) / m0`: along the line and across it, of both its points; the others grow
+    /// with what they measure, or as it vanishes.
     fn majorant(&self) -> f64 {
         if self.measure != Measure::Length {
             return f64::INFINITY;

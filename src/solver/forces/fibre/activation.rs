@@ -14,21 +14,23 @@ pub(crate) struct FibreActivation {
     inner: DriveAlong,
     /// Share by which the edges want to be shorter where the drive is 1.
     contract: f64,
-    /// A quarter of the angle [rad] by which both edges of every inner vertex want to turn there where the drive is 1, and
-    /// the unit axis of that, model frame.
+    /// A quarter of the angle [rad] by which both edges of every inner vertex want to turn there where the drive is 1,
+    /// and the unit axis of that, model frame.
     curl: Option<(Vec<f64>, DVec3)>,
     /// Pull of the edges where the drive is 1.
     muscle: Option<Muscle>,
     /// Angle [rad] by which every edge wants to be twisted where the drive is 1.
     twist: Vec<f64>,
-    /// Share of its stiffness that it has where the drive is 0, and where it is 1; none where it is as stiff at all times.
+    /// Share of its stiffness that it has where the drive is 0, and where it is 1; none where it is as stiff at all
+    /// times.
     thickness: Option<[f64; 2]>,
     /// Whether it stands for all that it may ever be: see [`Self::at_extreme`].
     stiffest: bool,
 }
 
 impl FibreActivation {
-    /// A drive of the fibre through vertices at `x` [m], the first of them `start` [m] along it, that does nothing as yet.
+    /// A drive of the fibre through vertices at `x` [m], the first of them `start` [m] along it, that does nothing as
+    /// yet.
     pub(crate) fn new(drive: &Drive, start: f64, x: &[DVec3]) -> Self {
         let mut along = vec![start];
         for edge in x.windows(2) {
@@ -52,7 +54,8 @@ impl FibreActivation {
         Self { contract, ..self }
     }
 
-    /// With a curvature at rest [rad/m] about a unit axis of the model frame, of a fibre with edges of these lengths [m].
+    /// With a curvature at rest [rad/m] about a unit axis of the model frame, of a fibre with edges of these lengths
+    /// [m].
     pub(crate) fn curling(self, curvature: f64, axis: DVec3, lengths: &[f64]) -> Self {
         let turns = lengths.windows(2).map(|edges| 0.25 * curvature * (edges[0] + edges[1])).collect();
         Self { curl: Some((turns, axis)), ..self }
@@ -73,8 +76,8 @@ impl FibreActivation {
         Self { thickness, ..self }
     }
 
-    /// An activation under which the fibre resists any move as much as it ever does under this one, with the drive at its
-    /// greatest or at its least.
+    /// An activation under which the fibre resists any move as much as it ever does under this one, with the drive at
+    /// its greatest or at its least.
     pub(super) fn at_extreme(&self, greatest: bool) -> Self {
         let (edges, inner) = (self.edges.at_extreme(greatest), self.inner.at_extreme(greatest));
         // Of several fibres all are thick in one copy and thin in the other, whichever way their drives go.
@@ -82,8 +85,8 @@ impl FibreActivation {
         Self { edges, inner, thickness, stiffest: true, ..self.clone() }
     }
 
-    /// Length over the drawn one to which it shortens an edge that nothing holds, with the drive at its greatest or at its
-    /// least; 1 where it does not.
+    /// Length over the drawn one to which it shortens an edge that nothing holds, with the drive at its greatest or at
+    /// its least; 1 where it does not.
     pub(super) fn shortest(&self, greatest: bool) -> f64 {
         let shorter = |greatest: bool| (self.contract * self.edges.extreme(greatest)).max(0.0);
         // One may be thick at one end of its drive and short at the other.

@@ -1,12 +1,12 @@
 //! The work that drives do on fibres.
 //!
-//! An edge that wants to be shorter by a share c rests at `l0 (1 - c)`; its energy is still divided by the drawn length,
-//! `l_f (EA / 2 l0) (|e| - l0 (1 - c))²`. So its Hessian is at most `l_f EA / l0` times unity, whatever the edge does and
-//! however it is driven, and that is what the stable step is measured with. Bending gets stiffer as edges get shorter, by
-//! `(1 - c)^-2`, with the greatest c among the drive's, and so is it measured.
+//! An edge that wants to be shorter by a share c rests at `l0 (1 - c)`; its energy is still divided by the drawn
+//! length, `l_f (EA / 2 l0) (|e| - l0 (1 - c))²`. So its Hessian is at most `l_f EA / l0` times unity, whatever the
+//! edge does and however it is driven, and that is what the stable step is measured with. Bending gets stiffer as edges
+//! get shorter, by `(1 - c)^-2`, with the greatest c among the drive's, and so is it measured.
 //!
-//! The work of a step is half of what the change of all drives adds to the energy where the step began and half of what it
-//! adds where it ended. The sum of all energies less that work is kept to second order, as it is without drives.
+//! The work of a step is half of what the change of all drives adds to the energy where the step began and half of what
+//! it adds where it ended. The sum of all energies less that work is kept to second order, as it is without drives.
 
 use super::breaking::Breakage;
 use super::corner::{Corner, straight_energy};
@@ -41,8 +41,8 @@ struct Booked {
     time: f64,
     /// Lengths of the edges [m].
     lengths: Vec<f64>,
-    /// Curvature binormals of fibres that curl or get thicker, in the frame of the material around; where that is not read,
-    /// some vector whose square is the energy of a bend of stiffness one.
+    /// Curvature binormals of fibres that curl or get thicker, in the frame of the material around; where that is not
+    /// read, some vector whose square is the energy of a bend of stiffness one.
     binormals: Vec<DVec3>,
     /// Angles of twist [rad].
     angles: Vec<f64>,

@@ -7,7 +7,8 @@ use crate::solver::forces::element::{ElementForce, Kind, Structure};
 use glam::{DQuat, DVec3};
 
 impl FibreRest {
-    /// Stretch of edge `k`, which rests at a length [m], has become longer by another for good, and is this share as stiff.
+    /// Stretch of edge `k`, which rests at a length [m], has become longer by another for good, and is this share as
+    /// stiff.
     pub(super) fn edge(&self, k: usize, [rest, yielded]: [f64; 2], share: f64) -> Edge {
         let (points, (whole, drawn)) = ([k as u32, k as u32 + 1], self.edges[k]);
         let stiffness = share * whole;
@@ -19,7 +20,8 @@ impl FibreRest {
         Pull { points: [k as u32, k as u32 + 1], muscle: muscle.scaled(share), drawn: self.edges[k].1, excited }
     }
 
-    /// Bend `k`, which rests at this curvature binormal of the model frame where it has any, and is this share as stiff.
+    /// Bend `k`, which rests at this curvature binormal of the model frame where it has any, and is this share as
+    /// stiff.
     pub(super) fn bend(&self, k: usize, rest: DVec3, share: f64) -> Kind {
         let points = [k as u32, k as u32 + 1, k as u32 + 2];
         let stiffness = share * self.bends[k].stiffness;
@@ -56,8 +58,8 @@ impl FibreRest {
 }
 
 impl ElementForce {
-    /// The elements of fibres as their drives have them at a time [s], over particles that start at `positions` [m], the model frame
-    /// turned by `orientation`: what [`super::FibreForce`] is held against.
+    /// The elements of fibres as their drives have them at a time [s], over particles that start at `positions` [m],
+    /// the model frame turned by `orientation`: what [`super::FibreForce`] is held against.
     pub fn of_fibres(fibres: &[FibreRest], time: f64, positions: &[DVec3], orientation: DQuat) -> Self {
         Self::new(fibres.iter().map(|fibre| fibre.structure(time)).collect(), positions, orientation)
     }

@@ -71,7 +71,8 @@ impl CurvedBends {
         self.packs[k / LANES].stiffness.0[k % LANES] = stiffness;
     }
 
-    /// Adds their gradients by edges to the rods, from the particles of the blocks; gives what turns the particles around them.
+    /// Adds their gradients by edges to the rods, from the particles of the blocks; gives what turns the particles
+    /// around them.
     #[inline(always)]
     pub(super) fn bend<S: Simd>(
         &mut self,
@@ -131,8 +132,8 @@ impl CurvedBends {
 }
 
 impl BendPack {
-    /// `S |kb - R kb0|²` of four corners between edges with these tangents and lengths [m], around which the material is
-    /// deformed by a gradient, turned by R; the scalar forms are those of `corner` and `material_turn`.
+    /// `S |kb - R kb0|²` of four corners between edges with these tangents and lengths [m], around which the material
+    /// is deformed by a gradient, turned by R; the scalar forms are those of `corner` and `material_turn`.
     #[inline(always)]
     fn bent<V: Wide<Memory = Lanes4>>(
         &self,
@@ -149,7 +150,8 @@ impl BendPack {
             (whole.select(one / lengths[0], zero), whole.select(one / lengths[1], zero));
         let r = Mat3x::from_quat(turn);
         let rest = Vec3x::load(simd, &self.rest);
-        // The binormal `2 g t x u` with `g = 1 / (1 + c)`, and its derivative dg by the cosine c, continued where it folds.
+        // The binormal `2 g t x u` with `g = 1 / (1 + c)`, and its derivative dg by the cosine c, continued where it
+        // folds.
         let cosine = before.dot(after);
         let folds = cosine.simd_lt(V::constant(simd, FOLD));
         let inverse = one / (one + cosine);

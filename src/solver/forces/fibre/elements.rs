@@ -1,4 +1,5 @@
-//! The parts of a fibre as elements, one by one: edges, bends, twists. [`super::FibreForce`] does the same in packed loops.
+//! The parts of a fibre as elements, one by one: edges, bends, twists. [`super::FibreForce`] does the same in packed
+//! loops.
 
 use super::between::Between;
 use super::corner::{Corner, straight_energy, straight_gradients};

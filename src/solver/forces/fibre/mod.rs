@@ -5,11 +5,11 @@
 //! are exact: the paper's own (the centre vertex's, with half reactions on its neighbours) is 28 to 56 % off and makes
 //! torque. A straight rest shape needs no `R_s`: `l_f (4 EI / L0) (1 - c) / (1 + c)`, c the cosine of the turn.
 //!
-//! A fibre may resist twist (`twist`), and drives may act on it (`activation`): it wants to be shorter, to curl or to be
-//! twisted, or pulls as a muscle does (`muscle`).
+//! A fibre may resist twist (`twist`), and drives may act on it (`activation`): it wants to be shorter, to curl or to
+//! be twisted, or pulls as a muscle does (`muscle`).
 //!
-//! Edge by edge and bend by bend these are `elements`; all fibres of a body together are evaluated in packed loops, which keep the
-//! same contract.
+//! Edge by edge and bend by bend these are `elements`; all fibres of a body together are evaluated in packed loops,
+//! which keep the same contract.
 //!
 //! Eq. 7 is half of Bergou's energy, so that EI is the paper's `K_b / 2`. The energy of eq. 6 is unbounded where a
 //! fibre folds back on itself; below `c = -1/2` it continues linearly in c.

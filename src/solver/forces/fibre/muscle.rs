@@ -1,7 +1,7 @@
 //! How a muscle pulls by its length.
 
-/// An edge that pulls with `T0 a max(0, 1 - q²)`, `q = (s - 1) / w`, s its length over the drawn one and a how far it is
-/// excited: most at the length at which it was drawn, and not at all where it is shorter or longer by w.
+/// An edge that pulls with `T0 a max(0, 1 - q²)`, `q = (s - 1) / w`, s its length over the drawn one and a how far it
+/// is excited: most at the length at which it was drawn, and not at all where it is shorter or longer by w.
 ///
 /// The energy is `T0 a l0 w (q - q³/3)`, with q no further than 1 to either side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,8 +20,8 @@ impl Muscle {
         Self { force, width, stiffest: false }
     }
 
-    /// What resists any move as much as the muscle ever does, fully excited: a spring without length, of the greatest slope
-    /// of the pull.
+    /// What resists any move as much as the muscle ever does, fully excited: a spring without length, of the greatest
+    /// slope of the pull.
     pub(super) fn stiffest(self) -> Self {
         Self { stiffest: true, ..self }
     }

@@ -240,7 +240,8 @@ impl FibreRest {
         self.twist.as_ref().map_or(0, FibreTwist::len)
     }
 
-    /// The drive at the edges at a time [s], and by what share it has them want to be shorter; nothing where it does not act.
+    /// The drive at the edges at a time [s], and by what share it has them want to be shorter; nothing where it does
+    /// not act.
     pub(super) fn activations(&self, time: f64) -> Option<impl Fn(usize) -> [f64; 2] + '_> {
         self.activation.as_ref().map(|activation| activation.values(time))
     }
@@ -258,8 +259,8 @@ impl FibreRest {
         }
     }
 
-    /// Turn [rad] of bend `k` away from its rest shape, that by which it has yielded added: `2 atan(|kb - R_s kb0| / 2)`, the
-    /// turning angle of eq. 6 itself where the rest shape is straight.
+    /// Turn [rad] of bend `k` away from its rest shape, that by which it has yielded added: `2 atan(|kb - R_s kb0| /
+    /// 2)`, the turning angle of eq. 6 itself where the rest shape is straight.
     pub(super) fn turn(&self, x: &[DVec3], k: usize, positions: &[DVec3], at: (f64, DQuat, DVec3)) -> f64 {
         let (time, warm_start, yielded) = at;
         let Some(corner) = Corner::at(x, k) else { return 0.0 };

@@ -5,9 +5,9 @@ use glam::DVec3;
 
 impl FibreForce {
     /// Puts the force [N] that every edge carries between the particles at `positions` into `lines`, one entry an edge
-    /// of each of the body's centre lines: `l_f EA (|e| - l) / l0`, l what they rest at at the end of the last step, and the
-    /// pull of the muscle then; negative where it is pressed. Broken edges carry nothing; entries of edges that are none of
-    /// these fibres' are left as they are.
+    /// of each of the body's centre lines: `l_f EA (|e| - l) / l0`, l what they rest at at the end of the last step,
+    /// and the pull of the muscle then; negative where it is pressed. Broken edges carry nothing; entries of edges that
+    /// are none of these fibres' are left as they are.
     pub fn tensions(&self, positions: &[DVec3], lines: &mut [Vec<f64>]) {
         let mut broken = self.broken.edges.iter();
         let mut first_edge = 0;
@@ -25,8 +25,9 @@ impl FibreForce {
         }
     }
 
-    /// Puts the drive at every edge at the end of the last step, and the share by which that has it want to be shorter, into
-    /// `lines`, one entry an edge of each of the body's centre lines; entries of edges that do not act are left as they are.
+    /// Puts the drive at every edge at the end of the last step, and the share by which that has it want to be shorter,
+    /// into `lines`, one entry an edge of each of the body's centre lines; entries of edges that do not act are left as
+    /// they are.
     pub(crate) fn activations(&self, lines: &mut [Vec<[f64; 2]>]) {
         for fibre in self.fibres.iter() {
             let Some(value) = fibre.activations(self.activity.time()) else { continue };

@@ -1,7 +1,8 @@
 //! Twist of fibres: how far the material around one vertex turns against that around the next, about the edge between.
 //!
-//! Per edge `l_f (GJ / 2 l0) (theta - theta0)²`, `theta = 2 atan2(q . T, w)` of `R_a^T R_b = (w, q)`, T the edge's direction
-//! at rest in the model frame and R the turn of the material at both vertices. It needs no frame and no unknown of its own.
+//! Per edge `l_f (GJ / 2 l0) (theta - theta0)²`, `theta = 2 atan2(q . T, w)` of `R_a^T R_b = (w, q)`, T the edge's
+//! direction at rest in the model frame and R the turn of the material at both vertices. It needs no frame and no
+//! unknown of its own.
 
 use super::between::Between;
 use super::material_turn::turn_of_material;
@@ -49,8 +50,8 @@ impl FibreTwist {
         self.edges.iter().zip(turns.windows(2)).map(|(edge, ends)| Between::new(edge.axis, ends).angle).collect()
     }
 
-    /// Adds its forces [N] on particles to `forces`, where edge k wants to be twisted by the first of `at_rest` [rad] with the
-    /// second as a share of its stiffness, and carries nothing where that is none.
+    /// Adds its forces [N] on particles to `forces`, where edge k wants to be twisted by the first of `at_rest` [rad]
+    /// with the second as a share of its stiffness, and carries nothing where that is none.
     pub(super) fn add_forces(
         &self,
         at_rest: impl Fn(usize) -> Option<[f64; 2]>,

@@ -1,8 +1,8 @@
 //! Fibres that yield: a wire that was bent too far stays bent, one that was pulled too hard stays long.
 //!
-//! Past its limit an edge takes another length at rest, a bend another curvature, at the end of a step and at once, until what
-//! it carries is the limit again: `l += sign(T) (|T| - Ty) / k`, `kb0 += d (1 - dy / |d|)` with `d = R^T kb - kb0`. The energy
-//! that goes, `(T² - Ty²) / 2k` and `S (|d|² - dy²)`, is lost for good.
+//! Past its limit an edge takes another length at rest, a bend another curvature, at the end of a step and at once,
+//! until what it carries is the limit again: `l += sign(T) (|T| - Ty) / k`, `kb0 += d (1 - dy / |d|)` with `d = R^T
+//! kb - kb0`. The energy that goes, `(T² - Ty²) / 2k` and `S (|d|² - dy²)`, is lost for good.
 
 use super::corner::Corner;
 use super::material_turn::turn_of_material;
@@ -54,8 +54,8 @@ impl Yielded {
         !self.stretches.is_empty()
     }
 
-    /// Yields where particles at `positions` [m] pass a limit; `broken` are the bends and edges that carry nothing, `turns` the
-    /// last turns at all bends. Whether anything did.
+    /// Yields where particles at `positions` [m] pass a limit; `broken` are the bends and edges that carry nothing,
+    /// `turns` the last turns at all bends. Whether anything did.
     pub(super) fn follow(
         &mut self,
         fibres: &[FibreRest],

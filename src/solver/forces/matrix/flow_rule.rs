@@ -48,8 +48,8 @@ impl PlasticStrain {
         DMat3::from_cols(DVec3::new(xx, xy, zx), DVec3::new(xy, yy, yz), DVec3::new(zx, yz, zz))
     }
 
-    /// Yields over `dt` [s] under a strain of the rotated frame, in a material of shear modulus `mu` [Pa]; the elastic energy
-    /// that goes [J/m³].
+    /// Yields over `dt` [s] under a strain of the rotated frame, in a material of shear modulus `mu` [Pa]; the elastic
+    /// energy that goes [J/m³].
     pub(super) fn yields(&mut self, strain: DMat3, mu: f64, law: &Plasticity, dt: f64) -> f64 {
         let elastic = deviator(strain) - self.matrix();
         let trial = 2.0 * mu * norm(elastic);
@@ -73,8 +73,8 @@ impl PlasticStrain {
     }
 }
 
-/// The k by which a stress sigma that does not lie along the stretch S is completed, `P = R (sigma + [k]x)`: what turns R
-/// takes its part, too, and no torque is left.
+/// The k by which a stress sigma that does not lie along the stretch S is completed, `P = R (sigma + [k]x)`: what turns
+/// R takes its part, too, and no torque is left.
 pub(super) fn turning_part(stretch: DMat3, sigma: DMat3, inverse: DMat3) -> DVec3 {
     inverse * vee(stretch * sigma)
 }

@@ -42,8 +42,8 @@ impl MatrixForce {
         Self::varied(neighbourhood, rest, elasticity, volume, (matrix_fraction, None, None), orientation)
     }
 
-    /// [`Self::new`] over a material that is stiffer by a factor at every particle, each of which counts as a share of the
-    /// volume.
+    /// [`Self::new`] over a material that is stiffer by a factor at every particle, each of which counts as a share of
+    /// the volume.
     pub(crate) fn varied(
         neighbourhood: Arc<Neighbourhood>,
         rest: Arc<[DVec3]>,

@@ -1,23 +1,24 @@
 //! Viscosity and plasticity of the matrix, beside its elastic force: only bodies that have them pay for them.
 //!
-//! *Plasticity.* A particle that has yielded by `e_p` (symmetric, trace-free, in the rotated frame) stores
-//! `(e - e_p) : sigma(e - e_p) / 2`. Beside the elastic energy of e that is `-2 mu e : e_p + mu e_p : e_p`, whose stress is
-//! `-2 mu e_p`. It does not lie along the stretch `S = R^T F`, so that R's own change takes part:
-//! `P = R (sigma + [k]x)`, `k = (tr S I - S)^-1 vee(S sigma - sigma S)`. Without k a torque is left.
+//! *Plasticity.* A particle that has yielded by `e_p` (symmetric, trace-free, in the rotated frame) stores `(e - e_p) :
+//! sigma(e - e_p) / 2`. Beside the elastic energy of e that is `-2 mu e : e_p + mu e_p : e_p`, whose stress is `-2 mu
+//! e_p`. It does not lie along the stretch `S = R^T F`, so that R's own change takes part: `P = R (sigma + [k]x)`, `k =
+//! (tr S I - S)^-1 vee(S sigma - sigma S)`. Without k a torque is left.
 //!
-//! *Viscosity.* The rate of stretch is `S' = R^T F' - [om]x S` with `om = (tr S I - S)^-1 vee(R^T F')`, F' by the velocities:
-//! nothing of it is left in a body that turns as it stands, however it is strained. The same is done with the residuals, or
-//! bending of few layers would hardly be damped: `r_ij = d'_ij - om_s x d_ij`, `om_s = R om`, at `tau = eta / mu` times their
-//! elastic penalties a and beta. With dissipation `V s (eta |dev S'|² + eta_v / 2 tr(S')² + ...)` the forces are its gradient by
-//! the velocities; its double is the power that is lost, never below zero.
+//! *Viscosity.* The rate of stretch is `S' = R^T F' - [om]x S` with `om = (tr S I - S)^-1 vee(R^T F')`, F' by the
+//! velocities: nothing of it is left in a body that turns as it stands, however it is strained. The same is done with
+//! the residuals, or bending of few layers would hardly be damped: `r_ij = d'_ij - om_s x d_ij`, `om_s = R om`, at `tau
+//! = eta / mu` times their elastic penalties a and beta. With dissipation `V s (eta |dev S'|² + eta_v / 2 tr(S')² +
+//! ...)` the forces are its gradient by the velocities; its double is the power that is lost, never below zero.
 //!
-//! Of each particle its neighbours feel `t_ij = w_ij (Q X_ji + al (v_ji - om x x_ji) + Y)`, added to i and taken from j.
+//! Of each particle its neighbours feel `t_ij = w_ij (Q X_ji + al (v_ji - om x x_ji) + Y)`, added to i and taken from
+//! j.
 //!
 //! # What to know of it
 //!
-//! The zero-energy penalty is elastic and does not yield. It carries 51, 25 and 14 % of the bending of bars of 3, 5 and 7
-//! layers: in bending the spring-back is 1.3 to 1.7 times that of theory. Pulled, pressed and sheared, matter yields as it
-//! should.
+//! The zero-energy penalty is elastic and does not yield. It carries 51, 25 and 14 % of the bending of bars of 3, 5 and
+//! 7 layers: in bending the spring-back is 1.3 to 1.7 times that of theory. Pulled, pressed and sheared, matter yields
+//! as it should.
 
 use super::elasticity::corotated_strain;
 use super::flow_rule::{

@@ -39,8 +39,8 @@ struct PairListBuffers {
 pub(super) struct ParticleStress([[f64; 4]; 4]);
 
 impl ParticleStress {
-    /// `w (Q X_ji + al u_ji + Y)` [N]: what the particle pulls itself by and a neighbour back, of weight w [1/m²] and weighted
-    /// offset w X_ji [1/m], whose deviation differs from its own by u_ji [m].
+    /// `w (Q X_ji + al u_ji + Y)` [N]: what the particle pulls itself by and a neighbour back, of weight w [1/m²] and
+    /// weighted offset w X_ji [1/m], whose deviation differs from its own by u_ji [m].
     pub(super) fn pull(&self, weight: f64, weighted_offset: DVec3, u: DVec3) -> DVec3 {
         let [q0, q1, q2, [x, y, z, al]] = self.0;
         let column = |q: [f64; 4]| DVec3::new(q[0], q[1], q[2]);
@@ -149,7 +149,8 @@ impl PairListPasses<'_> {
         }
     }
 
-    /// The same of particle i, where this share of the material is matrix; and the part of its force that is its own [N].
+    /// The same of particle i, where this share of the material is matrix; and the part of its force that is its own
+    /// [N].
     #[inline(always)]
     pub(super) fn stress<S: Simd>(
         &self,

@@ -16,7 +16,8 @@ pub(super) struct ReferenceConfiguration {
     pub(super) elasticity: Elasticity,
     /// Volume V of a particle [m³].
     pub(super) volume: f64,
-    /// Matrix fraction of every particle, `s_i = 1 - l_i`, times the stiffening there and the share of V that it counts as.
+    /// Matrix fraction of every particle, `s_i = 1 - l_i`, times the stiffening there and the share of V that it counts
+    /// as.
     pub(super) matrix_fraction: Arc<[f64]>,
     /// By how much the matrix is stiffer at every particle than `elasticity`; nowhere unless given.
     pub(super) stiffening: Option<Arc<[f64]>>,

@@ -16,8 +16,8 @@ impl MatrixForce {
         })
     }
 
-    /// Mean over some particles of the stress [Pa] along a unit direction of the world, or of the equivalent stress: that of
-    /// the matrix itself, not thinned by its share, and of what of its strain has not yielded.
+    /// Mean over some particles of the stress [Pa] along a unit direction of the world, or of the equivalent stress:
+    /// that of the matrix itself, not thinned by its share, and of what of its strain has not yielded.
     pub(in crate::solver) fn mean_stress(
         &self,
         group: &[u32],

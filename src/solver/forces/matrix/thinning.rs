@@ -1,11 +1,11 @@
 //! What the matrix loses where fibres get thicker, and has again where they get thinner (eq. 18).
 //!
-//! The energy of the matrix is in proportion to its share at every particle. So [`super::MatrixForce`] goes on with the shares
-//! that there are where all drives are 0, as fast as ever, and the difference is a force of its own on the particles around the
-//! fibres that change: `E = sum_i (s_i(t) - s_i(0)) V psi_i`, by pairs, with the same `psi_i`.
+//! The energy of the matrix is in proportion to its share at every particle. So [`super::MatrixForce`] goes on with the
+//! shares that there are where all drives are 0, as fast as ever, and the difference is a force of its own on the
+//! particles around the fibres that change: `E = sum_i (s_i(t) - s_i(0)) V psi_i`, by pairs, with the same `psi_i`.
 //!
-//! What drives do to the shares is work: of a step half of what the change adds to the energy where the step began, and half of
-//! what it adds where it ended.
+//! What drives do to the shares is work: of a step half of what the change adds to the energy where the step began, and
+//! half of what it adds where it ended.
 
 use super::mean_rotation::mean_rotation;
 use super::pair_list::{CHUNK, PairListPasses, ParticleStress};
@@ -95,8 +95,8 @@ impl MatrixThinning {
         }
     }
 
-    /// How much more of the material is matrix than where all drives are 0, where these are the fractions of fibre; in shares of
-    /// V, times the stiffening.
+    /// How much more of the material is matrix than where all drives are 0, where these are the fractions of fibre; in
+    /// shares of V, times the stiffening.
     fn gains(&self, fractions: &[f64]) -> Vec<f64> {
         let changes = self.fractions.particles.iter().zip(self.drawn.iter().zip(fractions));
         changes.map(|(&i, (drawn, fraction))| self.reference.weight(i as usize) * (drawn - fraction)).collect()

@@ -1,6 +1,7 @@
 //! The work that drives do on sheets.
 //!
-//! A step's is half of what the change of the drive adds to the energy where it begins, and half where it ends: second order.
+//! A step's is half of what the change of the drive adds to the energy where it begins, and half where it ends: second
+//! order.
 
 use super::hinge::{HingeRest, hinge_angle, unwound};
 use super::rest::SheetRest;
@@ -51,7 +52,8 @@ impl Booked {
 }
 
 impl Activity {
-    /// Takes note of where the booking begins, unless it has begun; `last` are the angles of all hinges at the last look.
+    /// Takes note of where the booking begins, unless it has begun; `last` are the angles of all hinges at the last
+    /// look.
     pub(super) fn begin(&mut self, sheets: &[SheetRest], last: &[f64], time: f64, positions: &[DVec3]) {
         self.booked.get_or_insert_with(|| Booked::now(sheets, last, time, positions));
     }

@@ -6,7 +6,8 @@ use crate::solver::forces::element::{ElementForce, Kind, Structure};
 use glam::{DQuat, DVec2, DVec3};
 
 impl ElementForce {
-    /// The elements of undriven sheets over particles that start at `positions` [m]: what [`super::SheetForce`] is held against.
+    /// The elements of undriven sheets over particles that start at `positions` [m]: what [`super::SheetForce`] is held
+    /// against.
     pub fn of_sheets(sheets: &[SheetRest], positions: &[DVec3]) -> Self {
         let structure = |sheet: &SheetRest| {
             let triangle = |rest: &_| {

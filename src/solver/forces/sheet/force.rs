@@ -13,8 +13,8 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct SheetForce {
     sheets: Arc<[SheetRest]>,
-    /// Last angle of every hinge [rad], sheet after sheet: the next is the one nearest to it, so that a sheet may fold through
-    /// half a turn.
+    /// Last angle of every hinge [rad], sheet after sheet: the next is the one nearest to it, so that a sheet may fold
+    /// through half a turn.
     angles: Vec<f64>,
     activity: Activity,
 }

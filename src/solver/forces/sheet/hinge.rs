@@ -1,10 +1,10 @@
 //! One edge between two triangles of a sheet: bending.
 //!
-//! `k/2 (theta - theta0)²` with theta the angle between both normals. With `k = l_s Db L² / (A1 + A2)` on the edges of a
-//! rectangular grid and `k = 2 l_s Db (A1 + A2) / L²` on its alternating diagonals, L the edge's length and A the areas at rest,
-//! a flat grid bends to any cylinder with the same stiffness Db; the first weight on all edges, which is used for triangles that
-//! are no grid, is right for equilateral ones and up to 1.5 times too stiff in some directions of a grid. Poisson's coupling is
-//! left out.
+//! `k/2 (theta - theta0)²` with theta the angle between both normals. With `k = l_s Db L² / (A1 + A2)` on the edges of
+//! a rectangular grid and `k = 2 l_s Db (A1 + A2) / L²` on its alternating diagonals, L the edge's length and A the
+//! areas at rest, a flat grid bends to any cylinder with the same stiffness Db; the first weight on all edges, which is
+//! used for triangles that are no grid, is right for equilateral ones and up to 1.5 times too stiff in some directions
+//! of a grid. Poisson's coupling is left out.
 
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
@@ -29,8 +29,8 @@ impl HingeRest {
     }
 }
 
-/// Angles that curvatures of 1 rad/m along two directions of space make of a hinge at rest, towards the side that its normals look
-/// to: to first order, as of a surface `z = s² / 2` over what is flat.
+/// Angles that curvatures of 1 rad/m along two directions of space make of a hinge at rest, towards the side that its
+/// normals look to: to first order, as of a surface `z = s² / 2` over what is flat.
 pub(super) fn hinge_curls(x: [DVec3; 4], along: DVec3) -> DVec2 {
     let [x0, x1, x2, x3] = x;
     let edge = x1 - x0;

@@ -31,9 +31,9 @@ pub struct TriangleRest {
 }
 
 impl TriangleRest {
-    /// A triangle between points at rest [m], `along` the first direction of the sheet and `grain` that of its threads, both
-    /// vectors of space of any length; what is across the triangle of them does not count. None where it has no area or the
-    /// direction none in it.
+    /// A triangle between points at rest [m], `along` the first direction of the sheet and `grain` that of its threads,
+    /// both vectors of space of any length; what is across the triangle of them does not count. None where it has no
+    /// area or the direction none in it.
     pub fn new(vertices: [u32; 3], x: [DVec3; 3], [along, grain]: [DVec3; 2]) -> Option<Self> {
         let (a, b) = (x[1] - x[0], x[2] - x[0]);
         let normal = a.cross(b);

@@ -60,9 +60,9 @@ pub struct SheetRest {
 }
 
 impl SheetRest {
-    /// A sheet of triangles between points at rest `x` [m], whose directions, along it and of its grain, are given for every
-    /// triangle. `is_diagonal` says of two vertices whether the edge between them is a grid's diagonal. Triangles of no area
-    /// carry nothing.
+    /// A sheet of triangles between points at rest `x` [m], whose directions, along it and of its grain, are given for
+    /// every triangle. `is_diagonal` says of two vertices whether the edge between them is a grid's diagonal. Triangles
+    /// of no area carry nothing.
     pub fn new(
         vertices: Vec<EmbeddingWeights>,
         x: &[DVec3],

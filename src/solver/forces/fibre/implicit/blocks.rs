@@ -1,7 +1,7 @@
 //! Symmetric matrices of 3 by 3 blocks within an envelope, and vectors that go with them.
 //!
-//! A row of a block is a SIMD register whose fourth lane is zero. Rows hold the upper triangle, each from its diagonal to
-//! the end of its envelope; ends never go back from one row to the next.
+//! A row of a block is a SIMD register whose fourth lane is zero. Rows hold the upper triangle, each from its diagonal
+//! to the end of its envelope; ends never go back from one row to the next.
 
 use crate::solver::wide::{Lanes4, Wide};
 use fearless_simd::{Simd, f64x4, prelude::*};

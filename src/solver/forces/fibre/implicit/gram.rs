@@ -1,8 +1,8 @@
 //! How the vertices of fibres give way together: `G = Phi M^-1 Phi^T`, and its root.
 //!
-//! A force y on the vertices accelerates them by `G y`, along each axis for itself, since particles may be held along some
-//! axes only. G is positive semi-definite: vertices that are carried by held particles alone do not move at all, and more
-//! vertices than particles around them move together. Its root U, `G = U^T U`, exists all the same.
+//! A force y on the vertices accelerates them by `G y`, along each axis for itself, since particles may be held along
+//! some axes only. G is positive semi-definite: vertices that are carried by held particles alone do not move at all,
+//! and more vertices than particles around them move together. Its root U, `G = U^T U`, exists all the same.
 
 use super::blocks::Envelope;
 use super::ordering::near_neighbours_first;
@@ -182,7 +182,8 @@ mod tests {
 
     #[test]
     fn its_root_squared_is_what_particles_make_of_it() {
-        // Two fibres over twelve particles, one of them on the same particles as the other, one vertex on a held particle.
+        // Two fibres over twelve particles, one of them on the same particles as the other, one vertex on a held
+        // particle.
         let vertex = |picks: &[(u32, f64)]| EmbeddingWeights { weights: picks.to_vec() };
         let fibre = |vertices: Vec<EmbeddingWeights>| FibreRest { vertices, ..FibreRest::default() };
         let along = |first: u32| (0..6).map(move |k| vertex(&[(first + k, 0.3), (first + k + 1, 0.5), (11 - k, 0.2)]));

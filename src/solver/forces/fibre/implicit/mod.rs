@@ -1,11 +1,11 @@
 //! Stiff fibres stepped implicitly, whatever else acts on the particles.
 //!
 //! Fibres act on the particles through few vertices, which give way together by a constant matrix G ([`gram`]). So the
-//! forces y at the vertices, at the positions that they themselves bring the vertices to, are the solution of a small system,
-//! `p = c + a G g(p)`: c where the vertices get without any fibre's force, g the fibres' forces on them, a the square of a
-//! time. Each of Newton's passes solves `(1 + a U H U^T) w = a U (g - y)`, where `G = U^T U`, `H = -dg/dp`, and goes on from
-//! `y = g - H U^T w`. As y stays a sum of forces of edges and bends, it keeps the momentum of the body whatever a pass
-//! leaves over.
+//! forces y at the vertices, at the positions that they themselves bring the vertices to, are the solution of a small
+//! system, `p = c + a G g(p)`: c where the vertices get without any fibre's force, g the fibres' forces on them, a the
+//! square of a time. Each of Newton's passes solves `(1 + a U H U^T) w = a U (g - y)`, where `G = U^T U`, `H = -dg/dp`,
+//! and goes on from `y = g - H U^T w`. As y stays a sum of forces of edges and bends, it keeps the momentum of the body
+//! whatever a pass leaves over.
 //!
 //! Of bends whose rest shape is as drawn, the turn of the material around them is that at the start of the step.
 

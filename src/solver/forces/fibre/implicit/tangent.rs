@@ -1,7 +1,7 @@
 //! Forces of fibres on their vertices, and how these change with the vertices.
 //!
-//! The Hessian is kept positive semi-definite: of edges all but what presses them sideways, of bends `2 S J^T J` (Gauss and
-//! Newton), J the derivative of the curvature binormal by the edges.
+//! The Hessian is kept positive semi-definite: of edges all but what presses them sideways, of bends `2 S J^T J` (Gauss
+//! and Newton), J the derivative of the curvature binormal by the edges.
 
 use crate::solver::forces::fibre::breaking::Breakage;
 use crate::solver::forces::fibre::corner::{Corner, FOLD};

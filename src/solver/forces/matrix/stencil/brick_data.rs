@@ -9,7 +9,8 @@ use rayon::prelude::*;
 /// A vector of each particle, by components.
 pub(super) type BrickVectors<L> = [L; 3];
 
-/// A component of what a particle's neighbours feel of it: that of the columns of `Q` [N], then of `z = al u - Y` [N m].
+/// A component of what a particle's neighbours feel of it: that of the columns of `Q` [N], then of `z = al u - Y` [N
+/// m].
 pub(super) type BrickStress<L> = [L; 4];
 
 /// Rest data, along the stencil's axes; zero where no particle is.

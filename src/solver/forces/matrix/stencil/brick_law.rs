@@ -10,8 +10,8 @@ use glam::DMat3;
 /// The law and the rigid turn that deviations are taken from.
 pub(super) struct BrickLaw {
     pub(super) elasticity: Elasticity,
-    /// Rigid turn R_b of the whole body times the stencil's axes. Short numbers are taken along these, so that they know
-    /// of no turn.
+    /// Rigid turn R_b of the whole body times the stencil's axes. Short numbers are taken along these, so that they
+    /// know of no turn.
     pub(super) body_turn: DMat3,
 }
 

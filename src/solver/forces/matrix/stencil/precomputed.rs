@@ -46,8 +46,8 @@ pub(super) struct Precomputed<L> {
 }
 
 impl<L: Lanes> Precomputed<L> {
-    /// Layout, weights and rest data of a body; none where the support holds too many particles, or some do not feel others
-    /// across a hollow.
+    /// Layout, weights and rest data of a body; none where the support holds too many particles, or some do not feel
+    /// others across a hollow.
     pub(super) fn new(reference: &ReferenceConfiguration) -> Option<Self> {
         if reference.neighbourhood.is_cut() {
             return None;

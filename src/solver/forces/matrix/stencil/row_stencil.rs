@@ -197,8 +197,8 @@ impl<S: Simd, L: Lanes, const M: usize, const N: usize> RowStencil<'_, S, L, M, 
         }
     }
 
-    /// Combined rows of the first pass at a site, plain, times dy and times dz, from a component of the deviations of the
-    /// bricks `around`.
+    /// Combined rows of the first pass at a site, plain, times dy and times dz, from a component of the deviations of
+    /// the bricks `around`.
     #[inline(always)]
     pub(super) fn combine_deviations(
         &self,

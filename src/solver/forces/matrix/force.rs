@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Particles that a thread computes at a time, where each is taken by itself.
-const CHUNK: usize = 128;
+pub(super) const CHUNK: usize = 128;
 
 /// Elastic force of the matrix.
 #[derive(Clone)]

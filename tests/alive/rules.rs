@@ -56,7 +56,12 @@ fn what_makes_no_sense_is_refused_where_it_stands() {
             at(activation, "/drive"),
             "from 0 to 1",
         ),
-        (at(activation, "/volume_fraction"), json!(1.2), at(activation, "/volume_fraction"), "1"),
+        (
+            activation.to_owned(),
+            json!({"drive": {"constant": 0.5}, "volume_fraction": 1.2}),
+            at(activation, "/volume_fraction"),
+            "1.2",
+        ),
         (
             activation.to_owned(),
             json!({"drive": {"constant": 1.5}, "volume_fraction": 0.9}),

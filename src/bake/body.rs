@@ -87,8 +87,7 @@ pub(super) fn draft(
         Mass::Density(density) => density * shape_volume / sampling.whole as f64,
         Mass::PerParticle(mass) => mass,
     };
-    let cells = shares.as_ref().map_or(sample.points.len() as f64, |of| of.volumes.iter().sum());
-    let filled = (mass * sample.points.len() as f64, volume * sample.stretch.element_product() * cells);
+    let filled = (mass * sample.points.len() as f64, sampling.filled_volume());
     notes.extend(regime::notes(scene, body, *size, filled, path));
     let orientation = body.placement.rotation.quaternion();
     let regions = supports::regions(body, sample, path)?;
@@ -101,18 +100,7 @@ pub(super) fn draft(
     let state = initial_state(body, &sample.points, &regions, masses, path)?;
 
     let fractions = fractions::fractions(body, &sample.points, kernel, (&placed, &surfaces));
-    let matrix = MatrixForce::varied(
-        Arc::clone(&neighbourhood),
-        sample.points.as_slice().into(),
-        Elasticity::new(material.young_modulus, material.poisson_ratio, spacing),
-        volume * sample.stretch.element_product(),
-        (
-            fractions::matrix_fractions(&fractions),
-            varied.stiffening,
-            shares.as_ref().map(|shares| shares.stiffness.as_slice().into()),
-        ),
-        orientation,
-    );
+    let matrix = matrix(body, (sampling, &neighbourhood), &fractions, varied.stiffening);
     let thinning = fractions::driven(body, &sample.points, kernel, (&placed, &surfaces))
         .map(|driven| Box::new(matrix.thinning(driven, orientation)) as Box<dyn Force>);
     let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)) as Box<dyn Force>);
@@ -185,6 +173,28 @@ pub(super) fn draft(
     Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
 }
 
+/// The matrix of a body whose particles have these fractions of fibre, stiffer by regions.
+fn matrix(
+    body: &Body,
+    (sampling, neighbourhood): (&ParticleSampling<'_>, &Arc<Neighbourhood>),
+    fractions: &[f64],
+    stiffening: Option<Arc<[f64]>>,
+) -> MatrixForce {
+    let (material, sample) = (&body.material, &sampling.sample);
+    MatrixForce::varied(
+        Arc::clone(neighbourhood),
+        sample.points.as_slice().into(),
+        Elasticity::new(material.young_modulus, material.poisson_ratio, material.spacing()),
+        material.spacing().powi(3) * sample.stretch.element_product(),
+        (
+            fractions::matrix_fractions(fractions),
+            stiffening,
+            sampling.shares.as_ref().map(|shares| shares.stiffness.as_slice().into()),
+        ),
+        body.placement.rotation.quaternion(),
+    )
+}
+
 /// Share of the mean mass that a particle has at least: a lighter one would make the stable step short.
 const LIGHTEST: f64 = 0.5;
 
@@ -195,7 +205,9 @@ fn share_out(masses: &mut [f64], volumes: &[f64]) {
         *mass *= volume.max(LIGHTEST);
     }
     let scale = whole / masses.iter().sum::<f64>();
-    masses.iter_mut().for_each(|mass| *mass *= scale);
+    for mass in masses {
+        *mass *= scale;
+    }
 }
 
 /// Contact with the room, with colliders and with itself, as far as there is any.

@@ -142,21 +142,19 @@ fn filled_box(
     let shape = AskewBox::new(solid, axes);
     let mut go_on = || if stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     let ControlFlow::Continue(fitted) = FittedLattice::to(&shape, spacing, &mut go_on) else { return None };
-    let (lattice, mut sample) = match fitted {
-        Some(lattice) => (lattice, lattice.collect(&shape)),
-        None => {
-            let sample = fill_box_unless(solid, spacing, axes, stop)?;
-            let (Some(&point), Some(cell)) = (sample.points.first(), sample.cells.first()) else {
-                return Some((sample, None));
-            };
-            let origin = axes.transpose() * (point - solid.center) - spacing * cell.as_dvec3();
-            (FittedLattice { spacing, stretch: DVec3::ONE, origin }, sample)
-        }
-    };
-    if fitted.is_some() {
+    let (lattice, sample) = if let Some(lattice) = fitted {
+        let mut sample = lattice.collect(&shape);
         sample.axes = axes;
         sample.points.iter_mut().for_each(|point| *point = solid.center + axes * *point);
-    }
+        (lattice, sample)
+    } else {
+        let sample = fill_box_unless(solid, spacing, axes, stop)?;
+        let (Some(&point), Some(cell)) = (sample.points.first(), sample.cells.first()) else {
+            return Some((sample, None));
+        };
+        let origin = axes.transpose() * (point - solid.center) - spacing * cell.as_dvec3();
+        (FittedLattice { spacing, stretch: DVec3::ONE, origin }, sample)
+    };
     let shares = cell_shares(&shape, &lattice, &sample.cells);
     Some((sample, shares))
 }
@@ -211,6 +209,12 @@ impl ParticleSampling<'_> {
         self.shares = self.shares.take().map(|shares| shares.chosen(&carved.kept));
         (self.sample, self.hollows) = (carved.sample, hollows);
         Ok(())
+    }
+
+    /// Volume of all cells that the particles stand for [m³].
+    pub(super) fn filled_volume(&self) -> f64 {
+        let cells = self.shares.as_ref().map_or(self.sample.points.len() as f64, |of| of.volumes.iter().sum());
+        cells * self.sample.cell_volume()
     }
 
     /// The body with the support radius that its particles were given in the end.

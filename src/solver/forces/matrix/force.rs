@@ -20,6 +20,9 @@ use std::sync::Arc;
 /// Particles that a thread computes at a time, where each is taken by itself.
 pub(super) const CHUNK: usize = 128;
 
+/// A number of every particle.
+type OfEach = Arc<[f64]>;
+
 /// Elastic force of the matrix.
 #[derive(Clone)]
 pub struct MatrixForce {
@@ -49,7 +52,7 @@ impl MatrixForce {
         rest: Arc<[DVec3]>,
         elasticity: Elasticity,
         volume: f64,
-        (matrix_fraction, stiffening, volume_shares): (Arc<[f64]>, Option<Arc<[f64]>>, Option<Arc<[f64]>>),
+        (matrix_fraction, stiffening, volume_shares): (OfEach, Option<OfEach>, Option<OfEach>),
         orientation: DQuat,
     ) -> Self {
         // The energy is in proportion to all three.

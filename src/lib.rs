@@ -112,6 +112,8 @@
 //! | the matrix's force | `solver::forces::matrix`: the formulae at its head, a plain evaluation and a fast one |
 //! | what changes in time, and what it does to fibres | `solver::drive`, `solver::forces::fibre::activation`; from the scene: `bake::drives` |
 //! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
+//! | fibres that get thicker and thinner | `solver::driven_fractions`; what the matrix around does: `solver::forces::matrix` (`thinning`); from the scene: `bake::fractions` |
+//! | how layers of particles fit a shape, and what particles at its surface stand for | `geometry::whole_layers`, `geometry::lattice_fit`, `geometry::cell_shares`; what is said of it: `bake::section_notes` |
 //! | sheets: the force; where strokes sweep one; how one lies in the matrix | `solver::forces::sheet`; [`sketch::sweep()`]; `bake::sheets` |
 //! | structures behind one contract; what is tried of each; from the scene | `solver::forces::element`; [`solver::check_element`]; `bake::elements` |
 //! | fibres far stiffer than their matrix | `solver::integrators::fibres_implicit`; chosen in `bake::integrator` |

@@ -1,7 +1,7 @@
 //! How much of a shape each particle of a lattice in it stands for: one at a surface seldom stands for a whole cell.
 
-use super::lattice_fit::{FittedLattice, OWN_MOMENT, inverse_factor};
-use super::rows::{Moments, Rows};
+use super::lattice_fit::{FittedLattice, OWN_MOMENT, Target};
+use super::rows::Rows;
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
 use std::array::from_fn;
@@ -134,11 +134,7 @@ fn fitted(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IVec3], volumes: &
     let spacings = lattice.spacings();
     let [min, max] = shape.bounds();
     let center = 0.5 * (min + max);
-    let Moments { volume, first, second } = Moments::of(shape, center);
-    let gravity = first / volume;
-    let central =
-        second * volume.recip() - DMat3::from_cols(gravity * gravity.x, gravity * gravity.y, gravity * gravity.z);
-    let to_unit = inverse_factor(central);
+    let Target { to_unit, gravity, .. } = Target::of(shape, center);
     let own = to_unit * DMat3::from_diagonal(OWN_MOMENT * spacings * spacings) * to_unit.transpose();
     let terms: Vec<[f64; TERMS]> = cells
         .iter()

@@ -183,16 +183,16 @@ fn whole_moments(shape: &dyn Rows, lattices: &[FittedLattice], center: DVec3) ->
 }
 
 /// A shape's moments, in which those of particles are measured.
-struct Target {
+pub(super) struct Target {
     volume: f64,
     /// Takes places from the centre of gravity to where the second moments are those of a unit.
-    to_unit: DMat3,
+    pub(super) to_unit: DMat3,
     /// Centre of gravity, from where moments are taken about [m].
-    gravity: DVec3,
+    pub(super) gravity: DVec3,
 }
 
 impl Target {
-    fn of(shape: &dyn Rows, center: DVec3) -> Self {
+    pub(super) fn of(shape: &dyn Rows, center: DVec3) -> Self {
         let Moments { volume, first, second } = Moments::of(shape, center);
         let gravity = first / volume;
         let central = second * volume.recip() - spread(gravity);
@@ -221,7 +221,7 @@ fn spread(a: DVec3) -> DMat3 {
 }
 
 /// The inverse of the lower factor L of a symmetric, positive `a = L L^T`.
-pub(crate) fn inverse_factor(a: DMat3) -> DMat3 {
+fn inverse_factor(a: DMat3) -> DMat3 {
     let l00 = a.x_axis.x.sqrt();
     let (l10, l20) = (a.x_axis.y / l00, a.x_axis.z / l00);
     let l11 = (a.y_axis.y - l10 * l10).sqrt();

@@ -288,7 +288,7 @@ fn forty() -> Vec<Section> {
 
 /// Minutes: `cargo test --release --test physics -- --ignored --nocapture sections_of_every_kind`.
 #[test]
-#[ignore = "minutes"]
+#[ignore = "takes minutes: cargo test --release --test physics -- --ignored --nocapture sections_of_every_kind"]
 fn sections_of_every_kind() {
     println!("section layers turn     particles    area  bending      2 torsion");
     let mut worst = [0.0_f64; 4];

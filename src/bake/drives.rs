@@ -55,7 +55,20 @@ pub(super) fn wind(scene: &scene::Scene, surface: FlowSurface) -> Option<Flow> {
     Some(Flow::new(velocity, driven, wind.density * wind.drag, surface))
 }
 
-fn keyframes(keys: &DriveKeys) -> Drive {
+fn keyframes(of: &DriveKeys) -> Drive {
+    let keys = keys(of);
+    let (Some(first), Some(last), Some(otherwise)) = (of.keys.first(), of.keys.last(), &of.otherwise) else {
+        return keys;
+    };
+    Drive::Over {
+        keys: Box::new(keys),
+        begins: [first.time, of.keys.get(1).unwrap_or(first).time],
+        ends: otherwise.back_in.map(|seconds| [last.time, last.time + seconds]),
+        own: Box::new(drive(&otherwise.drive, &[])),
+    }
+}
+
+fn keys(keys: &DriveKeys) -> Drive {
     Drive::Keys {
         keys: keys.keys.iter().map(|key| Key { time: key.time, value: key.value, slope: key.slope }).collect(),
         between: match keys.between {

@@ -6,7 +6,7 @@ use super::fibres::PlacedFibre;
 use super::sheets::PlacedSheet;
 use crate::geometry::kernel::Kernel;
 use crate::scene::{Body, painted};
-use crate::solver::drive::DriveAlong;
+use crate::solver::drive_along::DriveAlong;
 use crate::solver::driven_fractions::{DrivenFractions, DrivenRun};
 use crate::solver::volume_fraction::{add_sheet, volume_fractions};
 use glam::DVec3;

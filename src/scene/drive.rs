@@ -49,6 +49,24 @@ impl Drive {
         if matches!(named, Self::Shared(_)) { None } else { Some(named) }
     }
 
+    /// The wave that it is, or is otherwise.
+    pub(crate) fn wave(&self) -> Option<&Wave> {
+        match self {
+            Self::Wave(wave) => Some(wave),
+            Self::Keyframes(keys) => keys.otherwise.as_ref()?.drive.wave(),
+            Self::Constant(_) | Self::Shared(_) => None,
+        }
+    }
+
+    /// [`Self::wave`], to be changed.
+    pub(crate) fn wave_mut(&mut self) -> Option<&mut Wave> {
+        match self {
+            Self::Wave(wave) => Some(wave),
+            Self::Keyframes(keys) => keys.otherwise.as_mut()?.drive.wave_mut(),
+            Self::Constant(_) | Self::Shared(_) => None,
+        }
+    }
+
     /// The least and the greatest value that it takes; none of one that names another.
     pub fn range(&self) -> Option<[f64; 2]> {
         match self {
@@ -86,7 +104,7 @@ impl SharedDrive {
     }
 }
 
-/// Values at times. Before the first it is the first.
+/// Values at times. Before the first it is the first, or what it is otherwise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DriveKeys {
     /// In the order of time.
@@ -97,6 +115,9 @@ pub struct DriveKeys {
     /// From the last key on.
     #[serde(default)]
     pub after: AfterLast,
+    /// What it is otherwise: before the first key, where that is not its value.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub otherwise: Option<Otherwise>,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
@@ -106,11 +127,24 @@ impl DriveKeys {
     /// Values at times [s], smoothly from one to the next, the last one held.
     pub fn new(keys: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let keys = keys.into_iter().map(|(time, value)| DriveKey::new(time, value)).collect();
-        Self { keys, between: Interpolation::default(), after: AfterLast::default(), extra: Extra::new() }
+        let (between, after) = (Interpolation::default(), AfterLast::default());
+        Self { keys, between, after, otherwise: None, extra: Extra::new() }
+    }
+
+    /// On top of another drive, to which they go back from the last key in `back_in` [s], if ever.
+    #[must_use]
+    pub fn over(self, drive: impl Into<Drive>, back_in: Option<f64>) -> Self {
+        Self { otherwise: Some(Otherwise { drive: Box::new(drive.into()), back_in, extra: Extra::new() }), ..self }
     }
 
     /// The least and the greatest value that is reached.
     pub fn range(&self) -> [f64; 2] {
+        let otherwise = self.otherwise.as_ref().and_then(|otherwise| otherwise.drive.range());
+        let [least, greatest] = self.range_of_keys();
+        otherwise.map_or([least, greatest], |[low, high]| [least.min(low), greatest.max(high)])
+    }
+
+    fn range_of_keys(&self) -> [f64; 2] {
         let smooth = self.keys.windows(2).filter(|_| self.between == Interpolation::Smooth);
         let cubic = |pair: &[DriveKey]| {
             let ends = [&pair[0], &pair[1]];
@@ -119,6 +153,19 @@ impl DriveKeys {
         };
         range_of(self.keys.iter().map(|key| key.value), smooth.map(cubic))
     }
+}
+
+/// What a drive with keys is otherwise: as a shared drive was by itself until a hand took it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Otherwise {
+    /// What it is before the first key; one that names another is refused.
+    pub drive: Box<Drive>,
+    /// In which time it goes back to that from the last key on [s]; it does not where there is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub back_in: Option<f64>,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
 }
 
 /// A value at a time.

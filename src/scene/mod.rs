@@ -53,7 +53,7 @@ pub use body::{Body, BodyKind};
 pub use collider::{Collider, ColliderBox, ColliderCapsule, ColliderMesh, ColliderShape, ColliderSphere};
 pub use document::{MAX_PARTICLES, SCENE_VERSION, Scene, Units};
 pub use drivable::Drivable;
-pub use drive::{AfterLast, Drive, DriveKey, DriveKeys, Interpolation, SharedDrive, Wave};
+pub use drive::{AfterLast, Drive, DriveKey, DriveKeys, Interpolation, Otherwise, SharedDrive, Wave};
 pub use element::{Element, ElementActivation, ElementLaw, ElementMeasure, MAX_ELEMENTS, MAX_TABLE_POINTS, SpringLaw};
 pub use extra::Extra;
 pub use fibre::{

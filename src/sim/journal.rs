@@ -7,7 +7,6 @@
 use super::command::SimCommand;
 use super::report::state_hash;
 use crate::scene::Scene;
-use crate::solver::hand::LATE;
 use crate::solver::world::World;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -144,33 +143,9 @@ impl Journal {
         Ok(self)
     }
 
-    /// What a hand made of a shared drive of a body: times [s] and values, between which it went evenly, up to where it
-    /// let go. `own` is what the drive was before by itself at a time [s], and `limits` are its least and its greatest
-    /// value. The frames of the scene that it started from are counted.
-    pub fn played(&self, body: usize, id: &str, own: impl Fn(f64) -> f64, limits: [f64; 2]) -> Vec<(f64, f64)> {
-        let seconds = self.scene.time.frame_seconds();
-        let mut keys: Vec<(f64, f64)> = Vec::new();
-        for JournalEntry { frame, what } in &self.asked {
-            let Asked::Lead { body: of, drive, aim } = what else { continue };
-            if (*of, drive.as_str()) != (body, id) {
-                continue;
-            }
-            let [start, end] = [*frame as f64 * seconds + LATE * seconds, (frame + 1) as f64 * seconds];
-            if keys.is_empty() {
-                let before = *frame as f64 * seconds;
-                keys.push((before, own(before)));
-                keys.push((start, own(start)));
-            }
-            let held = keys.last().map_or(0.0, |key| key.1);
-            if keys.last().is_none_or(|key| key.0 < start) {
-                keys.push((start, held));
-            }
-            if let Some(aim) = aim {
-                keys.retain(|key| key.0 <= start);
-                keys.push((end, aim.clamp(limits[0], limits[1])));
-            }
-        }
-        keys
+    /// Whether hands have led any shared drive.
+    pub(super) fn was_played(&self) -> bool {
+        self.asked.iter().any(|entry| matches!(entry.what, Asked::Lead { aim: Some(_), .. }))
     }
 
     /// Notes what is asked now. Of the places to which something is pulled or led between two frames only the last

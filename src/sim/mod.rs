@@ -5,6 +5,7 @@ mod columns;
 mod command;
 mod convergence;
 mod journal;
+mod performance;
 pub(crate) mod recording;
 mod report;
 mod runner;

@@ -106,6 +106,11 @@ impl Worker {
     pub fn journal(&self) -> Journal {
         self.shared.with_journal(|journal| journal.clone())
     }
+
+    /// Whether hands have led any shared drive since the start of the motion.
+    pub fn was_played(&self) -> bool {
+        self.shared.with_journal(|journal| journal.was_played())
+    }
 }
 
 impl Drop for Worker {

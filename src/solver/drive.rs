@@ -1,6 +1,6 @@
 //! Numbers that change in time.
 
-use super::hand::Hand;
+use super::hand::{Hand, Lead, OwnShare};
 use crate::geometry::hermite::{Hermite, range_of};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -21,6 +21,17 @@ pub(crate) enum Drive {
     },
     /// Up and down.
     Wave(Wave),
+    /// Keys on top of another drive, which it is before them.
+    Over {
+        /// Its keys.
+        keys: Box<Drive>,
+        /// Times of the first two [s]: there it goes from the other drive to the second.
+        begins: [f64; 2],
+        /// When it goes back to the other drive from its last key, and when it is back [s]; none where it stays.
+        ends: Option<[f64; 2]>,
+        /// The other drive.
+        own: Box<Drive>,
+    },
     /// One that several things follow, and that a hand may lead.
     Shared {
         /// Its identifier among the body's.
@@ -89,7 +100,7 @@ pub(crate) struct Wave {
 
 impl Wave {
     /// Share of the swing that is reached at a time, and its rate [1/s].
-    fn rise(&self, time: f64) -> (f64, f64) {
+    pub(super) fn rise(&self, time: f64) -> (f64, f64) {
         let s = (time - self.start) / self.period;
         match s {
             _ if s <= 0.0 => (0.0, 0.0),
@@ -99,7 +110,7 @@ impl Wave {
     }
 
     /// Angle [rad] at the place zero.
-    fn angle(&self, time: f64) -> f64 {
+    pub(super) fn angle(&self, time: f64) -> f64 {
         self.phase - TAU * ((time - self.start) / self.period).fract()
     }
 }
@@ -116,6 +127,11 @@ impl Drive {
                 let value = wave.mean - wave.amplitude * cos;
                 (rise * value, rate * value - rise * wave.amplitude * sin * TAU / wave.period)
             }
+            Self::Over { begins, own, .. } if time < begins[0] => own.at(time),
+            Self::Over { keys, ends, own, .. } => match ends {
+                Some(ends) if time >= ends[0] => Lead::back(*ends, keys.at(ends[0]).0).lead(time, own.at(time)),
+                _ => keys.at(time),
+            },
             Self::Shared { own, hand, .. } => {
                 let own = own.at(time);
                 hand.map_or(own, |hand| hand.lead(time, own))
@@ -135,6 +151,12 @@ impl Drive {
                 times
             }
             Self::Shared { own, .. } => own.moments(),
+            Self::Over { keys, ends, own, .. } => {
+                let mut times = own.moments();
+                times.extend(keys.moments().into_iter().chain(ends.iter().flatten().copied()));
+                times.sort_by(f64::total_cmp);
+                times
+            }
             Self::Wave(wave) => (0..=32).map(|k| wave.start + wave.period * f64::from(k) / 16.0).collect(),
         }
     }
@@ -146,6 +168,7 @@ impl Drive {
             Self::Keys { keys, between, .. } => extremes(keys, *between)[1],
             Self::Wave(wave) => (wave.mean + wave.amplitude.abs()).max(0.0),
             Self::Shared { own, .. } => own.greatest(),
+            Self::Over { keys, own, .. } => keys.greatest().max(own.greatest()),
         }
     }
 
@@ -156,6 +179,7 @@ impl Drive {
             Self::Keys { keys, between, .. } => extremes(keys, *between)[0],
             Self::Wave(wave) => (wave.mean - wave.amplitude.abs()).min(0.0),
             Self::Shared { own, .. } => own.least(),
+            Self::Over { keys, own, .. } => keys.least().min(own.least()),
         }
     }
 
@@ -171,13 +195,46 @@ impl Drive {
             Self::Constant(_) => 0.0,
             Self::Wave(Wave { amplitude: 0.0, start, period, .. }) => start + period,
             Self::Shared { own, hand, .. } => hand.map_or(own.until(), |hand| hand.until(own.until())),
+            Self::Over { keys, ends, own, .. } => ends.map_or(keys.until(), |[_, back]| own.until().max(back)),
             Self::Keys { .. } | Self::Wave(_) => f64::INFINITY,
         }
     }
 
-    /// What it is by itself, without a hand.
-    fn own(&self) -> &Self {
-        if let Self::Shared { own, .. } = self { own } else { self }
+    /// What it is by itself, without hands and keys on top of it.
+    fn innermost(&self) -> &Self {
+        match self {
+            Self::Shared { own, .. } | Self::Over { own, .. } => own.innermost(),
+            itself => itself,
+        }
+    }
+
+    /// The wave that runs along a fibre, with its length [m].
+    pub(super) fn wave_along(&self) -> Option<(&Wave, f64)> {
+        let Self::Wave(wave) = self.innermost() else { return None };
+        wave.wavelength.map(|length| (wave, length))
+    }
+
+    /// What becomes of that wave's value at each place at a time [s].
+    pub(super) fn share_of_wave(&self, time: f64) -> OwnShare {
+        match self {
+            Self::Shared { own, hand, .. } => {
+                let own = own.share_of_wave(time);
+                hand.map_or(own, |hand| hand.share(time).after(own))
+            }
+            Self::Over { keys, begins, ends, own } => {
+                let own = own.share_of_wave(time);
+                let [first, second] = *begins;
+                match ends {
+                    _ if time < first => own,
+                    Some(ends) if time >= ends[0] => Lead::back(*ends, keys.at(ends[0]).0).share(time).after(own),
+                    _ if time < second => {
+                        Lead::away(*begins, keys.at(first).0, keys.at(second).0).share(time).after(own)
+                    }
+                    _ => OwnShare::none(keys.at(time).0),
+                }
+            }
+            Self::Constant(_) | Self::Keys { .. } | Self::Wave(_) => OwnShare::WHOLE,
+        }
     }
 
     /// What leads it.
@@ -199,7 +256,7 @@ impl Drive {
     pub(crate) fn led(&self, times: [f64; 2], aim: Option<f64>) -> Option<Hand> {
         let aim = aim.map(|aim| aim.clamp(self.least(), self.greatest()));
         let is_led = aim.is_some() || self.hand().is_some_and(|hand| hand.holds());
-        is_led.then(|| Hand::new(times, self.at(times[0]).0, aim))
+        is_led.then(|| Hand::new(times, self.at(times[0]).0, aim, self.hand()))
     }
 }
 
@@ -252,75 +309,6 @@ fn keyed(keys: &[Key], between: Between, after: After, time: f64) -> (f64, f64) 
     }
 }
 
-/// A drive at many places of a fibre.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct DriveAlong {
-    drive: Drive,
-    /// Cosine and sine of the way along each place in turns of the wave; none where all places are driven alike.
-    turns: Vec<[f64; 2]>,
-}
-
-impl DriveAlong {
-    /// A drive at places this far along a fibre [m].
-    pub(crate) fn new(drive: &Drive, places: impl Iterator<Item = f64>) -> Self {
-        let turns = match drive.own() {
-            Drive::Wave(Wave { wavelength: Some(wavelength), .. }) => places
-                .map(|place| {
-                    let (sin, cos) = (TAU * (place / wavelength).fract()).sin_cos();
-                    [cos, sin]
-                })
-                .collect(),
-            _ => Vec::new(),
-        };
-        Self { drive: drive.clone(), turns }
-    }
-
-    /// Its values at a time [s], by the number of the place.
-    pub(crate) fn at(&self, time: f64) -> impl Fn(usize) -> f64 + '_ {
-        let hand = self.drive.hand();
-        let (same, wave) = match self.drive.own() {
-            Drive::Wave(wave) if !self.turns.is_empty() => {
-                let (sin, cos) = wave.angle(time).sin_cos();
-                (0.0, Some((wave, wave.rise(time).0, [cos, sin])))
-            }
-            _ => (self.drive.at(time).0, None),
-        };
-        move |place| {
-            let Some((wave, rise, [cos, sin])) = wave else { return same };
-            let [c, s] = self.turns[place];
-            let own = rise * (wave.mean - wave.amplitude * (c * cos - s * sin));
-            hand.map_or(own, |hand| hand.lead_along(time, own))
-        }
-    }
-
-    /// Has a hand lead a shared drive, or none.
-    pub(crate) fn give(&mut self, to: &str, led: Option<Hand>) {
-        self.drive.give(to, led);
-    }
-
-    /// The greatest value that it takes, or the least.
-    pub(crate) fn extreme(&self, greatest: bool) -> f64 {
-        if greatest { self.drive.greatest() } else { self.drive.least() }
-    }
-
-    /// The larger of what a number that is the first of two where it is 0 and the second where it is 1 comes to where
-    /// it is at its greatest and at its least, or the smaller of both.
-    pub(crate) fn thickest(&self, [at_zero, at_one]: [f64; 2], larger: bool) -> f64 {
-        let [a, b] = [true, false].map(|greatest| at_zero + (at_one - at_zero) * self.extreme(greatest));
-        if larger { a.max(b) } else { a.min(b) }
-    }
-
-    /// Where it stands still at that value.
-    pub(crate) fn at_extreme(&self, greatest: bool) -> Self {
-        Self { drive: Drive::Constant(self.extreme(greatest)), turns: Vec::new() }
-    }
-
-    /// Until when [s] it changes.
-    pub(crate) fn until(&self) -> f64 {
-        self.drive.until()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -358,20 +346,6 @@ mod tests {
                     let difference = (drive.at(time + 1e-6).0 - drive.at(time - 1e-6).0) / 2e-6;
                     assert!((difference - drive.at(time).1).abs() < 1e-5, "{drive:?} {time}");
                 }
-            }
-        }
-    }
-
-    #[test]
-    fn a_wave_runs_along_a_fibre_as_it_swings_in_time() {
-        let (along, still) = (wave(Some(0.05)), wave(None));
-        let places = [0.0, 0.01, 0.03];
-        let driven = DriveAlong::new(&Drive::Wave(along), places.into_iter());
-        for time in [0.0, 0.3, 5.0] {
-            let values = driven.at(time);
-            for (k, place) in places.iter().enumerate() {
-                let late = Wave { phase: still.phase + TAU * place / 0.05, ..still };
-                assert!((values(k) - Drive::Wave(late).at(time).0).abs() < 1e-14, "{place} m, {time} s");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Volume fractions of fibres that get thicker and thinner as their drives say, at the particles around (eq. 18).
 
-use super::drive::DriveAlong;
+use super::drive_along::DriveAlong;
 use super::hand::Hand;
 
 /// The particles around such fibres, and what the volume fraction there is made of: the largest of all fibres and

@@ -11,6 +11,7 @@ pub(crate) mod body_contact;
 pub(crate) mod collider;
 pub(crate) mod constraint;
 pub(crate) mod drive;
+pub(crate) mod drive_along;
 pub(crate) mod driven;
 pub(crate) mod driven_fractions;
 pub(crate) mod dynamics;

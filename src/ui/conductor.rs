@@ -1,9 +1,8 @@
 //! Shared drives in hand: a slider each, by which muscles move now, and what was played as keys.
 
 use super::context::{Context, Severity, Step};
-use crate::bake::solver_drive;
 use crate::edit::Command;
-use crate::scene::{AfterLast, Drivable, Drive, DriveKeys, Interpolation};
+use crate::scene::Drivable;
 use crate::sim::{DriveStatus, SimCommand};
 use egui::{Button, RichText, Slider, SliderClamping, Ui};
 
@@ -20,9 +19,10 @@ pub(super) fn conductor(ui: &mut Ui, cx: &mut Context) {
     }
     let is_led = drives.iter().any(|of| of.is_led);
     ui.horizontal(|ui| {
-        let tooltip = "Makes keys of what was played since the start, linear from frame to frame, and lets go";
-        let has_played = ui.add_enabled(is_led, Button::new("Record")).on_hover_text(tooltip);
-        if has_played.on_disabled_hover_text("Nothing is in hand").clicked() {
+        let tooltip = "Makes keys of what was played since the start, linear from frame to frame, and lets go: played \
+                       again from the start it is the same motion";
+        let has_played = ui.add_enabled(cx.simulation.was_played(), Button::new("Record")).on_hover_text(tooltip);
+        if has_played.on_disabled_hover_text("Nothing was played since the start").clicked() {
             record(cx, &drives);
         }
         let tooltip = "The drives go on by themselves; nothing of the scene changes";
@@ -61,31 +61,16 @@ fn release(cx: &Context, drives: &[DriveStatus]) {
     }
 }
 
-/// Makes keys of what was played: one step of undo.
+/// Makes keys of what was played, on top of what the drives are by themselves: one step of undo.
 fn record(cx: &mut Context, drives: &[DriveStatus]) {
     let journal = cx.simulation.journal();
     let scene = cx.scene().clone();
-    let mut commands = Vec::new();
-    for of in drives {
-        let Some(drivable) = drivable(cx, of) else { continue };
-        let Some(drive) = drivable.drive(&scene) else { continue };
-        let own = solver_drive(drive, &[]);
-        let mut keys = journal.played(of.body, &of.id, |time| own.at(time).0, of.limits);
-        let Some(&(first, _)) = keys.first() else { continue };
-        // What it was by itself before a hand took it.
-        let seconds = scene.time.frame_seconds();
-        let before = (0..).map(|k| f64::from(k) * seconds).take_while(|time| *time < first - 0.5 * seconds);
-        if !matches!(drive, Drive::Constant(_)) {
-            let led: Vec<(f64, f64)> = before.map(|time| (time, own.at(time).0)).collect();
-            keys.splice(0..0, led);
-        }
-        let keys = DriveKeys { between: Interpolation::Linear, after: AfterLast::Hold, ..DriveKeys::new(keys) };
-        commands.push(Command::SetDrive { of: drivable, drive: Some(keys.into()) });
-    }
-    if commands.is_empty() {
-        cx.say(Severity::Note, "Nothing was played since the start");
-        return;
-    }
+    let performed = |of: &DriveStatus| {
+        let drivable = drivable(cx, of)?;
+        let drive = journal.performed(of.body, &of.id, drivable.drive(&scene)?)?;
+        Some(Command::SetDrive { of: drivable, drive: Some(drive) })
+    };
+    let commands: Vec<Command> = drives.iter().filter_map(performed).collect();
     let name = "Record performance".to_owned();
     cx.say(Severity::Note, "What was played is keys now: reset plays it from the start (Drives, below the views)");
     cx.edit(&Command::Many { name, commands }, Step::Own);

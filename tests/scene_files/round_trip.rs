@@ -98,7 +98,9 @@ fn rotation() -> impl Strategy<Value = Rotation> {
 fn drive() -> impl Strategy<Value = Drive> {
     let between = prop_oneof![Just(Interpolation::Stepped), Just(Interpolation::Linear), Just(Interpolation::Smooth)];
     let after = prop_oneof![Just(AfterLast::Hold), Just(AfterLast::Repeat), Just(AfterLast::Mirror)];
-    let keys = (vec((0.0..=1.0, extra()), 2..4), between, after, extra()).prop_map(|(keys, between, after, extra)| {
+    let otherwise = proptest::option::of((0.0..=1.0, proptest::option::of(above_zero()), extra()));
+    let keys = (vec((0.0..=1.0, extra()), 2..4), between, after, otherwise, extra());
+    let keys = keys.prop_map(|(keys, between, after, otherwise, extra)| {
         // What a smooth course overshoots is for other tests.
         let slope = if between == Interpolation::Smooth { 0.0 } else { 0.1 };
         let key = |(number, (value, extra)): (usize, (f64, _))| {
@@ -106,7 +108,12 @@ fn drive() -> impl Strategy<Value = Drive> {
             DriveKey { slope: slope * number, extra, ..DriveKey::new(number / 3.0, value) }
         };
         let keys = keys.into_iter().enumerate().map(key).collect();
-        Drive::Keyframes(DriveKeys { keys, between, after, extra })
+        let otherwise = otherwise.map(|(value, back_in, extra)| Otherwise {
+            drive: Box::new(Drive::Constant(value)),
+            back_in: back_in.filter(|_| after == AfterLast::Hold),
+            extra,
+        });
+        Drive::Keyframes(DriveKeys { keys, between, after, otherwise, extra })
     });
     let wave = (above_zero(), number(), proptest::option::of(1e-6..1e6), above_zero(), extra()).prop_map(
         |(period, phase_degrees, wavelength, start, extra)| {

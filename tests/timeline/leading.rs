@@ -2,7 +2,7 @@
 //! for bit.
 
 use crate::{Run, advance, all_are_shown_again, ask, same, show, start, until};
-use sinew::scene::{Assets, Drive, DriveKeys, Interpolation, Scene};
+use sinew::scene::{Assets, Drive, Scene};
 use sinew::sim::{Journal, Rerun, SimCommand};
 
 /// A bar, held at one end, with a fibre and a pin that follow a drive each, and one along which a wave runs.
@@ -130,30 +130,67 @@ fn frames_that_were_played_are_shown_again_and_gone_on_from() {
 /// The scene of a journal with what was played in it as keys.
 fn keyed(journal: &Journal, ids: &[&str]) -> Scene {
     let mut scene: Scene = (*journal.scene).clone();
-    for drive in scene.bodies[0].drives.iter_mut().filter(|drive| ids.contains(&drive.id.as_str())) {
-        let keys = journal.played(0, &drive.id, |time| time / 9.0, [0.0, 1.0]);
-        assert!(keys.len() == 7 && keys.windows(2).all(|pair| pair[0].0 < pair[1].0), "{keys:?}");
-        drive.drive = Drive::from(DriveKeys { between: Interpolation::Linear, ..DriveKeys::new(keys) });
+    for shared in scene.bodies[0].drives.iter_mut().filter(|shared| ids.contains(&shared.id.as_str())) {
+        shared.drive = journal.performed(0, &shared.id, &shared.drive).expect("it was played");
     }
     scene
+}
+
+/// A motion's hashes, and those of its scene with what was played in it as keys, from the start.
+fn played_again(worker: &Run, ids: &[&str]) -> [Vec<String>; 2] {
+    let journal = worker.journal();
+    let again = start(&sinew::io::scene_to_json(&keyed(&journal, ids)));
+    advance(&again, journal.frames() as usize);
+    [again.journal().hashes, journal.hashes]
 }
 
 #[test]
 fn what_was_played_becomes_keys_with_the_same_bits() {
     let worker = start(&acting());
-    play(&worker, false);
-    let journal = worker.journal();
-    let again = start(&sinew::io::scene_to_json(&keyed(&journal, &["pull"])));
-    advance(&again, 9);
-    assert_eq!(again.journal().hashes, journal.hashes);
+    play(&worker, true);
+    assert!(worker.journal().performed(0, "wave", &Drive::Constant(0.5)).is_none(), "no hand led it");
+    let scene = keyed(&worker.journal(), &["pull", "way"]);
+    for shared in &scene.bodies[0].drives[..2] {
+        let Drive::Keyframes(keys) = &shared.drive else { panic!("{shared:?}") };
+        let times: Vec<f64> = keys.keys.iter().map(|key| key.time).collect();
+        assert!(times.len() == 6 && times.windows(2).all(|pair| pair[0] < pair[1]), "{times:?}");
+    }
+    let [again, played] = played_again(&worker, &["pull", "way"]);
+    assert_eq!(again, played);
 }
 
 #[test]
-fn a_pin_that_was_played_comes_near() {
-    let worker = start(&acting());
-    let played = play(&worker, true);
-    let again = start(&sinew::io::scene_to_json(&keyed(&worker.journal(), &["pull", "way"])));
-    // What is pinned has the speed of its first key from the start, not that of the drive that was there before.
-    let apart = furthest(&played, &advance(&again, 9));
-    assert!(apart < 1e-6, "{apart} m");
+fn what_drives_are_by_themselves_stays_before_between_and_after() {
+    let smooth = acting().replacen(r#""between": "linear""#, r#""between": "smooth""#, 1);
+    let worker = start(&smooth);
+    // Taken in mid-motion, led on, let go, left alone, taken again; along a fibre, too.
+    advance(&worker, 2);
+    for (pull, wave, frames) in
+        [(Some(0.9), Some(0.2), 2), (Some(0.4), Some(0.8), 1), (None, None, 3), (Some(0.7), Some(1.0), 2)]
+    {
+        lead(&worker, "pull", pull);
+        lead(&worker, "wave", wave);
+        advance(&worker, frames);
+    }
+    lead(&worker, "wave", None);
+    advance(&worker, 3);
+    let [again, played] = played_again(&worker, &["pull", "wave"]);
+    let first = again.iter().zip(&played).position(|(one, other)| one != other);
+    assert_eq!((first, again.len()), (None, 13));
+    // It does make a difference.
+    let other = start(&smooth);
+    advance(&other, 13);
+    assert!(other.journal().hashes[2..].iter().zip(&played[2..]).all(|(one, other)| one != other));
+    assert_eq!(other.journal().hashes[..2], played[..2]);
+    // Played on top of what was recorded, from before it on, it takes its place.
+    let scene = keyed(&worker.journal(), &["pull"]);
+    let over = start(&sinew::io::scene_to_json(&scene));
+    advance(&over, 1);
+    lead(&over, "pull", 0.5);
+    advance(&over, 4);
+    let [again, played] = played_again(&over, &["pull"]);
+    assert_eq!(again, played);
+    let Drive::Keyframes(keys) = &keyed(&over.journal(), &["pull"]).bodies[0].drives[0].drive else { panic!("keys") };
+    let otherwise = keys.otherwise.as_ref().expect("what it was");
+    assert!(matches!(&*otherwise.drive, Drive::Keyframes(own) if own.otherwise.is_none()), "{otherwise:?}");
 }

@@ -47,9 +47,7 @@ pub(super) fn scaled_drives(drives: &mut [SharedDrive], factor: f64) {
 }
 
 pub(super) fn scale_drive(drive: &mut Drive, factor: f64) {
-    if let Drive::Wave(wave) = drive
-        && let Some(wavelength) = &mut wave.wavelength
-    {
+    if let Some(wavelength) = drive.wave_mut().and_then(|wave| wave.wavelength.as_mut()) {
         *wavelength *= factor;
     }
 }

@@ -4,7 +4,7 @@ use super::edited::{Edited, LEAST_VERTICES, Sampling, with_vertices};
 use super::error::FibreEditError;
 use super::vertices::vertices;
 use crate::geometry::curve::arc_length;
-use crate::scene::{Drive, Fibre, SharedDrive};
+use crate::scene::{Fibre, SharedDrive};
 
 /// Copies of fibres under new identifiers and names. `among` are the fibres of the body that the copies go into.
 pub fn copies<'a>(of: impl IntoIterator<Item = &'a Fibre>, among: &[Fibre]) -> Vec<Fibre> {
@@ -63,12 +63,12 @@ pub fn split(
     let second = with_vertices(fibre, &vertices[vertex..])?.fibre;
     let mut second = copies([&second], among).remove(0);
     if let Some(activation) = &mut second.activation
-        && let Some(Drive::Wave(wave)) = activation.drive.resolved(shared)
+        && let Some(mut drive) = activation.drive.resolved(shared).cloned()
+        && let Some(wave) = drive.wave_mut()
         && let Some(wavelength) = wave.wavelength
     {
-        let mut wave = wave.clone();
         wave.phase_degrees += 360.0 * (arc_length(&vertices[..=vertex]) / wavelength).fract();
-        activation.drive = wave.into();
+        activation.drive = drive;
     }
     Ok((first, second))
 }

@@ -5,7 +5,7 @@ use super::check::{
     At, Checked, Ids, direction, finite, fraction, increasing, not_negative, number, positive, require,
 };
 use crate::scene::drive::CONTRACTION;
-use crate::scene::{Activation, AfterLast, Drive, DriveKeys, Fibre, SharedDrive, Wave};
+use crate::scene::{Activation, AfterLast, Drive, DriveKeys, Fibre, Otherwise, SharedDrive, Wave};
 
 /// Checks the drives that a body shares.
 pub(super) fn shared(at: &At<'_>, drives: &[SharedDrive]) -> Checked {
@@ -14,10 +14,7 @@ pub(super) fn shared(at: &At<'_>, drives: &[SharedDrive]) -> Checked {
         let at = at.field("drives");
         let at = at.item(index);
         ids.add(&at.field("id"), &one.id)?;
-        let at = at.field("drive");
-        let own = !matches!(one.drive, Drive::Shared(_));
-        require(&at, &one.drive, own, "only names another drive", || "give it a constant, keyframes or a wave")?;
-        drive(&at, &one.drive, drives)?;
+        own(&at.field("drive"), &one.drive)?;
     }
     Ok(())
 }
@@ -42,7 +39,7 @@ pub(super) fn drive(at: &At<'_>, drive: &Drive, shared: &[SharedDrive]) -> Check
     }
 }
 
-fn keyframes(at: &At<'_>, DriveKeys { keys, after, .. }: &DriveKeys) -> Checked {
+fn keyframes(at: &At<'_>, DriveKeys { keys, after, otherwise, .. }: &DriveKeys) -> Checked {
     let list = at.field("keys");
     increasing(&list, keys.iter().map(|key| key.time))?;
     for (index, key) in keys.iter().enumerate() {
@@ -51,7 +48,23 @@ fn keyframes(at: &At<'_>, DriveKeys { keys, after, .. }: &DriveKeys) -> Checked 
         finite(&at.field("slope"), key.slope, "1/s")?;
     }
     let comes_again = *after == AfterLast::Hold || keys.len() > 1;
-    require(&at.field("after"), after, comes_again, "has one key only to come again to", || "give two keys or more")
+    require(&at.field("after"), after, comes_again, "has one key only to come again to", || "give two keys or more")?;
+    let Some(Otherwise { drive, back_in, .. }) = otherwise else { return Ok(()) };
+    let stays = *after == AfterLast::Hold || back_in.is_none();
+    let problem = "comes again, and goes back to what it is otherwise";
+    require(&at.field("after"), after, stays, problem, || "leave it or `back_in` out")?;
+    let at = at.field("otherwise");
+    if let Some(seconds) = back_in {
+        positive(&at.field("back_in"), *seconds, "s")?;
+    }
+    own(&at.field("drive"), drive)
+}
+
+/// Checks a drive that cannot name one that a body shares.
+fn own(at: &At<'_>, of: &Drive) -> Checked {
+    let own = !matches!(of, Drive::Shared(_));
+    require(at, of, own, "only names another drive", || "give it a constant, keyframes or a wave")?;
+    drive(at, of, &[])
 }
 
 fn wave(at: &At<'_>, Wave { mean, amplitude, period, phase_degrees, wavelength, start, .. }: &Wave) -> Checked {
@@ -76,10 +89,7 @@ fn wave(at: &At<'_>, Wave { mean, amplitude, period, phase_degrees, wavelength, 
 /// Checks a drive of what is no fibre, along which nothing runs.
 pub(super) fn still(at: &At<'_>, of: &Drive, shared: &[SharedDrive]) -> Checked {
     drive(at, of, shared)?;
-    let wavelength = match of.resolved(shared) {
-        Some(Drive::Wave(wave)) => wave.wavelength,
-        _ => None,
-    };
+    let wavelength = of.resolved(shared).and_then(Drive::wave).and_then(|wave| wave.wavelength);
     let problem = "runs along fibres, and this is none";
     require(at, of, wavelength.is_none(), problem, || "leave its wavelength out, or give a drive of its own")
 }

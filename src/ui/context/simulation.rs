@@ -203,6 +203,11 @@ impl Simulation {
         self.worker.journal()
     }
 
+    /// Whether hands have led any shared drive since its start.
+    pub(crate) fn was_played(&self) -> bool {
+        self.worker.was_played()
+    }
+
     /// What is grabbed by the pointer.
     pub(crate) fn grabbed(&self) -> Option<Grabbed> {
         self.grabbed

@@ -10,6 +10,7 @@ use crate::scene::{
 use crate::text::number::compact;
 use crate::text::quantity::typed;
 use crate::ui::context::{Context, Step};
+use crate::ui::motion_fields::drive_words;
 use crate::ui::theme::GRID;
 use egui::{ComboBox, DragValue, TextStyle, Ui};
 
@@ -53,7 +54,12 @@ pub(super) fn lane_fields(ui: &mut Ui, cx: &mut Context, of: &Drivable) {
     let mut chosen = None;
     match &mut changed {
         Drive::Keyframes(keys) => {
-            ui.horizontal(|ui| chosen = key_values(ui, cx, of, keys));
+            ui.horizontal(|ui| {
+                chosen = key_values(ui, cx, of, keys);
+                if takes_otherwise_away(ui, keys) {
+                    step = Step::Own;
+                }
+            });
         }
         Drive::Wave(wave) => {
             ui.horizontal(|ui| wave_times(ui, wave, of.runs_along(&scene)));
@@ -150,6 +156,19 @@ fn key_choices(ui: &mut Ui, keys: &mut DriveKeys) -> bool {
     let comes_again = keys.keys.len() > 1;
     ui.add_enabled_ui(comes_again, |ui| choice(ui, "after", &mut keys.after, &after, "From the last key on"));
     before != (keys.between, keys.after)
+}
+
+/// Shows what keys are otherwise, if anything; whether it was taken away.
+fn takes_otherwise_away(ui: &mut Ui, keys: &mut DriveKeys) -> bool {
+    let Some(otherwise) = &keys.otherwise else { return false };
+    let back =
+        otherwise.back_in.map_or(String::new(), |seconds| format!(", and again {} s after the last", compact(seconds)));
+    ui.weak("on top").on_hover_text(format!("Before the first key it is {}{back}", drive_words(&otherwise.drive)));
+    let taken = ui.small_button("×").on_hover_text("Takes away what it is before its first key").clicked();
+    if taken {
+        keys.otherwise = None;
+    }
+    taken
 }
 
 fn choice<T: PartialEq + Copy>(ui: &mut Ui, salt: &str, value: &mut T, all: &[(T, &str, &str)], tooltip: &str) {

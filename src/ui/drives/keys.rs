@@ -31,7 +31,7 @@ pub(super) fn with_key(keys: &DriveKeys, time: f64, value: f64, frame: f64) -> (
     (keys, index)
 }
 
-/// Without some of its keys; where none is left, what the first of these was.
+/// Without some of its keys; where none is left, what it is otherwise, or what the first of these was.
 pub(super) fn without_keys(keys: &DriveKeys, which: &[usize]) -> Drive {
     let mut left = keys.clone();
     let mut index = 0;
@@ -40,7 +40,10 @@ pub(super) fn without_keys(keys: &DriveKeys, which: &[usize]) -> Drive {
         !which.contains(&(index - 1))
     });
     match left.keys.len() {
-        0 => Drive::Constant(keys.keys.first().map_or(0.0, |key| key.value)),
+        0 => match left.otherwise {
+            Some(otherwise) => *otherwise.drive,
+            None => Drive::Constant(keys.keys.first().map_or(0.0, |key| key.value)),
+        },
         // One alone is none to come again to.
         1 => DriveKeys { after: AfterLast::Hold, ..left }.into(),
         _ => left.into(),

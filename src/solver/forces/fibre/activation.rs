@@ -1,7 +1,8 @@
 //! What drives make of fibres: other lengths, curvatures, twists at rest, and the pull of muscles.
 
 use super::muscle::Muscle;
-use crate::solver::drive::{Drive, DriveAlong};
+use crate::solver::drive::Drive;
+use crate::solver::drive_along::DriveAlong;
 use crate::solver::hand::Hand;
 use glam::DVec3;
 

@@ -97,6 +97,7 @@ impl Placing<'_> {
         for (k, fibre) in self.body.fibres.iter().enumerate() {
             let path = format!("{}/fibres/{k}", self.path);
             self.warn_if_weak(fibre, &path);
+            self.warn_if_it_gives_way(fibre, &path);
             match self.runs(fibre, &path) {
                 Ok(runs) => placed.extend(runs.into_iter().filter_map(|run| self.embed(k, run, &path))),
                 Err(error) => self.note(&path, true, format!("the fibre is left out: {error}")),
@@ -214,6 +215,26 @@ impl Placing<'_> {
                  weakens the solid; raise EA or lower the material's Young's modulus"
             );
             self.note(&format!("{path}/stiffness"), true, text);
+        }
+    }
+
+    /// A muscle pulls less the longer it is: where it loses more than fibre and matrix gain, it gives way.
+    fn warn_if_it_gives_way(&mut self, fibre: &Fibre, path: &str) {
+        let Some((of, muscle)) = fibre.activation.as_ref().and_then(|of| Some((of, of.muscle.as_ref()?))) else {
+            return;
+        };
+        let material = &self.body.material;
+        let share = fibre.greatest_fraction(&self.body.drives);
+        let loses = 2.0 * share * muscle.force * drive(&of.drive, &self.body.drives).greatest() / muscle.width;
+        let (ea, _) = fibre.stiffness.rigidity(material.spacing().powi(3));
+        let gains = share * ea + material.young_modulus * PI * material.support_radius.powi(2);
+        if loses > gains {
+            let text = format!(
+                "stretched to the end of its width it pulls as if by -{loses:.3e} N for its length, where the fibre and the \
+                 material in its reach hold {gains:.3e} N against that: it may give way all at once; lower the force, or \
+                 raise the width or EA"
+            );
+            self.note(&format!("{path}/activation/muscle"), true, text);
         }
     }
 }

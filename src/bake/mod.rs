@@ -123,7 +123,7 @@ pub fn bake(scene: &Scene, assets: &Assets) -> Result<Baked, BakeError> {
 pub fn bake_with_elements(scene: &Scene, assets: &Assets, own: &[OwnElements]) -> Result<Baked, BakeError> {
     elements::have_bodies(own, scene)?;
     let progress = &mut |_: &str, _| ControlFlow::Continue(());
-    spans::within(progress, |progress| put_together(scene, (assets, own), progress))
+    spans::within(progress, |progress| rebuild(scene, (assets, own), progress))
 }
 
 /// [`bake`], and `progress` hears what is being worked on: the name of a body and the stage. It is not asked again once
@@ -136,10 +136,10 @@ pub fn bake_with_progress(
     assets: &Assets,
     progress: &mut dyn FnMut(&str, BakeStage) -> ControlFlow<()>,
 ) -> Result<Baked, BakeError> {
-    spans::within(progress, |progress| put_together(scene, (assets, &[]), progress))
+    spans::within(progress, |progress| rebuild(scene, (assets, &[]), progress))
 }
 
-fn put_together(
+fn rebuild(
     scene: &Scene,
     (assets, own): (&Assets, &[OwnElements]),
     progress: &mut Tell<'_>,

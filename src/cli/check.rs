@@ -2,7 +2,7 @@
 
 use super::check_model::{ModelOptions, check_model};
 use super::error::printable;
-use super::prepare::{Sets, load, put_together, tell};
+use super::prepare::{Sets, bake_with_notes, load, tell};
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome, body_table};
 use crate::bake::Baked;
@@ -37,7 +37,7 @@ pub(super) fn run(args: &Check, console: &mut Console) -> Result<Outcome, CliErr
     }
     let source = printable(&args.scene);
     let mut loaded = load(Some(&args.scene), &args.sets, None, console)?;
-    let baked = put_together(&mut loaded, Some(&args.scene), console)?;
+    let baked = bake_with_notes(&mut loaded, Some(&args.scene), console)?;
     tell(&loaded.notes(&baked), console);
     console.print(&contents(&loaded.scene, &baked, &source))?;
     Ok(Outcome::Done)

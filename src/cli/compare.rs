@@ -4,7 +4,7 @@ use super::error::printable;
 use super::interruption::Interruption;
 use super::order_plot::{PlotLine, order_plot};
 use super::output;
-use super::prepare::{Loaded, Sets, Threads, load, put_together, tell};
+use super::prepare::{Loaded, Sets, Threads, bake_with_notes, load, tell};
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome};
 use crate::scene::IntegratorKind;
@@ -111,7 +111,7 @@ fn compare(args: &Compare, interruption: &Interruption, console: &mut Console) -
     let source = printable(&args.scene);
     let path = Some(args.scene.as_path());
     let mut loaded = load(Some(&args.scene), &args.sets, None, console)?;
-    let baked = put_together(&mut loaded, path, console)?;
+    let baked = bake_with_notes(&mut loaded, path, console)?;
     tell(loaded.made(), console);
     let Loaded { scene, .. } = loaded;
     output::check(

@@ -4,7 +4,7 @@ use super::drive::{RunEnd, drive, warn_unbalanced};
 use super::error::printable;
 use super::interruption::Interruption;
 use super::output;
-use super::prepare::{Sets, Span, Threads, load, put_together, tell};
+use super::prepare::{Sets, Span, Threads, bake_with_notes, load, tell};
 use super::svg::{Canvas, Scale};
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome};
@@ -109,7 +109,7 @@ fn converge(args: &Converge, interruption: &Interruption, console: &mut Console)
         console.progress(done as u64, args.layers.len() as u64, "runs");
         loaded.scene = refined(&base, index, layers);
         let spacing = loaded.scene.bodies[index].material.spacing();
-        let baked = put_together(&mut loaded, Some(&args.scene), console)?;
+        let baked = bake_with_notes(&mut loaded, Some(&args.scene), console)?;
         let mut runner = Runner::new(baked);
         let frames = runner.frames_for(args.span.limit(&loaded.scene));
         console.begin();

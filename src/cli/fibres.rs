@@ -2,7 +2,7 @@
 
 use super::motion::Up;
 use super::output::{self, check, wrote};
-use super::prepare::{Sets, folder_of, load, put_together};
+use super::prepare::{Sets, bake_with_notes, folder_of, load};
 use super::{CliError, Console, Outcome};
 use crate::export::Space;
 use crate::io::{check_lines_name, save_scene, with_models_from, write_lines};
@@ -64,7 +64,7 @@ pub(super) fn run(args: &Fibres, console: &mut Console) -> Result<Outcome, CliEr
         check_lines_name(path)?;
     }
     let mut loaded = load(Some(&args.scene), &args.sets, None, console)?;
-    let baked = put_together(&mut loaded, Some(&args.scene), console)?;
+    let baked = bake_with_notes(&mut loaded, Some(&args.scene), console)?;
     let mut scene = loaded.scene;
     let space = Space { up: args.up.axis(), scale: args.scale };
     let at = LineSpace { in_model: args.frame == LineFrame::Model, space };

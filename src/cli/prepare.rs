@@ -219,7 +219,7 @@ pub(super) fn folder_of(source: Option<&Path>) -> &Path {
 ///
 /// # Errors
 /// A model that cannot be used, or [`CliError::Bake`] with where the scene is from.
-pub(super) fn put_together(
+pub(super) fn bake_with_notes(
     loaded: &mut Loaded,
     source: Option<&Path>,
     console: &mut Console,

@@ -4,7 +4,7 @@ use super::drive::{RunEnd, drive, warn_unbalanced};
 use super::interruption::Interruption;
 use super::output;
 use super::picture::Look;
-use super::prepare::{Sets, Threads, frames_to, load, put_together, seconds, tell};
+use super::prepare::{Sets, Threads, bake_with_notes, frames_to, load, seconds, tell};
 use super::{CliError, Console, Outcome};
 use crate::sim::Runner;
 use crate::text::number::four_figures;
@@ -41,7 +41,7 @@ pub(super) fn run(args: &Render, interruption: &Interruption, console: &mut Cons
 
 fn render(args: &Render, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
     let mut loaded = load(args.scene.as_ref(), &args.sets, None, console)?;
-    let baked = put_together(&mut loaded, args.scene.as_deref(), console)?;
+    let baked = bake_with_notes(&mut loaded, args.scene.as_deref(), console)?;
     tell(&loaded.notes(&baked), console);
     let scene = loaded.scene;
     output::check(&output::inputs(args.scene.as_deref(), &scene), &[("--out", Some(&args.out))])?;

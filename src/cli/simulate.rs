@@ -6,7 +6,7 @@ use super::interruption::Interruption;
 use super::motion::{MotionOptions, told};
 use super::output;
 use super::picture::Look;
-use super::prepare::{Loaded, Sets, Span, Threads, frames_to, load, put_together, source_name, tell, word};
+use super::prepare::{Loaded, Sets, Span, Threads, bake_with_notes, frames_to, load, source_name, tell, word};
 use super::repeat::{Repeated, Run, RunReport};
 use super::summary::summary;
 use super::{CliError, Console, Outcome};
@@ -81,7 +81,7 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     args.motion.check(args.out.is_some(), args.png.is_some())?;
     let source = source_name(args.scene.as_deref());
     let mut loaded = load(args.scene.as_ref(), &args.sets, args.span.fps, console)?;
-    let baked = put_together(&mut loaded, args.scene.as_deref(), console)?;
+    let baked = bake_with_notes(&mut loaded, args.scene.as_deref(), console)?;
     let notes = loaded.notes(&baked);
     let Loaded { scene, assets, .. } = loaded;
     tell(&notes, console);

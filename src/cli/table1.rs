@@ -3,7 +3,7 @@
 use super::drive::{drive, warn_unbalanced};
 use super::interruption::Interruption;
 use super::output;
-use super::prepare::{Sets, load, put_together};
+use super::prepare::{Sets, bake_with_notes, load};
 use super::{CliError, Console, Outcome};
 use crate::bake::Baked;
 use crate::io::missing_files;
@@ -111,11 +111,11 @@ pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliEr
     for printed in &PAPER {
         let path = args.scenes.join(printed.file);
         let mut loaded = load(Some(&path), &Sets::default(), None, console)?;
-        let baked = put_together(&mut loaded, Some(&path), console)?;
+        let baked = bake_with_notes(&mut loaded, Some(&path), console)?;
         let (mut row, stopped) = measured(printed.model, baked, console)?;
         let scene = loaded.scene.clone();
         loaded.scene.time.frames_per_second = SEEN;
-        let at_sixty = put_together(&mut loaded, Some(&path), console)?;
+        let at_sixty = bake_with_notes(&mut loaded, Some(&path), console)?;
         let first = at_sixty.world.bodies().first();
         row.integrator = first.map_or("", |body| body.parts().integrator_word);
         for kind in IntegratorKind::ALL {
@@ -124,7 +124,7 @@ pub(super) fn run(args: &Table1, console: &mut Console) -> Result<Outcome, CliEr
             }
             loaded.scene = under(scene.clone(), kind);
             let frame_seconds = loaded.scene.time.frame_seconds();
-            let baked = put_together(&mut loaded, Some(&path), console)?;
+            let baked = bake_with_notes(&mut loaded, Some(&path), console)?;
             let real_time_factor = real_time(baked, frame_seconds, console)?;
             row.shares.push(Share { integrator: kind.word(), real_time_factor });
         }

@@ -41,20 +41,17 @@ impl Activation {
 
     /// Curling about an axis of the model frame, of any length but zero, by so many degrees a metre times a drive.
     pub fn curling(degrees_per_metre: f64, axis: impl Into<[f64; 3]>, drive: impl Into<Drive>) -> Self {
-        let curl = Curl { degrees_per_metre, axis: axis.into(), extra: Extra::new() };
-        Self { curl: Some(curl), ..Self::contracting(0.0, drive) }
+        Self { curl: Some(Curl::new(degrees_per_metre, axis)), ..Self::contracting(0.0, drive) }
     }
 
     /// Pulling as a muscle of this greatest force [N] that a drive excites.
     pub fn pulling(force: f64, drive: impl Into<Drive>) -> Self {
-        let muscle = MusclePull { force, width: usual_width(), extra: Extra::new() };
-        Self { muscle: Some(muscle), ..Self::contracting(0.0, drive) }
+        Self { muscle: Some(MusclePull::new(force)), ..Self::contracting(0.0, drive) }
     }
 
     /// Twisting by so many degrees a metre times a drive, right-handed along the fibre.
     pub fn twisting(degrees_per_metre: f64, drive: impl Into<Drive>) -> Self {
-        let twist = TwistRate { degrees_per_metre, extra: Extra::new() };
-        Self { twist: Some(twist), ..Self::contracting(0.0, drive) }
+        Self { twist: Some(TwistRate::new(degrees_per_metre)), ..Self::contracting(0.0, drive) }
     }
 
     /// Of this volume fraction, from 0 to 1, where a drive is 1.
@@ -70,6 +67,27 @@ impl Activation {
         };
         let [a, b] = [-own, 1.0 - own].map(|way| way / more);
         [a.min(b), a.max(b)]
+    }
+}
+
+impl MusclePull {
+    /// A muscle of this greatest force [N] and the usual width.
+    pub fn new(force: f64) -> Self {
+        Self { force, width: usual_width(), extra: Extra::new() }
+    }
+}
+
+impl Curl {
+    /// So many degrees a metre about an axis of the model frame, of any length but zero.
+    pub fn new(degrees_per_metre: f64, axis: impl Into<[f64; 3]>) -> Self {
+        Self { degrees_per_metre, axis: axis.into(), extra: Extra::new() }
+    }
+}
+
+impl TwistRate {
+    /// So many degrees a metre, right-handed along the fibre.
+    pub fn new(degrees_per_metre: f64) -> Self {
+        Self { degrees_per_metre, extra: Extra::new() }
     }
 }
 

@@ -138,6 +138,18 @@ pub struct BreakPast {
     pub extra: Extra,
 }
 
+impl BreakPast {
+    /// A turn of a vertex away from the rest shape [degrees], up to 180.
+    pub fn angle(degrees: f64) -> Self {
+        Self { angle: Some(degrees), ..Self::default() }
+    }
+
+    /// A force that an edge carries [N].
+    pub fn tension(newtons: f64) -> Self {
+        Self { tension: Some(newtons), ..Self::default() }
+    }
+}
+
 /// What a fibre yields past: a wire that is bent further stays bent. Resetting the motion mends it. What is left out
 /// never yields.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

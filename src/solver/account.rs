@@ -16,7 +16,7 @@ const ROUND_OFF: f64 = 1e-9;
 
 /// What is seen of a body, or of a whole world, at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Sight {
+pub(super) struct BalanceSample {
     /// [s]
     pub(super) time: f64,
     /// Energy less the work that was done from outside so far [J].
@@ -30,7 +30,7 @@ pub(super) struct Sight {
 /// What was gained so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Account {
-    last: Option<Sight>,
+    last: Option<BalanceSample>,
     first: f64,
     /// By how much the balance has risen beyond what it may in the time since it last was at its lowest [J].
     excess: f64,
@@ -44,7 +44,7 @@ pub(super) struct Account {
 
 impl Account {
     /// Looks; an error where the balance is no number.
-    pub(super) fn look(&mut self, now: Sight) {
+    pub(super) fn look(&mut self, now: BalanceSample) {
         let Some(last) = self.last else {
             *self =
                 Self { last: Some(now), first: now.balance, since: now.time, handled: now.handled, ..Self::default() };

@@ -46,7 +46,7 @@ energies! {
     grab,
     /// Energy of the fibres' twist.
     twisting,
-    /// The work that the drives of fibres, sheets, gravity and enclosed gas have done on the body, counted down from
+    /// The work that the drives of fibres, sheets, elements, springs, gravity and enclosed gas have done on the body, counted down from
     /// zero: with it the sum stays what it was. What pins, panels, grabs and wind do comes from outside and is not
     /// among the energies.
     activation,

@@ -5,7 +5,7 @@ use super::drives::{key_button, keyed_field, point_at};
 use super::field::{NumberField, vector};
 use super::motion_fields::drive_words;
 use crate::scene::{
-    Activation, Curl, Drivable, Drive, Extra, Fibre, MusclePull, Sheet, SheetActivation, Stiffness, TwistRate,
+    Activation, Curl, Drivable, Drive, Fibre, MusclePull, Sheet, SheetActivation, Stiffness, TwistRate,
 };
 use egui::{CollapsingHeader, RichText, Ui};
 
@@ -72,7 +72,7 @@ pub(super) fn activation_fields(ui: &mut Ui, cx: &mut Context, fibre: &mut Fibre
             if keyed_field(ui, cx, &TWIST, &mut rate, &of) {
                 acts.twist = (rate != 0.0).then(|| match acts.twist.take() {
                     Some(twist) => TwistRate { degrees_per_metre: rate, ..twist },
-                    None => TwistRate { degrees_per_metre: rate, extra: Extra::new() },
+                    None => TwistRate::new(rate),
                 });
             }
         }
@@ -133,7 +133,7 @@ fn curl(ui: &mut Ui, cx: &mut Context, acts: &mut Activation, of: &Drivable) {
     if keyed_field(ui, cx, &CURL, &mut rate, of) {
         acts.curl = (rate != 0.0).then(|| match acts.curl.take() {
             Some(curl) => Curl { degrees_per_metre: rate, ..curl },
-            None => Curl { degrees_per_metre: rate, axis: [0.0, 0.0, 1.0], extra: Extra::new() },
+            None => Curl::new(rate, [0.0, 0.0, 1.0]),
         });
     }
     if let Some(curl) = &mut acts.curl {
@@ -150,7 +150,7 @@ fn muscle(ui: &mut Ui, cx: &mut Context, acts: &mut Activation, of: &Drivable) {
     if keyed_field(ui, cx, &FORCE, &mut force, of) {
         acts.muscle = (force != 0.0).then(|| match acts.muscle.take() {
             Some(muscle) => MusclePull { force, ..muscle },
-            None => MusclePull { force, width: 0.5, extra: Extra::new() },
+            None => MusclePull::new(force),
         });
     }
     if let Some(muscle) = &mut acts.muscle {

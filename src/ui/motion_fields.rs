@@ -16,15 +16,17 @@ const TURN: NumberField = NumberField::new(
 
 /// Shows how something is moved, with the button that lets a drive do it.
 pub(super) fn motion_fields(ui: &mut Ui, cx: &mut Context, motion: &mut Motion, of: &Drivable) {
-    let row = ui.horizontal(|ui| {
-        ui.label(words(motion))
-            .on_hover_text("The diamond lets it follow keys in its lane, under Drives below the timeline");
-        key_button(ui, cx, of);
+    let fields = ui.scope(|ui| {
+        ui.horizontal(|ui| {
+            ui.label(words(motion))
+                .on_hover_text("The diamond lets it follow keys in its lane, under Drives below the timeline");
+            key_button(ui, cx, of);
+        });
+        if let Motion::Driven(driven) = motion {
+            driven_fields(ui, driven);
+        }
     });
-    point_at(ui, cx, row.response.rect, of);
-    if let Motion::Driven(driven) = motion {
-        driven_fields(ui, driven);
-    }
+    point_at(ui, cx, fields.response.rect, of);
 }
 
 fn driven_fields(ui: &mut Ui, driven: &mut DrivenMotion) {

@@ -73,13 +73,20 @@ fn show_panel(ui: &mut Ui, cx: &mut Context, panel: &mut Panel) {
     let extent = |label| NumberField { range: 1e-4..=1000.0, ..length(label, "Extent of the panel") };
     extent("Width, X").show(ui, &mut panel.size[0]);
     extent("Depth, Z").show(ui, &mut panel.size[1]);
-    show_motions(ui, panel);
-    let height = panel.height;
-    match &mut panel.motion {
-        PanelMotion::Falls => {}
-        PanelMotion::Driven(keys) => show_heights(ui, keys, height),
-        PanelMotion::Follows(follows) => show_follows(ui, cx, follows, &Drivable::Panel(panel.id.clone())),
-    }
+    let of = Drivable::Panel(panel.id.clone());
+    let fields = ui.scope(|ui| {
+        ui.horizontal(|ui| {
+            show_motions(ui, panel);
+            key_button(ui, cx, &of);
+        });
+        let height = panel.height;
+        match &mut panel.motion {
+            PanelMotion::Falls => {}
+            PanelMotion::Driven(keys) => show_heights(ui, keys, height),
+            PanelMotion::Follows(follows) => show_follows(ui, follows),
+        }
+    });
+    point_at(ui, cx, fields.response.rect, &of);
 }
 
 /// Chooses how a panel moves. What it did before is kept, so that a look at another motion loses no drive and no
@@ -96,37 +103,31 @@ fn show_motions(ui: &mut Ui, panel: &mut Panel) {
             ui.data_mut(|data| data.insert_temp(kept_drive, follows.clone()));
         }
     }
-    ui.horizontal(|ui| {
-        let falls = panel.motion == PanelMotion::Falls;
-        if ui.selectable_label(falls, "Falls").on_hover_text("Falls under gravity from rest").clicked() {
-            panel.motion = PanelMotion::Falls;
-        }
-        let driven = matches!(panel.motion, PanelMotion::Driven(_));
-        let choice = ui.selectable_label(driven, "Driven").on_hover_text("Follows heights over time");
-        if choice.clicked() && !driven {
-            let kept: Option<Vec<HeightKey>> = ui.data(|data| data.get_temp(kept_heights));
-            let usual = || [0.0, 1.0].map(|time| HeightKey::new(time, panel.height)).to_vec();
-            panel.motion = PanelMotion::Driven(kept.unwrap_or_else(usual));
-        }
-        let follows = matches!(panel.motion, PanelMotion::Follows(_));
-        let choice = ui.selectable_label(follows, "Follows").on_hover_text("Stands where a drive has it");
-        if choice.clicked() && !follows {
-            let drive: Option<PanelDrive> = ui.data(|data| data.get_temp(kept_drive));
-            panel.motion = PanelMotion::Follows(drive.unwrap_or_else(|| PanelDrive::new(0.0, USUAL_TRAVEL)));
-        }
-    });
+    let falls = panel.motion == PanelMotion::Falls;
+    if ui.selectable_label(falls, "Falls").on_hover_text("Falls under gravity from rest").clicked() {
+        panel.motion = PanelMotion::Falls;
+    }
+    let driven = matches!(panel.motion, PanelMotion::Driven(_));
+    let choice = ui.selectable_label(driven, "Driven").on_hover_text("Follows heights over time");
+    if choice.clicked() && !driven {
+        let kept: Option<Vec<HeightKey>> = ui.data(|data| data.get_temp(kept_heights));
+        let usual = || [0.0, 1.0].map(|time| HeightKey::new(time, panel.height)).to_vec();
+        panel.motion = PanelMotion::Driven(kept.unwrap_or_else(usual));
+    }
+    let follows = matches!(panel.motion, PanelMotion::Follows(_));
+    let choice = ui.selectable_label(follows, "Follows").on_hover_text("Stands where a drive has it");
+    if choice.clicked() && !follows {
+        let drive: Option<PanelDrive> = ui.data(|data| data.get_temp(kept_drive));
+        panel.motion = PanelMotion::Follows(drive.unwrap_or_else(|| PanelDrive::new(0.0, USUAL_TRAVEL)));
+    }
 }
 
 /// Shows what a panel follows.
-fn show_follows(ui: &mut Ui, cx: &mut Context, follows: &mut PanelDrive, of: &Drivable) {
+fn show_follows(ui: &mut Ui, follows: &mut PanelDrive) {
     let tooltip = "How far above its height it stands where its drive is 1; below it where negative";
     length("Travel", tooltip).show(ui, &mut follows.travel);
-    let row = ui.horizontal(|ui| {
-        ui.weak(format!("times {}", drive_words(&follows.drive)))
-            .on_hover_text("Its lane is below the timeline, under Drives");
-        key_button(ui, cx, of);
-    });
-    point_at(ui, cx, row.response.rect, of);
+    ui.weak(format!("times {}", drive_words(&follows.drive)))
+        .on_hover_text("Its lane is below the timeline, under Drives");
 }
 
 /// Shows the heights [m] of a panel over time; the first one that is added where there is none is `usual`.

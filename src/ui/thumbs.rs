@@ -6,7 +6,7 @@ use std::io::Cursor;
 
 /// Pictures decoded in one frame at most, so that none is held up by them.
 const A_FRAME: u32 = 3;
-/// Frames of a strip lie one below the other; each is as high as it is wide.
+/// Frames of a strip lie one below the other, each of the form of the place into which it is painted.
 const FRAMES_PER_SECOND: f64 = 11.0;
 
 /// How a strip plays.
@@ -52,14 +52,7 @@ impl Thumbs {
         self.known.contains_key(name)
     }
 
-    /// Paints the picture of this name into a place.
-    pub(super) fn paint(&mut self, ui: &Ui, name: &'static str, png: &[u8], place: Rect) {
-        if let Some(texture) = self.get(ui.ctx(), name, png) {
-            Image::from_texture(&texture).corner_radius(CornerRadius::same(4)).paint_at(ui, place);
-        }
-    }
-
-    /// Paints a strip into a place; one that does not play, where it has come furthest.
+    /// Paints a strip, or one picture, into a place; a strip that does not play, where it has come furthest.
     pub(super) fn paint_strip(
         &mut self,
         ui: &Ui,
@@ -71,8 +64,9 @@ impl Thumbs {
     ) {
         let Some(texture) = self.get(ui.ctx(), name, png) else { return };
         let [width, height] = texture.size();
-        let last = (height / width.max(1)).saturating_sub(1);
-        if plays {
+        let high = (width as f32 * place.height() / place.width()).max(1.0);
+        let last = ((height as f32 / high).round() as usize).saturating_sub(1);
+        if plays && last > 0 {
             ui.ctx().request_repaint_after_secs(1.0 / FRAMES_PER_SECOND as f32);
         }
         let frames = ui.input(|input| input.time) * FRAMES_PER_SECOND;
@@ -84,7 +78,7 @@ impl Thumbs {
         };
         // Half a pixel of each side is left out: what lies above and below is another frame.
         let half = 0.5 / height as f32;
-        let share = |k: usize| k as f32 * width as f32 / height as f32;
+        let share = |k: usize| k as f32 / (last + 1) as f32;
         let part = Rect::from_x_y_ranges(0.0..=1.0, share(frame) + half..=share(frame + 1) - half);
         Image::from_texture(&texture).uv(part).corner_radius(CornerRadius::same(4)).paint_at(ui, place);
     }

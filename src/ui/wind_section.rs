@@ -28,14 +28,16 @@ pub(super) fn wind_section(ui: &mut Ui, cx: &mut Context) {
         step = Step::Own;
     }
     if let Some(wind) = &mut wind {
-        let row = ui.horizontal(|ui| {
-            ui.label("Velocity");
-            if before.is_some() {
-                key_button(ui, cx, &Drivable::Wind);
-            }
+        let fields = ui.scope(|ui| {
+            ui.horizontal(|ui| {
+                ui.label("Velocity");
+                if before.is_some() {
+                    key_button(ui, cx, &Drivable::Wind);
+                }
+            });
+            vector(ui, "", "m/s", &mut wind.velocity, "Where its drive is 1, or where it has none; world axes");
         });
-        point_at(ui, cx, row.response.rect, &Drivable::Wind);
-        vector(ui, "", "m/s", &mut wind.velocity, "Where its drive is 1, or where it has none; world axes");
+        point_at(ui, cx, fields.response.rect, &Drivable::Wind);
         DENSITY.show(ui, &mut wind.density);
         DRAG.show(ui, &mut wind.drag);
     }

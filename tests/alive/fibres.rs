@@ -86,12 +86,12 @@ fn a_fibre_contracts_a_rod_as_far_as_its_stiffness_has_it() {
 
 #[test]
 fn a_fibre_beside_the_axis_bends_a_rod_as_two_metals_do() {
-    for contract in [0.1, 0.3] {
+    for (ea, contract) in [(20.0, 0.1), (20.0, 0.3), (200.0, 0.3)] {
         let mut rod = rod([5, 15, 5]);
-        rod.fibres.push(upright(15, 1.5 * D, 20.0 * F, coming(contract)));
+        rod.fibres.push(upright(15, 1.5 * D, ea * F, coming(contract)));
         let (baked, runner) = settled(rod);
         let [area, inertia, offset] = section_of(&baked);
-        let (fibre, d) = (0.25 * 20.0, 1.5 - offset);
+        let (fibre, d) = (0.25 * ea, 1.5 - offset);
         let tension = contract / (1.0 / fibre + 1.0 / area + d * d / inertia);
         let expected = tension * d / inertia / D;
         let body = &runner.world().bodies()[0];
@@ -101,7 +101,7 @@ fn a_fibre_beside_the_axis_bends_a_rod_as_two_metals_do() {
         let curvature = (at(7) - at(5)).angle_between(at(9) - at(7)) / (2.0 * D);
         // Towards the fibre.
         assert!(at(14).x > at(7).x && at(0).x > at(7).x);
-        println!("{contract}: {:.4}", curvature / expected);
+        println!("{ea}, {contract}: {:.4}", curvature / expected);
         assert!((curvature / expected - 1.0).abs() < 0.035, "{curvature} 1/m, not {expected} 1/m");
     }
 }
@@ -323,7 +323,7 @@ fn the_balance_closes_whatever_acts() {
 
 #[test]
 fn a_muscle_pulls_as_far_as_its_length_lets_it() {
-    for excited in [0.25, 0.5, 1.0] {
+    for excited in [0.05, 0.25, 0.5, 1.0] {
         let mut rod = rod([4, 13, 4]);
         let drive = DriveKeys::new([(0.0, 0.0), (0.02, excited)]);
         rod.fibres.push(upright(13, 0.0, 0.0, Activation::pulling(40.0 * F, drive)));
@@ -338,6 +338,34 @@ fn a_muscle_pulls_as_far_as_its_length_lets_it() {
         let expected = (matrix - (matrix * matrix + 16.0 * pull * pull).sqrt()) / (8.0 * pull);
         println!("{excited}: {:.4}", strain / expected);
         assert!((strain / expected - 1.0).abs() < 0.01, "{strain}, not {expected}");
+    }
+}
+
+#[test]
+fn a_muscle_that_loses_more_than_the_rest_gains_is_told_of() {
+    let told = |force: f64, ea: f64| {
+        let mut rod = rod([4, 7, 4]);
+        rod.fibres.push(upright(7, 0.0, ea * F, Activation::pulling(force * F, 1.0)));
+        baked(&in_space(rod)).notes.iter().any(|note| note.warning && note.path.ends_with("/activation/muscle"))
+    };
+    // E pi h² is 19.6 E D² where the support radius h is 2.5 D; 2 l_f T0 / w is T0.
+    assert!(told(25.0, 0.0) && !told(15.0, 0.0) && !told(25.0, 40.0));
+}
+
+#[test]
+fn twisting_stiffness_takes_shorter_steps_as_measured() {
+    let step = |gj: f64| {
+        let mut bar = rod([3, 7, 3]);
+        let mut fibre = upright(7, 0.0, 0.0, Activation::twisting(0.0, 1.0));
+        fibre.stiffness = Rigidity::new(0.0, 0.0).with_twisting(4.0 * gj * F * D * D).into();
+        bar.fibres.push(fibre);
+        baked(&in_space(bar)).world.bodies()[0].parts().stable_dt
+    };
+    let matrix = step(1e-6);
+    for (gj, slower) in [(5.0, 1.0), (50.0, 1.14), (500.0, 3.14)] {
+        let found = matrix / step(gj);
+        println!("{gj}: {found:.3}");
+        assert!((found / slower - 1.0).abs() < 0.05, "{gj}: {found}, not {slower}");
     }
 }
 

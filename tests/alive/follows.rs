@@ -37,14 +37,14 @@ pub fn scene(body: Body) -> Scene {
     in_space(body).with_frame_rate(100.0)
 }
 
-fn started(scene: &Scene, rig: &Rig) -> Runner {
+pub fn started(scene: &Scene, rig: &Rig) -> Runner {
     scene.validate().expect("a valid scene");
     let assets = load_assets(scene, rig.path(), &mut |_| {}).expect("files that are there");
     let baked = bake(scene, &assets).expect("a scene that bakes");
     Runner::new(baked)
 }
 
-fn run_to(runner: &mut Runner, seconds: f64) {
+pub fn run_to(runner: &mut Runner, seconds: f64) {
     while runner.world().frame() < runner.frames_for(seconds) {
         runner.advance_frame();
     }

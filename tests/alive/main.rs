@@ -9,6 +9,7 @@ mod edits;
 mod fibres;
 mod follows;
 mod follows_chosen;
+mod follows_softly;
 mod greeting;
 mod moved;
 mod rig;

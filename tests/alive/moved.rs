@@ -219,6 +219,42 @@ fn the_work_of_springs_is_booked_and_only_theirs_that_are_chosen_change() {
 }
 
 #[test]
+fn springs_across_a_ring_bring_its_layers_together_or_apart() {
+    let apart = |kind: SpringChoice, contract: f64| {
+        let mut ring = TwoLayer { pressure: 0.0, ..TwoLayer::ring("ring") };
+        (ring.kd, ring.rkd) = (30.0, 30.0);
+        ring.active_springs = vec![ActiveSprings::new("across", "everything", contract, 1.0).only(kind)];
+        let runner = advanced(&Scene::new("ring").with_gravity([0.0; 3]).with_two_layer(ring), 3.0);
+        let positions = &runner.world().bodies()[0].state().positions;
+        let middle = positions.iter().sum::<DVec3>() / positions.len() as f64;
+        let radius = |layer: &[DVec3]| layer.iter().map(|x| x.distance(middle)).sum::<f64>() / layer.len() as f64;
+        let (outer, inner) = positions.split_at(positions.len() / 2);
+        radius(outer) - radius(inner)
+    };
+    let rest = apart(SpringChoice::Radius, 0.0);
+    assert!((rest - 1.0).abs() < 1e-6, "{rest} m");
+    for kind in [SpringChoice::Radius, SpringChoice::Shear] {
+        let [shorter, longer] = [0.3, -0.3].map(|contract| apart(kind, contract) / rest);
+        println!("{kind:?}: {shorter:.3}, {longer:.3}");
+        assert!((0.65..0.95).contains(&shorter) && (1.05..1.35).contains(&longer), "{kind:?}: {shorter}, {longer}");
+    }
+}
+
+#[test]
+fn a_pin_that_holds_one_axis_moves_along_that_alone() {
+    let mut body = block([3, 5, 3], 1e5);
+    body.regions = vec![Region::new("all", Selector::Everything)];
+    let motion = DrivenMotion::new(to_and_fro(), [0.02, 0.01, 0.0]);
+    body.pins = vec![pin("all", &[Axis::Y], motion.into())];
+    let runner = advanced(&in_space(body), 0.1);
+    let body = &runner.world().bodies()[0];
+    let ways = body.state().positions.iter().zip(body.parts().rest.iter()).map(|(now, rest)| *now - *rest);
+    for way in ways {
+        assert!((way - DVec3::Y * 0.005).length() < 1e-12, "{way}");
+    }
+}
+
+#[test]
 fn work_of_springs_stays_where_a_drive_is_taken_away_and_idle_ones_are_told() {
     let mut ball = TwoLayer { pressure: 0.0, ..TwoLayer::ball("ball") };
     let springs = |id: &str, region: &str| ActiveSprings::new(id, region, 0.2, Wave::new(0.3));

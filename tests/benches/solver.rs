@@ -67,8 +67,8 @@ fn block_scene([x, y, z]: [u32; 3], rest_shape: &str) -> Scene {
 }
 
 /// The forces of a block, and its particles slightly out of their places.
-fn deformed_block(layers: [u32; 3]) -> (Vec<Box<dyn Force>>, ParticleState) {
-    let world = block(layers, "straight");
+fn deformed_block(layers: [u32; 3], rest_shape: &str) -> (Vec<Box<dyn Force>>, ParticleState) {
+    let world = block(layers, rest_shape);
     let parts = world.bodies()[0].parts();
     let mut state = parts.state.clone();
     deform(&mut state.positions);
@@ -90,7 +90,7 @@ fn evaluate(bencher: Bencher<'_, '_>, force: &mut dyn Force, state: &ParticleSta
 
 #[divan::bench(args = SIZES, sample_count = 20)]
 fn matrix(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
-    let (mut forces, state) = deformed_block(layers);
+    let (mut forces, state) = deformed_block(layers, "straight");
     evaluate(bencher, forces[0].as_mut(), &state, state.len());
 }
 
@@ -155,9 +155,10 @@ fn built_in() -> World {
     world
 }
 
-#[divan::bench(args = SIZES)]
-fn four_fibres(bencher: Bencher<'_, '_>, layers: [u32; 3]) {
-    let (mut forces, state) = deformed_block(layers);
+/// Edges and bends of four fibres alone; items are vertices. Bends of a shape as drawn turn with the material.
+#[divan::bench(args = [("straight", SIZES[0]), ("as_drawn", SIZES[0]), ("straight", SIZES[1]), ("as_drawn", SIZES[1])])]
+fn four_fibres(bencher: Bencher<'_, '_>, (rest_shape, layers): (&str, [u32; 3])) {
+    let (mut forces, state) = deformed_block(layers, rest_shape);
     evaluate(bencher, forces[1].as_mut(), &state, 4 * (layers[1] as usize + 1));
 }
 

@@ -30,6 +30,21 @@ fn tied_values_change_together_and_ranges_are_lists() {
 }
 
 #[test]
+fn drives_are_set_and_varied() {
+    let mut scene = pressed();
+    scene["gravity_drive"] = json!({"wave": {"period": 0.04}});
+    let desk = Desk::new(&scene);
+    let period = "/gravity_drive/wave/period";
+    desk.done(&format!("sweep scene.json --vary {period}=0.02,0.03 --seconds 0.02 --report r.json"));
+    let rows = rows(&desk, "r.json");
+    for (row, value) in rows.iter().zip(["0.02", "0.03"]) {
+        desk.done(&format!("simulate scene.json --seconds 0.02 --set {period}={value} --report one.json"));
+        assert_eq!(row["bodies"], desk.json("one.json")["bodies"], "{value}");
+    }
+    assert_ne!(rows[0]["bodies"], rows[1]["bodies"]);
+}
+
+#[test]
 fn random_values_are_drawn_from_a_seed() {
     let desk = Desk::new(&pressed());
     let drawn = |seed: u32| {

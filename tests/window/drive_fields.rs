@@ -1,7 +1,7 @@
 //! What is keyed beside its field, acts at once, is seen to act and is led by hand.
 
-use super::drives::{FRAME, at, fibre, is_near, keys_of, lane, lanes, one_step, pairs, pull, undo};
-use super::{Window, advance, click, click_on, drag, is_settled, press_key, until};
+use super::drives::{FRAME, SCENE, at, fibre, is_near, keys_of, lane, lanes, one_step, pairs, pull, type_into, undo};
+use super::{Window, advance, click, click_on, drag, hold, is_settled, open, press_key, reset, scene, until};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2};
 use egui_kittest::kittest::Queryable;
@@ -28,6 +28,97 @@ fn a_diamond_sets_and_removes_a_key_at_the_time_that_is_shown() {
     let Motion::Driven(driven) = &window.state().scene().bodies[0].pins[0].motion else { panic!("it is driven") };
     assert_eq!(driven.offset, [0.0, 0.01, 0.0]);
     until(&mut window, is_settled);
+}
+
+#[test]
+fn whatever_a_drive_can_move_has_its_diamond() {
+    let more = SCENE.replacen(
+        r#""bodies":"#,
+        r#""wind": {"velocity": [1, 0, 0]},
+           "panels": [{"id": "lid", "height": 0.3, "size": [0.1, 0.1], "motion": "falls"},
+                      {"id": "press", "height": 0.5, "size": [0.1, 0.1],
+                       "motion": {"driven": [{"time": 0, "height": 0.5}, {"time": 1, "height": 0.4}]}}],
+           "colliders": [{"id": "head", "shape": {"sphere": {"radius": 0.01}}, "placement": {"translation": [2, 0, 0]}}],
+           "bodies":"#,
+        1,
+    );
+    let more = more.replacen(
+        r#""shape": {"ring": {}}"#,
+        r#""shape": {"ring": {}},
+           "active_springs": [{"id": "across", "region": "everything", "contract": 0.2, "drive": {"constant": 1}}]"#,
+        1,
+    );
+    let mut window = open(scene(&more));
+    hold(&mut window);
+    reset(&mut window);
+    window.set_size(Vec2::new(1280.0, 3000.0));
+    let keyed = |window: &mut Window, of: &Drivable| {
+        let name = format!("Set a key of {}", of.title(window.state().scene()));
+        window.run_steps(3);
+        one_step(window, "Set key", |window| window.get_by_label(&name).click());
+        assert!(matches!(of.drive(window.state().scene()), Some(Drive::Keyframes(_))), "{of:?}");
+        // There is a key at the time that is shown now, and it is red.
+        window.run_steps(2);
+        let name = format!("Remove the key of {}", of.title(window.state().scene()));
+        assert_eq!(window.query_all_by_label(&name).count(), 1, "{of:?}");
+    };
+    click(&mut window, "World");
+    for of in [
+        Drivable::Wind,
+        Drivable::Panel("lid".into()),
+        Drivable::Panel("press".into()),
+        Drivable::Collider("head".into()),
+    ] {
+        keyed(&mut window, &of);
+    }
+    click(&mut window, "Ring");
+    window.run_steps(3);
+    let springs = Drivable::Springs { body: "ring".into(), springs: "across".into() };
+    for of in [Drivable::Pressure("ring".into()), springs] {
+        keyed(&mut window, &of);
+    }
+    // Over the numbers of a velocity, too, I keys it.
+    click(&mut window, "World");
+    undo(&mut window);
+    window.run_steps(3);
+    for _ in 0..2 {
+        advance(&mut window);
+    }
+    let text = |node: &egui_kittest::Node<'_>| node.value().is_some_and(|value| value.starts_with("X 1 m/s"));
+    let at = window.get_all_by_role(Role::SpinButton).find(text).expect("the wind's velocity").rect().center();
+    window.event(Event::PointerMoved(at));
+    window.run_steps(2);
+    press_key(&mut window, Modifiers::NONE, Key::I);
+    window.step();
+    assert_eq!(pairs(&window, &Drivable::Wind).len(), 2);
+}
+
+#[test]
+fn a_wave_that_is_changed_while_it_moves_acts_at_once_and_is_undone() {
+    let mut window = lanes();
+    for _ in 0..8 {
+        advance(&mut window);
+    }
+    let length = |window: &Window| {
+        let points = &window.state().published().snapshot.bodies[0].particles;
+        points.iter().map(|x| x.x).fold(f64::NEG_INFINITY, f64::max)
+            - points.iter().map(|x| x.x).fold(f64::INFINITY, f64::min)
+    };
+    let time = window.state().published().status.time;
+    one_step(&mut window, "Change drive", |window| type_into(window, "every 0.5", "0.15"));
+    let Some(Drive::Wave(wave)) = fibre("b").drive(window.state().scene()).cloned() else { panic!("a wave") };
+    assert_eq!(wave.period, 0.15);
+    until(&mut window, is_settled);
+    assert!((window.state().published().status.time - time).abs() < 1e-9, "the motion goes on from where it was");
+    for _ in 0..5 {
+        advance(&mut window);
+    }
+    let quick = length(&window);
+    let mut other = lanes();
+    for _ in 0..13 {
+        advance(&mut other);
+    }
+    assert!((quick - length(&other)).abs() > 1e-5, "{quick} {}", length(&other));
 }
 
 /// Presses I over a number.

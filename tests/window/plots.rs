@@ -133,7 +133,7 @@ fn a_table_replaces_a_file_only_after_asking() {
     let mut window = played();
     let ask = |window: &mut Window| {
         let ctx = window.ctx.clone();
-        window.state_mut().perform(&ctx, Action::Export);
+        window.state_mut().dispatch(&ctx, Action::Export);
         window.run_steps(3);
         super::editing::type_path(window, &path);
         window.run_steps(3);
@@ -162,7 +162,7 @@ fn a_table_that_cannot_be_written_is_said_and_the_scene_is_no_place_for_it() {
     assert_eq!(std::fs::read_to_string(&path).expect("still there"), CUBE);
     // Unless told otherwise it goes beside the scene.
     let ctx = window.ctx.clone();
-    window.state_mut().perform(&ctx, Action::Export);
+    window.state_mut().dispatch(&ctx, Action::Export);
     window.step();
     window.step();
     assert!(shown(&window, "Export readings of every frame"));

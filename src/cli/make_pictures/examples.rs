@@ -1,34 +1,41 @@
 //! When each scene that ships shows best what it is about.
 
-/// A scene and the time of its picture.
+/// A scene and the time of its picture, or pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ExamplePicture {
     /// Its file's name, without the ending.
     pub name: &'static str,
     /// When the picture is taken [s].
     pub at: f64,
+    /// When the last one of a strip is taken [s]; none where there is one picture.
+    pub until: Option<f64>,
     /// Whether the body as it started stands behind it, so that twins show how far each has moved.
     pub beside_start: bool,
 }
 
 const fn at(name: &'static str, at: f64) -> ExamplePicture {
-    ExamplePicture { name, at, beside_start: false }
+    ExamplePicture { name, at, until: None, beside_start: false }
 }
 
 const fn beside_start(name: &'static str, at: f64) -> ExamplePicture {
-    ExamplePicture { name, at, beside_start: true }
+    ExamplePicture { name, at, until: None, beside_start: true }
+}
+
+/// A strip from one time to another [s], over and over.
+const fn strip(name: &'static str, at: f64, until: f64) -> ExamplePicture {
+    ExamplePicture { name, at, until: Some(until), beside_start: false }
 }
 
 /// Every scene that ships.
 pub(super) const EXAMPLES: [ExamplePicture; 87] = [
-    beside_start("alive_ball", 1.6),
-    at("alive_character", 0.95),
-    beside_start("alive_fish", 2.0),
-    at("alive_gripper", 2.0),
-    at("alive_heart", 0.6),
-    at("alive_octopus", 1.0),
-    beside_start("alive_worm", 4.0),
-    beside_start("alive_worm_back", 4.0),
+    strip("alive_ball", 0.5, 5.5),
+    strip("alive_character", 0.4, 2.6),
+    strip("alive_fish", 1.0, 3.0),
+    strip("alive_gripper", 0.0, 2.4),
+    strip("alive_heart", 0.8, 1.533),
+    strip("alive_octopus", 0.0, 6.0),
+    strip("alive_worm", 1.0, 2.1),
+    strip("alive_worm_back", 1.0, 2.1),
     at("cantilever", 1.0),
     at("collider_carry", 2.0),
     beside_start("collider_steps", 0.4),
@@ -131,7 +138,9 @@ mod tests {
         assert_eq!(EXAMPLES.iter().map(|example| example.name.to_owned()).collect::<BTreeSet<_>>(), shipped);
         for example in EXAMPLES {
             let scene = load_scene(&folder.join(format!("{}.json", example.name))).expect("a scene that loads");
-            assert!(example.at > 0.0 && example.at <= scene.time.duration + 1e-9, "{} at {}", example.name, example.at);
+            let last = example.until.unwrap_or(example.at);
+            assert!(last > 0.0 && last <= scene.time.duration + 1e-9, "{} at {last} s", example.name);
+            assert!((0.0..=last).contains(&example.at), "{} at {} s", example.name, example.at);
         }
     }
 }

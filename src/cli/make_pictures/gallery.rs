@@ -19,6 +19,8 @@ const FRAMES: u32 = 10;
 const FRAME: u32 = 128;
 /// Width and height of an example's picture [pixels].
 const EXAMPLE: [u32; 2] = [240, 150];
+/// Pictures in the strip of an example.
+const EXAMPLE_FRAMES: u32 = 12;
 /// The camera frames with room to spare; small pictures need less.
 const CLOSER: f64 = 0.88;
 /// Examples show balls around particles at their edge, too.
@@ -60,7 +62,7 @@ pub(super) fn strip(demo: &Demo) -> Result<Vec<u8>, CliError> {
     Ok(strip.to_png()?)
 }
 
-/// The picture of an example as a PNG file.
+/// The picture of an example as a PNG file, or the strip of them.
 ///
 /// # Errors
 /// A scene that cannot be used, or no driver.
@@ -68,9 +70,12 @@ pub(super) fn picture(example: &ExamplePicture, folder: &Path) -> Result<Vec<u8>
     let path = folder.join(format!("{}.json", example.name));
     let scene = load_scene(&path)?;
     let assets = load_assets(&scene, folder, &mut |_| {})?;
-    let mut states = run(&scene, &assets, &[0.0, example.at], Some(&path))?;
-    let now = states.pop().unwrap_or_default();
-    let start = states.pop().filter(|_| example.beside_start);
+    let until = example.until.unwrap_or(example.at);
+    let count = if example.until.is_some() { EXAMPLE_FRAMES } else { 1 };
+    let taken = (0..count).map(|k| example.at + (until - example.at) * f64::from(k) / f64::from(count.max(2) - 1));
+    let times: Vec<f64> = [0.0].into_iter().chain(taken).collect();
+    let mut states = run(&scene, &assets, &times, Some(&path))?;
+    let start = Some(states.remove(0)).filter(|_| example.beside_start);
     let has_something = scene.bodies.iter().any(|body| !body.fibres.is_empty() || !body.sheets.is_empty());
     let skin = if has_something { SkinStyle::XRay } else { SkinStyle::Shaded };
     let display = Display { skin, ..bare() };
@@ -78,13 +83,17 @@ pub(super) fn picture(example: &ExamplePicture, folder: &Path) -> Result<Vec<u8>
     let list =
         |snapshot| draw(&Subject { scene: &scene, snapshot, ghost: start.as_ref() }, &display, &Theme::gallery());
     let mut camera = Camera::perspective();
-    let shown = [Some(&now), start.as_ref()].into_iter().flatten();
+    let shown = states.iter().chain(&start);
     if let Some(bounds) = shown.filter_map(|snapshot| list(snapshot).bounds).reduce(Bounds::union) {
         camera.frame(&bounds, f64::from(size[0]) / f64::from(size[1]));
         camera.height *= EXAMPLE_CLOSER;
     }
     let mut offscreen = Offscreen::new(size)?;
-    Ok(averaged(&offscreen.draw(list(&now), &camera)?).to_png()?)
+    let mut strip = Picture { size: [EXAMPLE[0], count * EXAMPLE[1]], rgba: Vec::new() };
+    for state in &states {
+        strip.rgba.extend(averaged(&offscreen.draw(list(state), &camera)?).rgba);
+    }
+    Ok(strip.to_png()?)
 }
 
 /// The bodies of a scene at some times, in order.

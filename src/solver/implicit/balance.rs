@@ -11,11 +11,11 @@ const SLACK: f64 = 0.01;
 /// The most that a body's energy [J] may be, by what it had at the start and what others did to it between steps.
 #[derive(Clone, Default)]
 pub(super) struct Balance {
-    kept: Option<Kept>,
+    kept: Option<EnergyMark>,
 }
 
 #[derive(Clone, Copy)]
-struct Kept {
+struct EnergyMark {
     /// After the last step.
     last: f64,
     highest: f64,
@@ -31,7 +31,7 @@ impl Balance {
         }
         let now = dynamics.energies(time, state).total();
         let highest = self.kept.map_or(now, |kept| kept.highest + now - kept.last);
-        self.kept = Some(Kept { last: now, highest });
+        self.kept = Some(EnergyMark { last: now, highest });
     }
 
     /// Whether in a step from `time` [s] nothing from outside can do work, as far as can be told before: held particles
@@ -63,7 +63,7 @@ impl Balance {
                 return Err(Unconverged);
             }
         }
-        self.kept = Some(Kept { last: now, highest: kept.highest.max(now) });
+        self.kept = Some(EnergyMark { last: now, highest: kept.highest.max(now) });
         Ok(())
     }
 
@@ -71,6 +71,6 @@ impl Balance {
     pub(super) fn take_over(&mut self, dynamics: &Dynamics<'_>, state: &ParticleState, time: f64) {
         let Some(kept) = self.kept else { return };
         let now = dynamics.energies(time, state).total();
-        self.kept = Some(Kept { last: now, highest: kept.highest.max(now) });
+        self.kept = Some(EnergyMark { last: now, highest: kept.highest.max(now) });
     }
 }

@@ -35,7 +35,7 @@ type Touch = (u32, u32);
 
 /// A factor and what it is of.
 #[derive(Clone)]
-struct Kept {
+struct KeptFactor {
     h: f64,
     touching: Arc<[Touch]>,
     factor: Arc<Factor>,
@@ -46,7 +46,7 @@ struct Kept {
 pub(super) struct Chord {
     basis: Option<Arc<Basis>>,
     /// Factors of the basis, the last used last.
-    kept: Vec<Kept>,
+    kept: Vec<KeptFactor>,
     /// The contact with the room and with colliders that is in the matrix.
     touching: Arc<[Touch]>,
     /// How the particles are turned against the basis.
@@ -139,7 +139,7 @@ impl Chord {
         if self.kept.len() == KEPT {
             self.kept.remove(0);
         }
-        self.kept.push(Kept { h, touching: Arc::clone(&self.touching), factor: Arc::new(factor) });
+        self.kept.push(KeptFactor { h, touching: Arc::clone(&self.touching), factor: Arc::new(factor) });
         true
     }
 
@@ -162,7 +162,7 @@ impl Chord {
 
     /// `-T A^-1 T^T g`, with nothing along held axes, into `field`, which holds g [N] before.
     pub(super) fn step(&self, dynamics: &Dynamics<'_>, field: &mut [DVec3]) {
-        let Some(Kept { factor, .. }) = self.kept.last() else { return };
+        let Some(KeptFactor { factor, .. }) = self.kept.last() else { return };
         field.iter_mut().zip(&self.turns).for_each(|(x, turn)| *x = turn.transpose() * *x);
         dynamics.mask(field);
         factor.solve(field);

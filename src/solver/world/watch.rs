@@ -7,7 +7,7 @@
 
 use super::World;
 use super::watched::{Accuracy, Watch, Watched};
-use crate::solver::account::Sight;
+use crate::solver::account::BalanceSample;
 use crate::solver::body::Body;
 use crate::solver::energy::Energies;
 use crate::solver::momentum::{Momenta, momenta};
@@ -133,7 +133,8 @@ impl World {
         let _look = tracing::info_span!("look").entered();
         self.watch.looked_at = self.effort();
         let time = self.time();
-        let mut of_all = Sight { time, balance: self.energy_of_panels() - self.work(), handled: 0.0, sizes: 0.0 };
+        let mut of_all =
+            BalanceSample { time, balance: self.energy_of_panels() - self.work(), handled: 0.0, sizes: 0.0 };
         let is_whole = self.bodies.iter().all(Body::is_watched);
         for index in 0..self.bodies.len() {
             let (body, watched) = (&self.bodies[index], &mut self.watch.bodies[index]);
@@ -151,7 +152,7 @@ impl World {
             of_all.sizes += sizes;
             let work = self.work.on_itself(index) + body.booked_work() + given.by_others + given.by_hand;
             let balance = energies.total() - body.contact_with_others() - work;
-            watched.account.look(Sight { time, balance, handled, sizes });
+            watched.account.look(BalanceSample { time, balance, handled, sizes });
             if watched.account.is_unbalanced(0.0) && !watched.is_told {
                 watched.is_told = true;
                 self.watch.found.push(Unbalanced::of_body(body, time, &watched.account));
@@ -167,7 +168,7 @@ impl World {
         }
     }
 
-    fn look_at_all(&mut self, now: Sight) {
+    fn look_at_all(&mut self, now: BalanceSample) {
         self.watch.whole.look(now);
         let Some(body) = self.bodies.first() else { return };
         // What bodies gain by themselves is said of them.

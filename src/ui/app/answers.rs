@@ -14,10 +14,11 @@ impl App {
     pub(super) fn show_dialog(&mut self, ctx: &egui::Context) {
         let Some(mut dialog) = self.dialog.take() else { return };
         let (offers, recent) = (self.autosave.offers(), self.recent.paths());
+        self.gallery.let_play(self.views.draws_in_software() == Some(false));
         let answer = dialogs::show(&mut dialog, ctx, &mut self.gallery, offers, recent, &self.cx);
         match (answer, dialog) {
             (Answer::None, dialog) => self.dialog = Some(dialog),
-            (Answer::Do(action), _) => self.perform(ctx, action),
+            (Answer::Do(action), _) => self.dispatch(ctx, action),
             (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Open, .. }) => {
                 self.leave(ctx, Next::Open(path));
             }

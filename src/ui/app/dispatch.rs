@@ -1,6 +1,6 @@
 //! What becomes of every action: why it cannot be asked for just now, and what performs it, side by side.
 //!
-//! How it works. [`App::dispatch`] answers for each action with a [`Dispatch`]. Its match has no branch for the rest,
+//! How it works. `App::entry` answers for each action with an [`Entry`]. Its match has no branch for the rest,
 //! so that an action that is listed in [`crate::ui::action`] and has no branch here does not compile.
 
 use super::App;
@@ -25,15 +25,15 @@ use egui::ViewportCommand;
 use glam::DVec3;
 
 /// What performs an action.
-type Performer = fn(&mut App, &egui::Context);
+type ActionFn = fn(&mut App, &egui::Context);
 
 /// What there is to know of an action just now.
-struct Dispatch {
+struct Entry {
     state: ActionState,
-    perform: Performer,
+    run: ActionFn,
 }
 
-impl Dispatch {
+impl Entry {
     /// Whether the switch is on.
     fn on(mut self, on: bool) -> Self {
         self.state.on = Some(on);
@@ -48,35 +48,35 @@ impl Dispatch {
 }
 
 /// An action that can always be asked for.
-fn always(perform: Performer) -> Dispatch {
-    Dispatch { state: ActionState::default(), perform }
+fn always(run: ActionFn) -> Entry {
+    Entry { state: ActionState::default(), run }
 }
 
 /// An action that can be asked for where a condition is met; elsewhere it is greyed and says why.
-fn when(met: bool, why: &'static str, perform: Performer) -> Dispatch {
-    unless((!met).then_some(why), perform)
+fn when(met: bool, why: &'static str, run: ActionFn) -> Entry {
+    unless((!met).then_some(why), run)
 }
 
 /// An action that can be asked for unless something speaks against it.
-fn unless(disabled: Option<&'static str>, perform: Performer) -> Dispatch {
-    Dispatch { state: ActionState { disabled, ..ActionState::default() }, perform }
+fn unless(disabled: Option<&'static str>, run: ActionFn) -> Entry {
+    Entry { state: ActionState { disabled, ..ActionState::default() }, run }
 }
 
 impl App {
     /// How an action stands, and what performs it.
     #[allow(clippy::too_many_lines, reason = "one branch an action")]
-    fn dispatch(&self, action: Action) -> Dispatch {
+    fn entry(&self, action: Action) -> Entry {
         let (document, simulation) = (&self.cx.document, &self.cx.simulation);
         let display = &self.views.options.display;
-        let replay = |perform| unless(self.no_replay(), perform);
-        let selected = |perform| when(self.cx.selection.active().is_some(), "Select a fibre first", perform);
+        let replay = |run| unless(self.no_replay(), run);
+        let selected = |run| when(self.cx.selection.active().is_some(), "Select a fibre first", run);
         let is_body = self.cx.selection.is_body();
         let has_keys = !self.cx.keys.is_empty();
         let has_part = self.cx.selection.active().is_some() || self.cx.selection.sheet().is_some();
-        let mirrored = |perform| when(has_part, "Select a fibre or a sheet first", perform);
+        let mirrored = |run| when(has_part, "Select a fibre or a sheet first", run);
         let is_sheet = self.cx.selection.sheet().is_some();
         let has_thing = is_body || has_part;
-        let thing = |perform| when(has_thing, "Select a fibre, a sheet or a body first", perform);
+        let thing = |run| when(has_thing, "Select a fibre, a sheet or a body first", run);
         match action {
             Action::New => always(|app, ctx| app.leave(ctx, Next::New)),
             Action::NewEmpty => always(|app, ctx| app.leave(ctx, Next::Empty)),
@@ -278,27 +278,27 @@ impl App {
 
     /// How every action stands just now.
     pub(super) fn action_states(&self) -> ActionStates {
-        ActionStates::new(|action| self.dispatch(action).state)
+        ActionStates::new(|action| self.entry(action).state)
     }
 
     /// Does what was asked for, or says why that cannot be done just now.
-    pub fn perform(&mut self, ctx: &egui::Context, action: Action) {
-        let Dispatch { state, perform } = self.dispatch(action);
+    pub fn dispatch(&mut self, ctx: &egui::Context, action: Action) {
+        let Entry { state, run } = self.entry(action);
         match state.disabled {
-            None => perform(self, ctx),
+            None => run(self, ctx),
             Some(why) => self.cx.say(Severity::Note, format!("{}: {why}", action.name())),
         }
     }
 
     /// An action on what the fibres of the body are.
-    fn with_fibres(&self, perform: Performer) -> Dispatch {
+    fn with_fibres(&self, run: ActionFn) -> Entry {
         let met = self.cx.active_body().is_some_and(|body| !body.fibres.is_empty());
-        when(met, "The body has no fibres", perform)
+        when(met, "The body has no fibres", run)
     }
 
     /// An action that writes something beside the window, one thing at a time.
-    fn with_transfer(&self, perform: Performer) -> Dispatch {
-        unless(self.transfer.is_busy(), perform)
+    fn with_transfer(&self, run: ActionFn) -> Entry {
+        unless(self.transfer.is_busy(), run)
     }
 
     fn ask_clip(&mut self, ctx: &egui::Context, kind: ClipKind) {

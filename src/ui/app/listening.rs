@@ -67,8 +67,8 @@ impl App {
         }
         for event in ctx.input(|input| input.events.clone()) {
             match event {
-                Event::Copy => self.perform(ctx, Action::Copy),
-                Event::Cut => self.perform(ctx, Action::Cut),
+                Event::Copy => self.dispatch(ctx, Action::Copy),
+                Event::Cut => self.dispatch(ctx, Action::Cut),
                 Event::Paste(text) => clipboard::paste(&text, &mut self.cx),
                 _ => {}
             }
@@ -137,7 +137,7 @@ impl App {
                 .collect()
         });
         for action in asked {
-            self.perform(ctx, action);
+            self.dispatch(ctx, action);
         }
     }
 }

@@ -11,7 +11,7 @@ impl App {
         // What is done may leave further requests.
         while let Some(request) = self.cx.next_request() {
             match request {
-                Request::Do(action) => self.perform(ctx, action),
+                Request::Do(action) => self.dispatch(ctx, action),
                 Request::Open(dialog) => self.dialog = Some(dialog),
                 Request::OpenRecent(path) => self.open_recent(ctx, path),
                 Request::ForgetRecent => self.recent = RecentFiles::default(),

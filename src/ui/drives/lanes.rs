@@ -38,7 +38,7 @@ pub(crate) struct Lanes {
 }
 
 /// A lane as it is shown in a frame.
-struct Shown {
+struct ShownLane {
     of: Drivable,
     values: ValueScale,
     keys: Vec<(f64, Pos2)>,
@@ -92,7 +92,14 @@ impl Lanes {
     }
 
     /// Shows one lane; gives what can be done to its course.
-    fn lane(&self, ui: &mut Ui, cx: &mut Context, of: Drivable, scale: &TimeScale, columns: Columns) -> Option<Shown> {
+    fn lane(
+        &self,
+        ui: &mut Ui,
+        cx: &mut Context,
+        of: Drivable,
+        scale: &TimeScale,
+        columns: Columns,
+    ) -> Option<ShownLane> {
         let drive = of.resolved(cx.scene())?.clone();
         let follows = matches!(of.drive(cx.scene()), Some(Drive::Shared(_)));
         let height = if follows { LOW } else { TALL };
@@ -138,13 +145,13 @@ impl Lanes {
                 }
                 _ => (Vec::new(), Vec::new()),
             };
-            Some(Shown { of, values, keys, handles, response })
+            Some(ShownLane { of, values, keys, handles, response })
         })
         .inner
     }
 
     /// Does what the pointer does in the lanes.
-    fn take(&mut self, ui: &Ui, cx: &mut Context, scale: &TimeScale, shown: &[Shown]) {
+    fn take(&mut self, ui: &Ui, cx: &mut Context, scale: &TimeScale, shown: &[ShownLane]) {
         let (pointer, shift, command) =
             ui.input(|input| (input.pointer.interact_pos(), input.modifiers.shift, input.modifiers.command));
         for lane in shown {
@@ -193,7 +200,7 @@ impl Lanes {
     }
 
     /// Goes on with what is dragged.
-    fn go_on(&mut self, ui: &Ui, cx: &mut Context, pointer: Option<Pos2>, shift: bool, shown: &[Shown]) {
+    fn go_on(&mut self, ui: &Ui, cx: &mut Context, pointer: Option<Pos2>, shift: bool, shown: &[ShownLane]) {
         let (is_down, escaped) = ui.input(|input| (input.pointer.primary_down(), input.key_pressed(Key::Escape)));
         if escaped {
             if let Some(drag) = self.drag.take() {
@@ -218,7 +225,7 @@ impl Lanes {
             let accent = theme::color(cx.tone.pictures().accent);
             ui.painter().rect(reach, 0.0, faint(accent), Stroke::new(1.0, accent), StrokeKind::Inside);
             if !is_down {
-                let within = |lane: &Shown| {
+                let within = |lane: &ShownLane| {
                     let hits = lane.keys.iter().enumerate().filter(|(_, (_, at))| reach.contains(*at));
                     hits.map(|(index, _)| (lane.of.clone(), index)).collect::<Vec<_>>()
                 };
@@ -235,13 +242,13 @@ impl Lanes {
 }
 
 /// The key of a lane that is hit.
-fn hit(lane: &Shown, at: Pos2) -> Option<usize> {
+fn hit(lane: &ShownLane, at: Pos2) -> Option<usize> {
     let near = lane.keys.iter().enumerate().map(|(index, (_, key))| (index, key.distance(at)));
     near.filter(|(_, far)| *far <= REACH).min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
 }
 
 /// Adds a key where a lane was clicked.
-fn add_key(lane: &Shown, cx: &mut Context, scale: &TimeScale, at: Pos2) {
+fn add_key(lane: &ShownLane, cx: &mut Context, scale: &TimeScale, at: Pos2) {
     let scene = cx.scene().clone();
     let frame = scene.time.frame_seconds();
     let time = on_frame(scale.time(at.x), frame);
@@ -260,7 +267,7 @@ fn add_key(lane: &Shown, cx: &mut Context, scale: &TimeScale, at: Pos2) {
 }
 
 /// What is said of a lane under the pointer.
-fn hint_at(lane: &Shown, cx: &Context, scale: &TimeScale, at: Pos2) {
+fn hint_at(lane: &ShownLane, cx: &Context, scale: &TimeScale, at: Pos2) {
     let scene = cx.scene();
     let Some(drive) = lane.of.resolved(scene) else { return };
     let time = scale.time(at.x).max(0.0);

@@ -8,7 +8,7 @@ pub use examples::{EXAMPLES, Example, Group};
 pub(crate) use models::{is_shipped, shipped_beside, shipped_or_read, with_models_in};
 
 use super::theme::{self, GRID};
-use super::thumbs::Thumbs;
+use super::thumbs::{Runs, Thumbs};
 use crate::draw::Theme;
 use egui::{
     Align2, CornerRadius, FontId, Frame, Pos2, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, TextEdit,
@@ -26,6 +26,8 @@ const COLUMNS: usize = 4;
 #[derive(Default)]
 pub(crate) struct Gallery {
     thumbs: Thumbs,
+    /// Whether strips play by themselves, and not only under the pointer.
+    strips_play: bool,
     /// What is searched for.
     search: String,
 }
@@ -42,6 +44,11 @@ impl Gallery {
     /// Whether the picture of an example, by its name, has been decoded.
     pub(crate) fn has_decoded(&self, example: &str) -> bool {
         self.thumbs.has(example)
+    }
+
+    /// Lets strips play by themselves, or only under the pointer.
+    pub(crate) fn let_play(&mut self, strips_play: bool) {
+        self.strips_play = strips_play;
     }
 
     /// Shows everything; what was chosen, if something was.
@@ -113,7 +120,8 @@ impl Gallery {
             let picture = Rect::from_min_size(place.min, egui::vec2(CARD, PICTURE));
             let painter = ui.painter();
             painter.rect_filled(picture, CornerRadius::same(4), theme::color(Theme::gallery().background_top));
-            self.thumbs.paint(ui, example.name, example.picture, picture);
+            let plays = self.strips_play || card.hovered() || card.has_focus();
+            self.thumbs.paint_strip(ui, example.name, example.picture, picture, Runs::Round, plays);
             if card.hovered() || card.has_focus() {
                 let stroke = Stroke::new(2.0, ui.visuals().hyperlink_color);
                 painter.rect_stroke(picture, CornerRadius::same(4), stroke, StrokeKind::Inside);

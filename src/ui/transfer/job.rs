@@ -28,19 +28,19 @@ impl Progress {
 }
 
 /// What became of the work: what was written, and why it ended early, where it failed.
-pub(super) struct Report {
+pub(super) struct TransferReport {
     pub(super) written: Vec<Written>,
     pub(super) problem: Option<String>,
 }
 
-impl Report {
+impl TransferReport {
     /// Of work that has written something and came to this.
     pub(super) fn of(written: Vec<Written>, result: Result<(), TransferError>) -> Self {
         Self { written, problem: result.err().map(|error| error.to_string()) }
     }
 }
 
-impl From<TransferError> for Report {
+impl From<TransferError> for TransferReport {
     fn from(error: TransferError) -> Self {
         Self::of(Vec::new(), Err(error))
     }
@@ -56,7 +56,7 @@ pub(super) struct Job {
     pub(super) all: u64,
     started: Instant,
     progress: Arc<Progress>,
-    report: Receiver<Report>,
+    report: Receiver<TransferReport>,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -66,14 +66,14 @@ impl Job {
         [name, pieces]: [&'static str; 2],
         all: u64,
         notify: impl FnOnce() + Send + 'static,
-        work: impl FnOnce(&Progress) -> Report + Send + 'static,
+        work: impl FnOnce(&Progress) -> TransferReport + Send + 'static,
     ) -> Self {
         let (sender, report) = channel();
         let progress = Arc::<Progress>::default();
         let seen = Arc::clone(&progress);
         let thread = std::thread::Builder::new().name("export".into()).spawn(move || {
             let worked = catch_unwind(AssertUnwindSafe(|| work(&seen)));
-            let failed = |_| Report {
+            let failed = |_| TransferReport {
                 written: Vec::new(),
                 problem: Some("The work ended by a failure of the program; files until then are whole".to_owned()),
             };
@@ -107,13 +107,14 @@ impl Job {
     }
 
     /// What became of it, once it has ended.
-    pub(super) fn report(&self) -> Option<Report> {
+    pub(super) fn report(&self) -> Option<TransferReport> {
         match self.report.try_recv() {
             Ok(report) => Some(report),
             Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => {
-                Some(Report { written: Vec::new(), problem: Some("No thread could be started; try again".to_owned()) })
-            }
+            Err(TryRecvError::Disconnected) => Some(TransferReport {
+                written: Vec::new(),
+                problem: Some("No thread could be started; try again".to_owned()),
+            }),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The work on what leaves the window: on a thread of its own, from a motion that was taken.
 
-use super::job::{Progress, Report};
+use super::job::{Progress, TransferReport};
 use crate::export::Space;
 use crate::scene::Scene;
 use crate::sim::TakenMotion;
@@ -41,7 +41,7 @@ impl MotionWork {
     }
 
     /// Writes it.
-    pub(super) fn run(self, progress: &Progress) -> Report {
+    pub(super) fn run(self, progress: &Progress) -> TransferReport {
         let order = Order {
             formats: &self.formats,
             folder: Some(&self.folder),
@@ -65,7 +65,7 @@ impl MotionWork {
         };
         // What there is of it is to be whole in any case.
         let kept = files.keep();
-        Report::of(files.written(), result.and(kept))
+        TransferReport::of(files.written(), result.and(kept))
     }
 }
 
@@ -117,7 +117,7 @@ pub(super) fn draw_clip(
     look: &Look,
     path: PathBuf,
     progress: &Progress,
-) -> Report {
+) -> TransferReport {
     let scene = motion.scene().0.clone();
     let start = motion.start();
     let seconds = frames.step as f64 * start.world().plan().frame_seconds;
@@ -139,11 +139,17 @@ pub(super) fn draw_clip(
         Ok(())
     };
     let result = draw();
-    Report::of(pictures.written(), result)
+    TransferReport::of(pictures.written(), result)
 }
 
 /// Draws one state from all around into a moving picture.
-pub(super) fn draw_turn(scene: &Scene, shown: &Snapshot, look: &Look, path: PathBuf, progress: &Progress) -> Report {
+pub(super) fn draw_turn(
+    scene: &Scene,
+    shown: &Snapshot,
+    look: &Look,
+    path: PathBuf,
+    progress: &Progress,
+) -> TransferReport {
     let renderer = match SceneRenderer::open(look, scene, shown) {
         Ok(renderer) => renderer,
         Err(error) => return error.into(),
@@ -161,5 +167,5 @@ pub(super) fn draw_turn(scene: &Scene, shown: &Snapshot, look: &Look, path: Path
         Ok(())
     };
     let result = draw();
-    Report::of(pictures.written(), result)
+    TransferReport::of(pictures.written(), result)
 }

@@ -20,7 +20,7 @@ const LENGTH: f32 = 14.0;
 const HEAD: f32 = 5.0;
 
 /// A pin as a view shows it.
-struct Shown {
+struct ShownPin {
     which: ChosenPin,
     name: String,
     /// What it holds [m].
@@ -107,7 +107,7 @@ pub(super) fn follows(ui: &Ui, frame: &ViewFrame, cx: &Context) {
 }
 
 /// The pins that a view shows: all of them in the result, those of the body that is drawn into elsewhere.
-fn shown(kind: PaneKind, cx: &Context) -> Vec<Shown> {
+fn shown(kind: PaneKind, cx: &Context) -> Vec<ShownPin> {
     let published = cx.simulation.published();
     // What is held is known by its number among the particles; of an edit that is not put together yet it is not.
     let is_settled = cx.simulation.is_up_to_date() && published.status.baking.is_none();
@@ -129,7 +129,7 @@ fn shown(kind: PaneKind, cx: &Context) -> Vec<Shown> {
             if holds.is_empty() {
                 continue;
             }
-            all.push(Shown {
+            all.push(ShownPin {
                 which: ChosenPin::Region { body: body.id().to_owned(), pin: pin.id.clone() },
                 name: format!("Pin of \"{}\"", pin.region),
                 at: holds.iter().sum::<DVec3>() / holds.len() as f64,
@@ -141,7 +141,7 @@ fn shown(kind: PaneKind, cx: &Context) -> Vec<Shown> {
         for (k, &PinnedPoint { body, grab, at, target }) in published.pinned.iter().enumerate() {
             let (which, name) = (ChosenPin::Point { body, grab }, format!("Pinned point {}", k + 1));
             // It stands where the point is held, and does not swing with it.
-            all.push(Shown { which, name, holds: vec![at], at: target });
+            all.push(ShownPin { which, name, holds: vec![at], at: target });
         }
     }
     all

@@ -355,17 +355,19 @@ fn a_muscle_that_loses_more_than_the_rest_gains_is_told_of() {
 #[test]
 fn twisting_stiffness_takes_shorter_steps_as_measured() {
     let step = |gj: f64| {
-        let mut bar = rod([3, 7, 3]);
-        let mut fibre = upright(7, 0.0, 0.0, Activation::twisting(0.0, 1.0));
+        let mut bar = rod([3, 13, 3]);
+        let vertices = (0..=24).map(|k| [0.0, D * (0.5 + 0.5 * f64::from(k)), 0.0]).collect();
+        let mut fibre = fibre("muscle", vertices, rigidity(0.0, 0.0), 0.25, RestShape::Straight);
         fibre.stiffness = Rigidity::new(0.0, 0.0).with_twisting(4.0 * gj * F * D * D).into();
         bar.fibres.push(fibre);
         baked(&in_space(bar)).world.bodies()[0].parts().stable_dt
     };
+    // With twice or half as many vertices it is a tenth more or less.
     let matrix = step(1e-6);
     for (gj, slower) in [(5.0, 1.0), (50.0, 1.14), (500.0, 3.14)] {
         let found = matrix / step(gj);
         println!("{gj}: {found:.3}");
-        assert!((found / slower - 1.0).abs() < 0.05, "{gj}: {found}, not {slower}");
+        assert!((found / slower - 1.0).abs() < 0.12, "{gj}: {found}, not {slower}");
     }
 }
 

@@ -72,6 +72,7 @@ fn whatever_a_drive_can_move_has_its_diamond() {
         keyed(&mut window, &of);
     }
     click(&mut window, "Ring");
+    click(&mut window, "Material");
     window.run_steps(3);
     let springs = Drivable::Springs { body: "ring".into(), springs: "across".into() };
     for of in [Drivable::Pressure("ring".into()), springs] {

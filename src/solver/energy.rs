@@ -46,9 +46,9 @@ energies! {
     grab,
     /// Energy of the fibres' twist.
     twisting,
-    /// The work that the drives of fibres, sheets, elements, springs, gravity and enclosed gas have done on the body, counted down from
-    /// zero: with it the sum stays what it was. What pins, panels, grabs and wind do comes from outside and is not
-    /// among the energies.
+    /// The work that the drives of fibres, sheets, elements, springs, gravity and enclosed gas have done on the body,
+    /// counted down from zero: with it the sum stays what it was. What pins, panels, grabs and wind do comes from
+    /// outside and is not among the energies.
     activation,
     /// Energy of the sheets' stretch and shear in their surfaces.
     membrane,

@@ -5,6 +5,7 @@
 //! when, is its caller's business. Options of the command line and dialogs are their own's, too; what both offer stands
 //! in tables here ([`Format`], [`Program`]).
 
+mod behind;
 mod error;
 mod finite;
 mod format;

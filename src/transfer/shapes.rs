@@ -1,5 +1,6 @@
 //! The files of a run's shapes.
 
+use super::behind::FilesBehind;
 use super::{FrameChoice, Inputs, TransferError, Written, check_finite};
 use crate::export::{Motion, Space, Wanted};
 use crate::io::export::{MotionFiles, MotionFormat};
@@ -10,7 +11,7 @@ use std::path::Path;
 /// The files of a run's shapes.
 pub(super) struct Shapes {
     motion: Motion,
-    files: MotionFiles,
+    files: FilesBehind,
 }
 
 impl Shapes {
@@ -39,16 +40,16 @@ impl Shapes {
         let (subject, numbers) = (motion.subject(), frames.numbers());
         inputs.check_apart(target, &MotionFiles::planned(formats, folder, subject, &numbers))?;
         let files = MotionFiles::create(formats, folder, subject, &numbers)?;
-        Ok(Some(Self { motion, files }))
+        Ok(Some(Self { motion, files: FilesBehind::new(files) }))
     }
 
-    /// Writes the frame at hand.
+    /// Has the frame at hand written beside what comes next.
     ///
     /// # Errors
-    /// A file that cannot be written, a place that is no numbers.
+    /// A place that is no numbers; a file that an earlier frame could not be written to.
     pub(super) fn push(&mut self, runner: &Runner) -> Result<(), TransferError> {
         check_finite(&runner.particles())?;
-        Ok(self.files.push(&self.motion.frame(runner.world()))?)
+        Ok(self.files.push(self.motion.frame(runner.world()))?)
     }
 
     /// Writes what is left of the frames so far.

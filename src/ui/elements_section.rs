@@ -1,4 +1,4 @@
-//! Elements of the active body: what ties some of its points together, measure by measure, and what that does by itself.
+//! Elements of the active body: what ties some of its points together, measure by measure, and how that acts.
 
 use super::context::{Context, Step};
 use super::drives::keyed_field;

@@ -13,7 +13,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("std::env", &[]),
     ("std::process", &["cli", "main"]),
     ("std::time", &["io", "sim", "cli", "ui"]),
-    ("std::thread", &["sim", "cli", "ui"]),
+    ("std::thread", &["sim", "transfer", "cli", "ui"]),
     // What a trace calls its threads.
     ("std::thread::current", &["io"]),
 ];

@@ -47,7 +47,8 @@ impl Node {
         self.first..self.first + self.count
     }
 
-    fn overlaps(&self, other: &Self) -> bool {
+    /// Whether two boxes have anything in common.
+    pub(crate) fn overlaps(&self, other: &Self) -> bool {
         self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
     }
 }
@@ -124,8 +125,9 @@ impl Bvh {
         }
     }
 
-    /// Pairs of leaves whose boxes overlap, each once, a leaf with itself included.
-    pub(crate) fn overlapping_leaves(&self) -> Vec<[u32; 2]> {
+    /// Pairs of leaves that meet, each once, a leaf with itself included: `meet` tells of two nodes whether any triangles
+    /// below them may.
+    pub(crate) fn meeting_leaves(&self, meet: impl Fn(usize, usize) -> bool) -> Vec<[u32; 2]> {
         let mut pairs = Vec::new();
         let mut open = vec![[0, 0]];
         if self.nodes.is_empty() {
@@ -133,7 +135,7 @@ impl Bvh {
         }
         while let Some([a, b]) = open.pop() {
             let [m, n] = [a, b].map(|index: usize| &self.nodes[index]);
-            if !m.overlaps(n) {
+            if a != b && !meet(a, b) {
                 continue;
             }
             match (m.is_leaf(), n.is_leaf()) {

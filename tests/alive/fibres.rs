@@ -364,7 +364,7 @@ fn twisting_stiffness_takes_shorter_steps_as_measured() {
     };
     // With twice or half as many vertices it is a tenth more or less.
     let matrix = step(1e-6);
-    for (gj, slower) in [(5.0, 1.0), (50.0, 1.14), (500.0, 3.14)] {
+    for (gj, slower) in [(5.0, 1.0), (50.0, 1.14), (500.0, 3.1)] {
         let found = matrix / step(gj);
         println!("{gj}: {found:.3}");
         assert!((found / slower - 1.0).abs() < 0.12, "{gj}: {found}, not {slower}");

@@ -6,10 +6,10 @@ use crate::geometry::lattice::LatticeSample;
 use crate::scene::Body;
 use glam::DVec3;
 
-/// By how much a section whose particles stand for parts of cells bends too easily and twists too easily or too hard,
-/// at most, times its layers squared. Measured by `sections_of_every_kind` in `tests/physics`.
-const BENDING: f64 = 2.9;
-const TORSION: f64 = 2.3;
+/// By how much a section whose particles stand for parts of cells bends and twists off theory, at most, times its
+/// layers. Measured by `sections_of_every_kind` in `tests/physics`.
+const BENDING: f64 = 0.5;
+const TORSION: f64 = 0.45;
 
 /// What is that near to theory, in per cent, is not said.
 const MET: f64 = 5.0;
@@ -46,7 +46,7 @@ pub(super) fn section_notes(
         let layers = thickness / sample.cell_volume().cbrt();
         let parts = shares.volumes.iter().filter(|volume| **volume != 1.0).count();
         let [least, most] = shares.range();
-        let [bending, torsion] = [BENDING, TORSION].map(|of| 100.0 * of / layers.powi(2));
+        let [bending, torsion] = [BENDING, TORSION].map(|of| 100.0 * of / layers);
         let off = match (bending > MET, torsion > MET) {
             (true, _) => format!(", it may bend up to {bending:.0} % and twist up to {torsion:.0} % off theory"),
             (false, true) => format!(", it may twist up to {torsion:.0} % off theory"),

@@ -23,8 +23,8 @@ pub(crate) struct FittedLattice {
     pub(crate) origin: DVec3,
 }
 
-/// Changes of the spacing that are tried where not all faces are flat, in hundredths, and what a finer and a coarser one
-/// cost: layers are few where it matters, and fewer of them bend and twist further from theory.
+/// Changes of the spacing that are tried where not all faces are flat, in hundredths, and what a finer and a coarser
+/// one cost: layers are few where it matters, and fewer of them bend and twist further from theory.
 const FREE_CHANGES: [i32; 16] = [98, 102, 96, 104, 94, 106, 92, 108, 90, 110, 88, 112, 86, 84, 82, 80];
 const FREE_FINER: f64 = 0.15;
 const FREE_COARSER: f64 = 1.0;

@@ -319,7 +319,9 @@ fn forty() -> Vec<Section> {
     let mut all = Vec::new();
     for (kind, most) in [(Kind::Square, 13), (Kind::Round, 13), (Kind::L, 7), (Kind::Tube, 4), (Kind::Leaf, 5)] {
         for k in 0..8 {
-            all.push(Section { kind, t: 3.0 + 0.25 * f64::from(5 * k % most), turned: TURNS[k as usize % 4] });
+            // No two of them alike.
+            let quarters = if most > 5 { 5 * k % most } else { (k + 2 * (k / 4)) % most };
+            all.push(Section { kind, t: 3.0 + 0.25 * f64::from(quarters), turned: TURNS[k as usize % 4] });
         }
     }
     all

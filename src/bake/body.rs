@@ -73,9 +73,8 @@ pub(super) fn draft(
     let material = &body.material;
     let spacing = material.spacing();
     let kernel = Kernel::new(material.support_radius);
-    let volume = spacing.powi(3);
-
     let ParticleSampling { sample, volume: shape_volume, size, shares, .. } = sampling;
+    let volume = spacing.powi(3) * sample.stretch.element_product();
     let (neighbourhood, embedder) = surroundings(body, sampling, kernel, path, progress)?;
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
@@ -184,7 +183,8 @@ fn matrix(
     MatrixForce::varied(
         Arc::clone(neighbourhood),
         sample.points.as_slice().into(),
-        Elasticity::new(material.young_modulus, material.poisson_ratio, material.spacing()),
+        Elasticity::new(material.young_modulus, material.poisson_ratio, material.spacing())
+            .stretched_by(sample.stretch_along()),
         material.spacing().powi(3) * sample.stretch.element_product(),
         (
             fractions::matrix_fractions(fractions),

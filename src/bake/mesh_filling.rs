@@ -102,8 +102,7 @@ impl Meshed<'_> {
             note(self.fineness_path(), false, format!("{total} particles at a support radius of {radius:.6} m"));
         } else if change != 0.0 {
             let percent = 100.0 * change;
-            let text =
-                format!("made {radius:.6} m ({percent:+.1} %) so that the particles' volume is that of the mesh");
+            let text = format!("made {radius:.6} m ({percent:+.1} %) so that the particles fit the mesh");
             note(self.fineness_path(), false, text);
         }
         if filling.pruned > 0 {

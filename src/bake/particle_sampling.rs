@@ -17,6 +17,7 @@ use crate::geometry::mesh::box_surface;
 use crate::geometry::model::{MeshData, Model};
 use crate::geometry::rows::AskewBox;
 use crate::geometry::solid::Solid;
+use crate::geometry::thickness::Thickness;
 use crate::scene::{Assets, Body, BoxShape, Rotation, Shape};
 use crate::solver::skin::{Skin, SkinShape};
 use glam::{DMat3, DVec3};
@@ -56,6 +57,9 @@ impl Source<'_> {
     }
 }
 
+/// Share of the matter that lies at edges and tips, which are thinner than what they are at the edge of.
+const EDGES: f64 = 0.1;
+
 /// Volume errors beyond this are said.
 const VOLUME_ERROR: f64 = 0.02;
 
@@ -87,7 +91,7 @@ pub(super) fn sample_particles<'a>(
                 thin: Meshed::thin_places(&mut filling),
                 whole: filling.sample.points.len(),
                 hollows: Hollows::default(),
-                shares: None,
+                shares: filling.shares,
                 sample: filling.sample,
                 volume: solid.volume,
                 size: solid.size(),
@@ -177,7 +181,7 @@ fn fill_round_shape<'a>(
         thin: Meshed::thin_places(&mut filling),
         whole: filling.sample.points.len(),
         hollows: Hollows::default(),
-        shares: None,
+        shares: filling.shares,
         sample: filling.sample,
         volume: shape.volume().unwrap_or(solid.volume),
         size: solid.size(),
@@ -288,6 +292,14 @@ impl ParticleSampling<'_> {
         Skin::try_embed(&shape, &self.sample.points, kernel, &self.hollows, progress)
     }
 
+    /// Thickness of the thinnest part [m], but for edges and tips.
+    fn thickness(&self) -> f64 {
+        match &self.source {
+            Source::Box(solid) => solid.size.min_element(),
+            Source::Mesh(solid) => Thickness::of(solid).of_all_but(EDGES).unwrap_or_else(|| solid.size().min_element()),
+        }
+    }
+
     /// Notes what came of filling it.
     ///
     /// # Errors
@@ -323,7 +335,8 @@ impl ParticleSampling<'_> {
                 warning: true,
             });
         }
-        notes.extend(section_notes(&self.sample, self.shares.as_ref(), path));
+        let thickness = if self.shares.is_some() { self.thickness() } else { 0.0 };
+        notes.extend(section_notes(&self.sample, self.shares.as_ref(), thickness, path));
         Ok(())
     }
 }

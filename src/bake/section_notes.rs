@@ -3,14 +3,16 @@
 use super::note::Note;
 use crate::geometry::cell_shares::CellShares;
 use crate::geometry::lattice::LatticeSample;
-use crate::geometry::thinness::least_eigenvalue;
 use crate::scene::Body;
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
-/// By how much a section whose particles stand for parts of cells bends too easily and twists too easily or too hard,
-/// at most, times its layers squared. Measured by `sections_of_every_kind` in `tests/physics`.
-const BENDING: f64 = 2.9;
-const TORSION: f64 = 2.3;
+/// By how much a section whose particles stand for parts of cells bends and twists off theory, at most, times its
+/// layers. Measured by `sections_of_every_kind` in `tests/physics`.
+const BENDING: f64 = 0.5;
+const TORSION: f64 = 0.45;
+
+/// What is that near to theory, in per cent, is not said.
+const MET: f64 = 5.0;
 
 /// That a box got another support radius than was asked for, if it did.
 pub(super) fn radius_note(body: &Body, sample: &LatticeSample, path: &str) -> Option<Note> {
@@ -23,8 +25,14 @@ pub(super) fn radius_note(body: &Body, sample: &LatticeSample, path: &str) -> Op
     (percent != 0.0).then(|| Note { path: format!("{path}/material/support_radius"), text: text(), warning: false })
 }
 
-/// How the lattice was stretched, and how far off a section may be whose particles stand for parts of cells.
-pub(super) fn section_notes(sample: &LatticeSample, shares: Option<&CellShares>, path: &str) -> Vec<Note> {
+/// How the lattice was stretched, and how far off a section may be whose particles stand for parts of cells, where the
+/// thinnest part is of this thickness [m].
+pub(super) fn section_notes(
+    sample: &LatticeSample,
+    shares: Option<&CellShares>,
+    thickness: f64,
+    path: &str,
+) -> Vec<Note> {
     let mut notes = Vec::new();
     let mut note = |text: String| notes.push(Note { path: format!("{path}/shape"), text, warning: false });
     let changes = sample.stretch - DVec3::ONE;
@@ -35,27 +43,20 @@ pub(super) fn section_notes(sample: &LatticeSample, shares: Option<&CellShares>,
         note(format!("its layers are made thicker by {}, to fit the shape", changed.join(", ")));
     }
     if let Some(shares) = shares {
-        let layers = layers_across(sample);
+        let layers = thickness / sample.cell_volume().cbrt();
         let parts = shares.volumes.iter().filter(|volume| **volume != 1.0).count();
         let [least, most] = shares.range();
-        let [bending, torsion] = [BENDING, TORSION].map(|of| 100.0 * of / layers.powi(2));
+        let [bending, torsion] = [BENDING, TORSION].map(|of| 100.0 * of / layers);
+        let off = match (bending > MET, torsion > MET) {
+            (true, _) => format!(", it may bend up to {bending:.0} % and twist up to {torsion:.0} % off theory"),
+            (false, true) => format!(", it may twist up to {torsion:.0} % off theory"),
+            (false, false) => String::new(),
+        };
         note(format!(
             "{parts} of {} particles stand for {least:.2} to {most:.2} of a cell, since its surface lies askew to their \
-                 lattice: at some {layers:.1} layers across, it may bend up to {bending:.0} % too easily and twist up to \
-                 {torsion:.0} % off",
+             lattice: {layers:.1} layers thick where it is thinnest{off}",
             sample.points.len()
         ));
     }
     notes
-}
-
-/// Layers across the thinnest direction, by how far particles lie from their middle.
-fn layers_across(sample: &LatticeSample) -> f64 {
-    let count = sample.points.len().max(1) as f64;
-    let mean = sample.points.iter().sum::<DVec3>() / count;
-    let spread = |y: DVec3| DMat3::from_cols(y * y.x, y * y.y, y * y.z);
-    let squares = sample.points.iter().fold(DMat3::ZERO, |sum, x| sum + spread(*x - mean)) * count.recip();
-    // Of n layers (n² - 1) / 12 squared spacings.
-    let layer = sample.cell_volume().cbrt();
-    (12.0 * least_eigenvalue(squares).max(0.0) / (layer * layer) + 1.0).sqrt()
 }

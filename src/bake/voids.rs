@@ -98,7 +98,7 @@ impl Hollowing<'_> {
         for (k, _) in drawn.iter().enumerate().filter(|(_, volume)| **volume == 0.0) {
             note(format!("{voids}/{k}"), true, "it lies outside the body and takes nothing out of it".to_owned());
         }
-        let removed = carved.inside as f64 * whole.spacing.powi(3);
+        let removed = carved.inside as f64 * whole.cell_volume();
         let text = if carved.inside == 0 {
             "no particle lies in them: they cut the material without taking any of it out".to_owned()
         } else {

@@ -1,11 +1,13 @@
 //! How much of a shape each particle of a lattice in it stands for: one at a surface seldom stands for a whole cell.
 
 use super::lattice_fit::{FittedLattice, OWN_MOMENT, Target};
-use super::rows::Rows;
+use super::rows::{Moments, Rows};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
 use std::array::from_fn;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// What particles stand for, in cells.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,9 +18,10 @@ pub(crate) struct CellShares {
     pub(crate) stiffness: Vec<f64>,
 }
 
-/// Rows through a cell along y and z, each, and where there are so many particles that each weighs little.
-const ROWS: i32 = 6;
-const FEW_ROWS: i32 = 2;
+/// Rows through an eighth of a cell, the others being their images, and where there are so many particles that each
+/// weighs little.
+const ROWS: usize = 5;
+const FEW_ROWS: usize = 1;
 const MANY: usize = 60_000;
 
 /// A share that is nearer to one is one.
@@ -35,19 +38,12 @@ const REACH: i32 = 2;
 
 /// The shares of the particles in these cells of a lattice in a shape; none where each stands for a whole cell.
 pub(crate) fn cell_shares(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IVec3]) -> Option<CellShares> {
-    let numbers: HashMap<IVec3, usize> = cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
-    let mut volumes = vec![0.0; cells.len()];
-    let spacings = lattice.spacings();
     let is_large = cells.len() > MANY;
-    for (cell, volume) in filled_cells(shape, lattice, if is_large { FEW_ROWS } else { ROWS }) {
-        if let Some(&i) = numbers.get(&cell) {
-            volumes[i] += volume;
-        } else {
-            let nearest = nearest(cell, &numbers, spacings);
-            for &i in &nearest {
-                volumes[i] += volume / nearest.len() as f64;
-            }
-        }
+    let Pieces { all, whole, lost } = Pieces::of(shape, lattice, cells, if is_large { FEW_ROWS } else { ROWS });
+    let cell = lattice.spacings().element_product();
+    let mut volumes = vec![0.0; cells.len()];
+    for (i, volume) in all {
+        volumes[i] += volume / cell;
     }
     for volume in &mut volumes {
         if (*volume - 1.0).abs() < WHOLE {
@@ -57,54 +53,107 @@ pub(crate) fn cell_shares(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IV
     if volumes.iter().all(|volume| *volume == 1.0) {
         return None;
     }
-    scale_parts(&mut volumes, shape.volume() / spacings.element_product());
-    let stiffness = if is_large { volumes.clone() } else { fitted(shape, lattice, cells, &volumes) };
+    scale_parts(&mut volumes, shape.volume() / cell, lost / cell);
+    let stiffness = if is_large { within_bounds(&volumes) } else { fitted(lattice, cells, &volumes, &whole) };
     Some(CellShares { volumes, stiffness })
 }
 
 /// What rows may miss of the parts of cells, at most: more of it is no error of theirs.
 const MISSED: f64 = 0.2;
 
-/// Brings the parts of cells to where all volumes add up to the whole.
-fn scale_parts(volumes: &mut [f64], whole: f64) {
+/// Brings the parts of cells to where all volumes add up to the whole, but for what is too far from any particle.
+fn scale_parts(volumes: &mut [f64], whole: f64, lost: f64) {
     let is_part = |volume: &f64| *volume != 1.0;
     let parts: f64 = volumes.iter().filter(|volume| is_part(volume)).sum();
     let full = volumes.iter().filter(|volume| !is_part(volume)).count() as f64;
-    let scale = (whole - full) / parts;
+    let scale = (whole - full) / (parts + lost);
     if (scale - 1.0).abs() < MISSED {
         volumes.iter_mut().filter(|volume| is_part(volume)).for_each(|volume| *volume *= scale);
     }
 }
 
-/// By how much each cell is filled, of those that are, in order, by so many rows along y and z through each.
-fn filled_cells(shape: &dyn Rows, lattice: &FittedLattice, through: i32) -> Vec<(IVec3, f64)> {
-    let [min, max] = shape.bounds();
-    let (spacings, origin) = (lattice.spacings(), lattice.origin);
-    let first = ((min - origin) / spacings).round().as_ivec3();
-    let last = ((max - origin) / spacings).round().as_ivec3();
-    let rows: Vec<(i32, i32)> = (first.z..=last.z).flat_map(|z| (first.y..=last.y).map(move |y| (y, z))).collect();
-    let each = f64::from(through * through).recip();
-    let of_row = |&(y, z): &(i32, i32)| {
-        let mut filled = vec![0.0; (last.x - first.x + 1) as usize];
-        for k in 0..through * through {
-            let within = |k: i32| (f64::from(k) + 0.5) / f64::from(through) - 0.5;
-            let at = |axis: usize, cell: i32, k: i32| origin[axis] + spacings[axis] * (f64::from(cell) + within(k));
-            for [from, to] in shape.row(at(1, y, k % through), at(2, z, k / through)) {
-                // In cells, from the lower end of the first.
-                let along = |x: f64| (x - origin.x) / spacings.x + 0.5 - f64::from(first.x);
-                let [from, to] = [along(from), along(to)];
-                let (begin, end) = (from.floor().max(0.0) as usize, (to.ceil() as usize).min(filled.len()));
-                for (cell, filled) in filled.iter_mut().enumerate().take(end).skip(begin) {
-                    let cell = cell as f64;
-                    *filled += each * (to.min(cell + 1.0) - from.max(cell)).max(0.0);
+fn within_bounds(volumes: &[f64]) -> Vec<f64> {
+    volumes.iter().map(|volume| volume.clamp(BOUNDS[0], BOUNDS[1])).collect()
+}
+
+/// What particles stand for, piece by piece: of their own cells and of those without a particle.
+struct Pieces {
+    /// Particles and volumes [m³].
+    all: Vec<(usize, f64)>,
+    /// All of these, about the lattice's origin.
+    whole: Moments,
+    /// Volume that is too far from any particle [m³].
+    lost: f64,
+}
+
+impl Pieces {
+    const NONE: Self = Self { all: Vec::new(), whole: Moments::NONE, lost: 0.0 };
+
+    /// By so many rows through an eighth of each cell.
+    fn of(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IVec3], through: usize) -> Self {
+        let numbers: HashMap<IVec3, usize> = cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
+        let (spacings, origin) = (lattice.spacings(), lattice.origin);
+        let within = places_within(through);
+        let section = spacings.y * spacings.z / within.len() as f64;
+        let of_row = |&[y, z]: &[i32; 2]| {
+            let mut row: BTreeMap<i32, Moments> = BTreeMap::new();
+            for place in &within {
+                let across = [spacings.y * (f64::from(y) + place[0]), spacings.z * (f64::from(z) + place[1])];
+                for [from, to] in shape.row(origin.y + across[0], origin.z + across[1]) {
+                    let [from, to] = [(from - origin.x) / spacings.x, (to - origin.x) / spacings.x];
+                    for x in (from + 0.5).floor() as i32..(to + 0.5).ceil() as i32 {
+                        let ends = [from.max(f64::from(x) - 0.5), to.min(f64::from(x) + 0.5)];
+                        let piece = row.entry(x).or_insert(Moments::NONE);
+                        piece.add_stretch(ends.map(|end| spacings.x * end), across, section);
+                    }
                 }
             }
+            let mut found = Self::NONE;
+            for (x, moments) in row.into_iter().filter(|(_, moments)| moments.volume > 0.0) {
+                let cell = IVec3::new(x, y, z);
+                let nearest = numbers.get(&cell).map_or_else(|| nearest(cell, &numbers, spacings), |&i| vec![i]);
+                if nearest.is_empty() {
+                    found.lost += moments.volume;
+                } else {
+                    found.whole.add(&moments);
+                    let each = moments.volume / nearest.len() as f64;
+                    found.all.extend(nearest.into_iter().map(|i| (i, each)));
+                }
+            }
+            found
+        };
+        let rows: Vec<Self> = rows_near(shape, lattice, cells).par_iter().map(of_row).collect();
+        rows.into_iter().fold(Self::NONE, |mut sum, of| {
+            sum.all.extend(of.all);
+            sum.whole.add(&of.whole);
+            sum.lost += of.lost;
+            sum
+        })
+    }
+}
+
+/// Places in the section of a cell, from -1/2 to 1/2, as many to the left as to the right, below and above, and
+/// alike along both, so that what a shape is alike on all sides its parts are; evenly along each of the two, and none
+/// on the diagonals, along which faces may lie.
+fn places_within(eighth: usize) -> Vec<[f64; 2]> {
+    let place = |k: usize| [k as f64 + 0.25, ((2 * k + 1) % eighth) as f64 + 0.75].map(|of| 0.5 * of / eighth as f64);
+    let folded = (0..eighth).map(place).flat_map(|[a, b]| [[a, b], [b, a]]);
+    folded.flat_map(|[a, b]| [[a, b], [-a, b], [a, -b], [-a, -b]]).collect()
+}
+
+/// Indices along y and z of the rows of cells with particles and those within reach of them, as far as the shape goes.
+fn rows_near(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IVec3]) -> Vec<[i32; 2]> {
+    let [first, last] =
+        shape.bounds().map(|corner| ((corner - lattice.origin) / lattice.spacings()).round().as_ivec3());
+    let mut rows: Vec<[i32; 2]> = cells.iter().map(|cell| [cell.z, cell.y]).collect();
+    rows.dedup();
+    let mut near = BTreeSet::new();
+    for [z, y] in rows {
+        for z in (z - REACH).max(first.z)..=(z + REACH).min(last.z) {
+            near.extend(((y - REACH).max(first.y)..=(y + REACH).min(last.y)).map(|y| [z, y]));
         }
-        let cells = (first.x..).zip(filled).filter(|(_, filled)| *filled > 0.0);
-        cells.map(|(x, filled)| (IVec3::new(x, y, z), filled)).collect()
-    };
-    let rows: Vec<Vec<(IVec3, f64)>> = rows.par_iter().map(of_row).collect();
-    rows.into_iter().flatten().collect()
+    }
+    near.into_iter().map(|[z, y]| [y, z]).collect()
 }
 
 /// The particles that lie nearest to a cell without one.
@@ -129,17 +178,16 @@ fn nearest(cell: IVec3, numbers: &HashMap<IVec3, usize>, spacings: DVec3) -> Vec
 /// Numbers by which a share may differ from the volume: 1, x, y, z, xx, yy, zz, xy, yz, zx.
 const TERMS: usize = 10;
 
-/// Shares near the volumes by which volume, centre and second moments are the shape's.
-fn fitted(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IVec3], volumes: &[f64]) -> Vec<f64> {
+/// Shares near the volumes by which volume, centre and second moments are those of `whole`, which are taken about the
+/// lattice's origin.
+fn fitted(lattice: &FittedLattice, cells: &[IVec3], volumes: &[f64], whole: &Moments) -> Vec<f64> {
     let spacings = lattice.spacings();
-    let [min, max] = shape.bounds();
-    let center = 0.5 * (min + max);
-    let Target { to_unit, gravity, .. } = Target::of(shape, center);
+    let Target { to_unit, gravity, .. } = Target::from_moments(whole);
     let own = to_unit * DMat3::from_diagonal(OWN_MOMENT * spacings * spacings) * to_unit.transpose();
     let terms: Vec<[f64; TERMS]> = cells
         .iter()
         .map(|cell| {
-            let DVec3 { x, y, z } = to_unit * (lattice.origin - center - gravity + spacings * cell.as_dvec3());
+            let DVec3 { x, y, z } = to_unit * (spacings * cell.as_dvec3() - gravity);
             let (own, mixed) = (
                 DVec3::new(own.x_axis.x, own.y_axis.y, own.z_axis.z),
                 DVec3::new(own.x_axis.y, own.y_axis.z, own.z_axis.x),
@@ -160,53 +208,33 @@ fn fitted(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IVec3], volumes: &
         .collect();
     let whole = volumes.iter().sum::<f64>();
     let target: [f64; TERMS] = [1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(|of| of * whole);
-    let mut shares: Vec<f64> = volumes.to_vec();
+    let mut shares = volumes.to_vec();
     for _ in 0..ROUNDS {
-        let mut gram = [[0.0; TERMS]; TERMS];
-        let mut missing = target;
+        let mut gram = Mat::<f64>::zeros(TERMS, TERMS);
+        let mut missing = Mat::from_fn(TERMS, 1, |row, _| target[row]);
         for (share, terms) in shares.iter().zip(&terms) {
-            for (row, a) in gram.iter_mut().zip(terms) {
-                for (entry, b) in row.iter_mut().zip(terms) {
-                    *entry += share * a * b;
+            for (row, a) in terms.iter().enumerate() {
+                for (column, b) in terms[..=row].iter().enumerate() {
+                    gram[(row, column)] += share * a * b;
                 }
-            }
-            for (missing, term) in missing.iter_mut().zip(terms) {
-                *missing -= share * term;
+                missing[(row, 0)] -= share * a;
             }
         }
-        let by = solved(gram, missing);
+        for k in 0..TERMS {
+            gram[(k, k)] *= 1.0 + RIDGE;
+        }
+        let Ok(factor) = gram.llt(Side::Lower) else { break };
+        factor.solve_in_place(&mut missing);
         for (share, terms) in shares.iter_mut().zip(&terms) {
-            let change: f64 = by.iter().zip(terms).map(|(by, term)| by * term).sum();
+            let change: f64 = terms.iter().enumerate().map(|(row, term)| missing[(row, 0)] * term).sum();
             *share = (*share * (1.0 + change)).clamp(BOUNDS[0], BOUNDS[1]);
         }
     }
-    shares
+    if shares.iter().all(|share| share.is_finite()) { shares } else { within_bounds(volumes) }
 }
 
 /// Keeps what the particles cannot tell apart, as two layers cannot a square from a constant, from having a part.
 const RIDGE: f64 = 1e-6;
-
-/// Solves a symmetric, positive system by its factor.
-fn solved(mut a: [[f64; TERMS]; TERMS], mut b: [f64; TERMS]) -> [f64; TERMS] {
-    for k in 0..TERMS {
-        a[k][k] *= 1.0 + RIDGE;
-    }
-    for k in 0..TERMS {
-        for j in 0..k {
-            let dot: f64 = (0..j).map(|l| a[k][l] * a[j][l]).sum();
-            a[k][j] = (a[k][j] - dot) / a[j][j];
-        }
-        let squares: f64 = a[k][..k].iter().map(|x| x * x).sum();
-        a[k][k] = (a[k][k] - squares).max(f64::MIN_POSITIVE).sqrt();
-    }
-    for k in 0..TERMS {
-        b[k] = (b[k] - (0..k).map(|j| a[k][j] * b[j]).sum::<f64>()) / a[k][k];
-    }
-    for k in (0..TERMS).rev() {
-        b[k] = (b[k] - (k + 1..TERMS).map(|j| a[j][k] * b[j]).sum::<f64>()) / a[k][k];
-    }
-    b
-}
 
 impl CellShares {
     /// Those of the particles that are kept.

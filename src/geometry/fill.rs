@@ -4,7 +4,7 @@
 //! A section three or four spacings wide holds 0.88 to 1.18 of its area depending on where the lattice falls. Geometry
 //! dominates every other error there, so the search is worth its time.
 
-use super::placement::{Filling, LatticePlacement, collect, looked_at, placements, prune, refilled};
+use super::placement::{Filling, LatticePlacement, collect, looked_at, placements, prune, with_shares};
 use super::solid::Solid;
 use super::two_layers::{BOX_SHARE, FINER_TRIES, two_layer_spacing};
 use std::ops::ControlFlow;
@@ -152,11 +152,12 @@ pub(crate) fn fill_with_progress(
     match best(solid, &candidates, reach, &mut tried)? {
         Some(filling) if !is_flat(&filling) => {
             tried.reach(LATTICES)?;
-            if matches!(resolution, FillResolution::Particles(_)) {
+            let fits = match resolution {
+                FillResolution::Spacing(spacing) => Some(spacing),
                 // As many as were asked for.
-                return Ok(filling);
-            }
-            match refilled(solid, filling, reach, &mut || tried.tell()) {
+                FillResolution::Particles(_) => None,
+            };
+            match with_shares(solid, filling, reach, fits, &mut || tried.tell()) {
                 ControlFlow::Continue(filling) => Ok(filling),
                 ControlFlow::Break(()) => Err(FillError::Cancelled),
             }

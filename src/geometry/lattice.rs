@@ -129,6 +129,17 @@ impl LatticeSample {
         self.spacing.powi(3) * self.stretch.element_product()
     }
 
+    /// By how much it is stretched along the directions in which it is long, more by the longer ones.
+    pub(crate) fn stretch_along(&self) -> f64 {
+        if self.stretch == DVec3::ONE {
+            return 1.0;
+        }
+        let [least, most] =
+            [IVec3::min, IVec3::max].map(|of| self.cells.iter().copied().reduce(of).unwrap_or_default());
+        let squares = (self.stretch * (most - least).as_dvec3()).powf(2.0);
+        (squares.dot(self.stretch.powf(2.0)) / squares.element_sum()).sqrt()
+    }
+
     /// The points as they would lie if the lattice were not stretched [m].
     pub(crate) fn unstretched(&self) -> Cow<'_, [DVec3]> {
         if self.stretch == DVec3::ONE {

@@ -23,8 +23,11 @@ pub(crate) struct FittedLattice {
     pub(crate) origin: DVec3,
 }
 
-/// Changes of the spacing that are tried where not all faces are flat, in hundredths.
-const FREE_CHANGES: [i32; 11] = [102, 98, 104, 96, 106, 94, 108, 92, 110, 90, 112];
+/// Changes of the spacing that are tried where not all faces are flat, in hundredths, and what a finer and a coarser
+/// one cost: layers are few where it matters, and fewer of them bend and twist further from theory.
+const FREE_CHANGES: [i32; 16] = [98, 102, 96, 104, 94, 106, 92, 108, 90, 110, 88, 112, 86, 84, 82, 80];
+const FREE_FINER: f64 = 0.15;
+const FREE_COARSER: f64 = 1.0;
 
 /// Cosine from which a face is flat along an axis, and the share of all that is seen along it that has to be.
 const FLAT: f64 = 1.0 - 1e-6;
@@ -35,6 +38,9 @@ const AGREED: f64 = 0.98;
 
 /// Quarters of the spacing by which a lattice is moved along axes without flat faces.
 const SHIFTS: i32 = 4;
+
+/// Cost of a lattice that does not lie symmetrically to the shape's extents, for each axis.
+const ASYMMETRIC: f64 = 5e-4;
 
 /// Own second moment of a particle about its centre, in squared spacings. That of a cube is 1/12; what a section of 3
 /// to 6 layers bends too easily is made up for by asking for a little more.
@@ -48,6 +54,17 @@ impl FittedLattice {
     pub(crate) fn spacings(&self) -> DVec3 {
         self.spacing * self.stretch
     }
+
+    /// Rows of a lattice through the box around a shape.
+    pub(crate) fn rows_through(shape: &dyn Rows, spacing: f64) -> f64 {
+        let [min, max] = shape.bounds();
+        let rows = (max - min) / spacing + 2.0;
+        rows.y * rows.z
+    }
+
+    /// Lattices that are tried to find the one that fits a shape best, at most, those that differ along x only counting
+    /// as one.
+    pub(crate) const TRIED: f64 = ((1 + FREE_CHANGES.len() as i32) * SHIFTS * SHIFTS) as f64;
 
     /// The lattice that fits a shape best; none where there are so many particles that none is looked for. `progress`
     /// is asked from time to time whether to go on.
@@ -72,7 +89,11 @@ impl FittedLattice {
             let spacing = change * spacing;
             let flats = planes.each_ref().map(|planes| planes.as_ref().and_then(|planes| planes.fitted(spacing)));
             let stretch = DVec3::from_array(flats.map(|flat| flat.map_or(1.0, |flat| flat.stretch)));
-            let price = price(change, stretch);
+            let by = if change < 1.0 { FREE_FINER } else { FREE_COARSER };
+            let price = by * change.ln().abs() + price(1.0, stretch);
+            if best.is_some_and(|(least, _)| price > least) {
+                continue;
+            }
             let shifts = |axis: usize| if flats[axis].is_none() { SHIFTS } else { 1 };
             let place = |axis: usize, shift: i32| match flats[axis] {
                 Some(flat) => flat.point,
@@ -86,7 +107,12 @@ impl FittedLattice {
                     let lattices: Vec<Self> =
                         (0..shifts(0)).map(|x| Self { spacing, stretch, origin: at(x) }).collect();
                     let sums = whole_moments(shape, &lattices, center);
-                    sums.iter().zip(&lattices).map(|(sums, lattice)| (target.error(sums) + price, *lattice)).collect()
+                    let askew = |shift: i32| ASYMMETRIC * f64::from(2 * shift % SHIFTS);
+                    let each = (0..).zip(sums.iter().zip(&lattices));
+                    each.map(|(x, (sums, lattice))| {
+                        (target.error(sums) + price + askew(x) + askew(y) + askew(z), *lattice)
+                    })
+                    .collect()
                 })
                 .collect();
             for (cost, lattice) in tried.into_iter().flatten() {
@@ -192,8 +218,11 @@ pub(super) struct Target {
 }
 
 impl Target {
-    pub(super) fn of(shape: &dyn Rows, center: DVec3) -> Self {
-        let Moments { volume, first, second } = Moments::of(shape, center);
+    fn of(shape: &dyn Rows, center: DVec3) -> Self {
+        Self::from_moments(&Moments::of(shape, center))
+    }
+
+    pub(super) fn from_moments(&Moments { volume, first, second }: &Moments) -> Self {
         let gravity = first / volume;
         let central = second * volume.recip() - spread(gravity);
         Self { volume, to_unit: inverse_factor(central), gravity }

@@ -1,11 +1,11 @@
 //! A lattice placed in a solid: which of its points lie inside, and which of those others hold.
 
-use super::cell_shares::cell_shares;
+use super::cell_shares::{CellShares, cell_shares};
 use super::lattice::LatticeSample;
 use super::lattice_fit::FittedLattice;
 use super::solid::Solid;
 use super::thinness::{Thinness, thinness};
-use glam::{DMat3, DVec3, IVec3};
+use glam::{DMat3, DVec3, IVec3, Vec3Swizzles};
 use rayon::prelude::*;
 use std::ops::{ControlFlow, RangeInclusive};
 
@@ -20,6 +20,8 @@ pub struct Filling {
     pub thinness: Thinness,
     /// Lattice points inside that were left out because too few others are around them to hold them.
     pub pruned: usize,
+    /// What each particle stands for; a whole cell where nothing is said.
+    pub(crate) shares: Option<CellShares>,
 }
 
 /// Quarters of the spacing by which the lattice is moved along each axis.
@@ -160,34 +162,70 @@ pub(crate) fn prune(solid: &Solid, mut sample: LatticeSample, reach: f64) -> Fil
         (found, stray) = thinness(&sample.cells, reach);
     }
     let volume_error = sample.points.len() as f64 * sample.cell_volume() / solid.volume - 1.0;
-    Filling { volume_error, thinness: found, pruned: before - sample.points.len(), sample }
+    Filling { volume_error, thinness: found, pruned: before - sample.points.len(), shares: None, sample }
 }
 
-/// The same solid filled by a lattice that its faces fit so well that each particle stands for a whole cell, where
-/// there is one. A surface with holes stays as it is, since its rows cost too much. `progress` is asked from time to
-/// time whether to go on.
-pub(crate) fn refilled(
+/// Rows through a surface with holes from which on the parts of its cells are not measured.
+const MOST_OPEN_ROWS: usize = 2_000;
+
+/// Faces that are looked at, a row counting as some more, up to which a lattice is looked for that fits a solid's second
+/// moments.
+const MOST_LOOKS: f64 = 4e6;
+const LOOKS_A_ROW: f64 = 8.0;
+
+/// The lattice of a filling.
+fn lattice_of(sample: &LatticeSample) -> Option<FittedLattice> {
+    let (&point, cell) = (sample.points.first()?, sample.cells.first()?);
+    let LatticeSample { spacing, stretch, .. } = *sample;
+    Some(FittedLattice { spacing, stretch, origin: point - spacing * (stretch * cell.as_dvec3()) })
+}
+
+/// The lattice that fits a solid best, where that is soon found.
+fn fitted_to(
     solid: &Solid,
-    filling: Filling,
+    spacing: f64,
+    progress: &mut dyn FnMut() -> ControlFlow<()>,
+) -> ControlFlow<(), Option<FittedLattice>> {
+    let looks = FittedLattice::rows_through(solid, spacing) * (LOOKS_A_ROW + solid.faces_a_row());
+    if FittedLattice::TRIED * looks < MOST_LOOKS {
+        return FittedLattice::to(solid, spacing, progress);
+    }
+    let is_soon_filled = looks < MOST_LOOKS;
+    ControlFlow::Continue(if is_soon_filled { FittedLattice::between_faces(solid, spacing) } else { None })
+}
+
+/// A filling with what its particles stand for. With `fits` it may be another one, by a lattice that the solid's faces
+/// or its second moments fit, if no more of it is thin. Rows through a surface with holes cost much: it stays as it is,
+/// and is only measured where it has few of them. `progress` is asked from time to time whether to go on.
+pub(crate) fn with_shares(
+    solid: &Solid,
+    mut filling: Filling,
     reach: f64,
+    fits: Option<f64>,
     progress: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> ControlFlow<(), Filling> {
-    let (Some(&point), Some(cell), true) =
-        (filling.sample.points.first(), filling.sample.cells.first(), solid.report.closed)
-    else {
-        return ControlFlow::Continue(filling);
-    };
-    let spacing = filling.sample.spacing;
-    let Some(fitted) = FittedLattice::between_faces(solid, spacing) else { return ControlFlow::Continue(filling) };
-    let is_whole = |lattice: &FittedLattice, cells: &[IVec3]| cell_shares(solid, lattice, cells).is_none();
-    let lattice = FittedLattice { spacing, stretch: DVec3::ONE, origin: point - spacing * cell.as_dvec3() };
-    progress()?;
-    if is_whole(&lattice, &filling.sample.cells) {
+    let sample = &filling.sample;
+    let rows = sample.cells.chunk_by(|a, b| a.yz() == b.yz()).count();
+    if !solid.report.closed && rows > MOST_OPEN_ROWS {
         return ControlFlow::Continue(filling);
     }
+    let Some(lattice) = lattice_of(sample) else { return ControlFlow::Continue(filling) };
     progress()?;
-    let refilled = prune(solid, fitted.collect(solid), reach);
-    let is_better = refilled.pruned == 0 && refilled.thinness.single <= filling.thinness.single;
-    let is_better = is_better && !refilled.sample.points.is_empty() && is_whole(&fitted, &refilled.sample.cells);
-    ControlFlow::Continue(if is_better { refilled } else { filling })
+    filling.shares = cell_shares(solid, &lattice, &sample.cells);
+    if let (Some(spacing), true, true) = (fits, solid.report.closed, filling.shares.is_some())
+        && let Some(fitted) = fitted_to(solid, spacing, progress)?
+    {
+        progress()?;
+        let mut refilled = prune(solid, fitted.collect(solid), reach);
+        let is_thinner = refilled.pruned > filling.pruned || refilled.thinness.single > filling.thinness.single;
+        if !is_thinner && !refilled.sample.points.is_empty() {
+            refilled.shares = cell_shares(solid, &fitted, &refilled.sample.cells);
+            filling = refilled;
+        }
+    }
+    if let Some(shares) = &filling.shares {
+        let volume = shares.volumes.iter().sum::<f64>() * filling.sample.cell_volume();
+        filling.volume_error = volume / solid.volume - 1.0;
+    }
+    ControlFlow::Continue(filling)
 }

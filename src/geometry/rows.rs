@@ -119,8 +119,15 @@ impl Moments {
     /// Those of nothing.
     pub(crate) const NONE: Self = Self { volume: 0.0, first: DVec3::ZERO, second: DMat3::ZERO };
 
+    /// Adds those of something else.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.volume += other.volume;
+        self.first += other.first;
+        self.second += other.second;
+    }
+
     /// Adds a stretch of a row of this section [m²], in which y and z are the same everywhere.
-    fn add_stretch(&mut self, [from, to]: [f64; 2], y: f64, z: f64, section: f64) {
+    pub(crate) fn add_stretch(&mut self, [from, to]: [f64; 2], [y, z]: [f64; 2], section: f64) {
         let powers = [to - from, 0.5 * (to * to - from * from), (to.powi(3) - from.powi(3)) / 3.0];
         self.add_sums(powers.map(|sum| section * sum), y, z);
     }
@@ -151,16 +158,15 @@ impl Moments {
                 let y = min.y + (f64::from(column) + 0.5) * steps[0];
                 for stretch in shape.row(y, z) {
                     let along = stretch.map(|x| x - center.x);
-                    moments.add_stretch(along, y - center.y, z - center.z, steps[0] * steps[1]);
+                    moments.add_stretch(along, [y - center.y, z - center.z], steps[0] * steps[1]);
                 }
             }
             moments
         };
         let layers: Vec<Self> = (0..layers as u32).into_par_iter().map(of_layer).collect();
-        layers.into_iter().fold(Self::NONE, |sum, of| Self {
-            volume: sum.volume + of.volume,
-            first: sum.first + of.first,
-            second: sum.second + of.second,
+        layers.iter().fold(Self::NONE, |mut sum, of| {
+            sum.add(of);
+            sum
         })
     }
 }

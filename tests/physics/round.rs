@@ -127,3 +127,73 @@ fn a_two_layer_body_of_another_size_sags_by_the_same_share_of_it() {
     let (paper, small) = (sag(1.0), sag(0.0625));
     assert!((small / paper - 1.0).abs() < 0.05 && paper > 1.0, "{paper} and {small}");
 }
+
+#[test]
+fn particles_of_round_bodies_stand_for_what_is_inside_of_their_cells() {
+    let shapes: [Shape; 4] = [
+        BallShape::new(0.011).into(),
+        CylinderShape::new(0.0085, 0.04).into(),
+        CapsuleShape::new(0.009, 0.03).into(),
+        TorusShape::new(0.03, 0.0085).into(),
+    ];
+    for shape in shapes {
+        let volume = shape.volume().unwrap();
+        let mut scene = Scene::new("Round").with_gravity([0.0; 3]).with_body(soft(shape.clone()));
+        scene.measures = vec![Measure::new("volume", "body", MeasureKind::Volume)];
+        let runner = Runner::new(bake(&scene, &Assets::default()).unwrap());
+        let [filled] = runner.world().measures()[..] else { panic!("one") };
+        let sinew::solver::MeasureValue::Scalar(filled) = filled else { panic!("a number") };
+        // Its surface is made of flat faces.
+        assert!((filled / volume - 1.0).abs() < 0.02, "{shape:?}: {filled} of {volume}");
+        let state = runner.world().bodies()[0].state();
+        assert!((state.mass() / (1000.0 * volume) - 1.0).abs() < 1e-9, "{shape:?}");
+        let [least, most] = [f64::min, f64::max].map(|of| state.masses.iter().copied().reduce(of).unwrap());
+        assert!(least < 0.95 * most, "{shape:?}: particles that are all alike, {least} to {most}");
+        let middle = state.positions.iter().zip(&state.masses).map(|(at, mass)| *at * *mass).sum::<DVec3>();
+        assert!(middle.length() / state.mass() < 4e-5, "{shape:?}: {middle}");
+        // About the axis, that of a cell included.
+        let moment = |(at, mass): (&DVec3, &f64)| mass * (at.x * at.x + at.z * at.z);
+        let about_y = state.positions.iter().zip(&state.masses).map(moment).sum::<f64>() / state.mass();
+        let theory = match &shape {
+            Shape::Ball(of) => 0.4 * of.radius.powi(2),
+            Shape::Cylinder(of) => 0.5 * of.radius.powi(2),
+            Shape::Torus(of) => of.radius.powi(2) + 0.75 * of.tube_radius.powi(2),
+            _ => continue,
+        };
+        let ratio = (about_y + 0.004_f64.powi(2) / 6.0) / theory;
+        assert!((ratio - 1.0).abs() < 0.05, "{shape:?}: {ratio}");
+    }
+}
+
+#[test]
+fn a_round_body_is_strained_evenly_by_a_linear_displacement_and_not_at_all_by_a_turn() {
+    let runner = |deformation: [[f64; 3]; 3]| {
+        let mut body = soft(CapsuleShape::new(0.009, 0.03));
+        body.initial.deformation = deformation;
+        body.regions = vec![
+            Region::in_sphere("all", [0.0; 3], 1.0),
+            Region::in_sphere("top", [0.0, 0.024, 0.0], 0.006),
+            Region::in_sphere("side", [0.009, 0.0, 0.0], 0.004),
+        ];
+        let mut scene = Scene::new("Round").with_gravity([0.0; 3]).with_body(body);
+        let stress = |region: &str| Measure::new(region, "body", MeasureKind::stress(region, Some([0.0, 1.0, 0.0])));
+        scene.measures = ["all", "top", "side"].map(stress).to_vec();
+        scene.validate().unwrap();
+        Runner::new(bake(&scene, &Assets::default()).unwrap())
+    };
+    let strained = runner([[1.002, 0.0, 0.0], [0.0, 0.99, 0.0], [0.0, 0.0, 1.003]]);
+    let [lambda, mu] = [1e5 * 0.33 / (1.33 * 0.34), 1e5 / (2.0 * 1.33)];
+    let theory = 2.0 * mu * -0.01 + lambda * (0.002 - 0.01 + 0.003);
+    for stress in strained.world().measures() {
+        let sinew::solver::MeasureValue::Scalar(stress) = stress else { panic!("a number") };
+        assert!((stress / theory - 1.0).abs() < 1e-6, "{stress} Pa, not {theory}");
+    }
+    let (sine, cosine) = 0.7_f64.sin_cos();
+    let mut turned = runner([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]]);
+    let before = positions(&turned).to_vec();
+    for _ in 0..10 {
+        turned.advance_frame();
+    }
+    let moved = positions(&turned).iter().zip(&before).map(|(now, before)| now.distance(*before)).fold(0.0, f64::max);
+    assert!(moved < 1e-9, "{moved} m");
+}

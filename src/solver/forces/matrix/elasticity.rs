@@ -29,6 +29,14 @@ impl Elasticity {
         Self { lambda, mu, residual_penalty: 1.5 * mu, sum_penalty: beta * mu * spacing * spacing }
     }
 
+    /// The same on a lattice that is stretched by a factor along the directions in which the body bends and twists. What
+    /// residuals cost there, a good part of the stiffness of few layers, goes with its square.
+    #[must_use]
+    pub fn stretched_by(self, stretch: f64) -> Self {
+        let by = stretch.powi(-2);
+        Self { residual_penalty: by * self.residual_penalty, sum_penalty: by * self.sum_penalty, ..self }
+    }
+
     /// First Piola-Kirchhoff stress `P = R (2 mu e + lambda tr(e) I)` [Pa] and energy density `e : sigma / 2` [J/m³] of
     /// a deformation gradient F with rotation R.
     pub(super) fn stress(&self, f: DMat3, r: DMat3) -> (DMat3, f64) {

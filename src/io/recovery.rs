@@ -12,7 +12,7 @@ use super::json_out::write_line;
 use super::read::read_text;
 use super::scene::{MAX_SCENE_BYTES, checked_scene, typed};
 use super::{IoError, make_folder, write_atomically};
-use crate::scene::{Scene, SceneError, one_line};
+use crate::scene::{Scene, SceneError};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::fs::{self, File};

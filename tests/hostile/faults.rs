@@ -19,14 +19,14 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 /// Something that is written, in two versions, and a next start.
-struct Kind {
-    name: &'static str,
+pub struct Kind {
+    pub name: &'static str,
     /// Writes version 0 or 1 into a folder.
-    write: fn(&Path, usize) -> Result<(), String>,
+    pub write: fn(&Path, usize) -> Result<(), String>,
     /// Which versions the folder holds whole, one or none of each file.
-    versions: fn(&Path) -> Vec<usize>,
+    pub versions: fn(&Path) -> Vec<usize>,
     /// What the next start does.
-    start: fn(&Path),
+    pub start: fn(&Path),
     /// Whether more than one file is written, so that those before the fault are new already.
     several: bool,
 }
@@ -63,7 +63,7 @@ fn frame(version: usize) -> Vec<u8> {
     [b'0' + version as u8].repeat(20_000 + version)
 }
 
-const KINDS: [Kind; 5] = [
+pub const KINDS: [Kind; 5] = [
     Kind {
         name: "save",
         write: |folder, version| save_scene(&file(folder), &scene(version)).map_err(|error| error.to_string()),
@@ -133,7 +133,7 @@ const KINDS: [Kind; 5] = [
 ];
 
 /// Temporary files in a folder and those in it, and locks without a document.
-fn litter(folder: &Path) -> Vec<PathBuf> {
+pub fn litter(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("an entry").path();

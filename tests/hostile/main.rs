@@ -5,6 +5,7 @@ mod drawn;
 mod faults;
 mod files;
 mod fuzz;
+mod kills;
 mod mutate;
 mod peak;
 mod read;

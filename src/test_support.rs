@@ -31,8 +31,25 @@ pub mod cli {
 /// How files are written, and what is kept for the next start.
 pub mod io {
     pub use crate::io::atomic::write_atomically;
+    pub use crate::io::door::{Fate, Step, judged};
     pub use crate::io::recovery::{Origin, RecoveryFile, recoverable_documents};
     pub use crate::io::scene::MAX_SCENE_BYTES;
+
+    /// Writes a journal as the window does.
+    ///
+    /// # Errors
+    /// As every write.
+    pub fn write_journal(path: &std::path::Path, journal: &crate::sim::Journal) -> Result<(), crate::io::IoError> {
+        crate::io::write_json(path, journal)
+    }
+
+    /// Reads a journal as `sinew replay` does: none of its scenes is out of range.
+    ///
+    /// # Errors
+    /// What is wrong with the file, as people read it.
+    pub fn read_journal(path: &std::path::Path) -> Result<crate::sim::Journal, String> {
+        crate::cli::read_journal(path).map_err(|error| error.to_string())
+    }
 
     /// Points [m] of all lines in a file, one after the other, or what is said of it.
     ///

@@ -7,7 +7,7 @@ use super::table::{Align, Table};
 use super::{CliError, Console, Outcome, body_table};
 use crate::bake::Baked;
 use crate::io::is_model;
-use crate::scene::{Scene, one_line};
+use crate::scene::{BYTES_PER_PARTICLE, Scene, one_line};
 use crate::sim::body_labels;
 use crate::solver::body::Body;
 use crate::solver::world::World;
@@ -55,6 +55,7 @@ fn contents(scene: &Scene, baked: &Baked, source: &str) -> String {
         world.panels().len(),
         world.probes().len(),
     );
+    text += &whole(scene, world);
     for part in [bodies(world), steps(world), regions(baked), measures(world)] {
         if !part.is_empty() {
             text += "\n";
@@ -62,6 +63,26 @@ fn contents(scene: &Scene, baked: &Baked, source: &str) -> String {
         }
     }
     text
+}
+
+/// Particles that are moved in a second by one core, within a factor of three [1/s].
+const RATE: f64 = 3e6;
+
+/// What the whole scene takes: particles, memory and time.
+fn whole(scene: &Scene, world: &World) -> String {
+    let plan = world.plan();
+    let particles: usize = world.bodies().iter().map(|body| body.state().len()).sum();
+    let a_second =
+        world.bodies().iter().zip(&plan.substeps).map(|(body, &substeps)| {
+            cost(body, f64::from(substeps) * f64::from(plan.outer_steps) / plan.frame_seconds)
+        });
+    let steps = a_second.sum::<f64>() * scene.time.duration;
+    format!(
+        "in all: {particles} particles, about {} MB of memory, {} particle steps, about {} s on one core\n",
+        four_figures((BYTES_PER_PARTICLE * particles as f64 * 1e-6).ceil()),
+        four_figures(steps),
+        four_figures((steps / RATE).ceil()),
+    )
 }
 
 fn bodies(world: &World) -> Table {

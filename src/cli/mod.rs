@@ -43,6 +43,7 @@ pub use console::Console;
 pub use error::CliError;
 pub use interruption::Signal;
 pub use outcome::Outcome;
+pub(crate) use replay::read_journal;
 pub use trace::traced;
 
 use clap::{Parser, Subcommand};

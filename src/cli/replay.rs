@@ -6,13 +6,13 @@ use super::interruption::Interruption;
 use super::output;
 use super::prepare::folder_of;
 use super::{CliError, Console, Outcome};
-use crate::io::{complete_assets, read_json};
+use crate::io::{complete_assets, read_json, typed};
 use crate::scene::{Assets, one_line};
 use crate::sim::{Journal, Report, Rerun, Runner};
 use crate::transfer::Inputs;
 use clap::Args;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Arguments of `sinew replay`.
@@ -33,7 +33,7 @@ pub struct Replay {
 /// # Errors
 /// A journal or a model that cannot be read, a scene that cannot be put together, a report that cannot be written.
 pub(super) fn run(args: &Replay, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
-    let journal = read(args)?;
+    let journal = read_journal(&args.journal)?;
     let mut assets = Assets::default();
     console.begin();
     for scene in journal.scenes() {
@@ -57,10 +57,14 @@ pub(super) fn run(args: &Replay, interruption: &Interruption, console: &mut Cons
     }
 }
 
-fn read(args: &Replay) -> Result<Journal, CliError> {
-    let refused = |problem: String| CliError::Journal { path: args.journal.clone(), problem };
-    let journal: Journal = serde_json::from_value(read_json(&args.journal)?)
-        .map_err(|error| refused(format!("it is no journal ({})", one_line(&error.to_string()))))?;
+/// Reads a journal whose scenes can be used.
+///
+/// # Errors
+/// A file that cannot be read, is no journal, or holds a scene that cannot be used.
+pub(crate) fn read_journal(path: &Path) -> Result<Journal, CliError> {
+    let refused = |problem: String| CliError::Journal { path: path.to_owned(), problem };
+    let journal: Journal =
+        typed(&read_json(path)?).map_err(|why| refused(format!("it is no journal of the window ({why})")))?;
     for scene in journal.scenes() {
         scene.validate().map_err(|error| refused(format!("a scene in it cannot be used: {error}")))?;
     }

@@ -7,7 +7,7 @@
 
 use super::IoError;
 use super::atomic::Draft;
-use std::fs::File;
+use super::door::OpenFile;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,7 @@ pub(crate) struct AnimatedPng {
     /// Time of a picture as a fraction of a second.
     delay: [u16; 2],
     /// None until the first picture is there.
-    file: Option<File>,
+    file: Option<OpenFile>,
     pictures: u32,
     /// Pieces that are counted so far.
     sequence: u32,
@@ -177,7 +177,8 @@ mod tests {
         let mut animated = AnimatedPng::new(path.clone(), 1.0 / 60.0);
         for count in 1..5 {
             animated.push(&picture(10 * count as u8)).unwrap();
-            let mut reader = png::Decoder::new(io::BufReader::new(File::open(&path).unwrap())).read_info().unwrap();
+            let mut reader =
+                png::Decoder::new(io::BufReader::new(std::fs::File::open(&path).unwrap())).read_info().unwrap();
             let said = reader.info().animation_control().unwrap();
             assert_eq!((said.num_frames, said.num_plays), (count, 0));
             let mut pixels = vec![0; reader.output_buffer_size().unwrap()];

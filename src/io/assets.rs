@@ -7,7 +7,7 @@ use super::model::{is_model, model_bytes, read_cache, read_model, read_skeleton}
 #[cfg(feature = "gui")]
 use super::{collect::from_folder, paths::resolved};
 use crate::geometry::solid::Solid;
-use crate::scene::{Assets, Leader, ModelFile, Scene};
+use crate::scene::{AnyBody, Assets, Leader, MAX_PARTICLES, ModelFile, Scene, Shape, TwoLayerShape};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -90,6 +90,36 @@ fn complete(
     }
     for (pointer, leader) in scene.leaders() {
         complete_leader(assets, &pointer, leader, folder, bytes, progress)?;
+    }
+    check_particles(assets, scene)
+}
+
+/// Refuses models of which more particles are to be made than are allowed in a scene; one that is too much by itself
+/// is told of where it is filled.
+fn check_particles(assets: &Assets, scene: &Scene) -> Result<(), IoError> {
+    let (mut particles, most) = (0.0, MAX_PARTICLES as f64);
+    for (index, body) in scene.all_bodies().enumerate() {
+        let own = match body {
+            AnyBody::Solid(body) => {
+                let solid = if let Shape::Mesh(shape) = &body.shape { assets.solid(shape) } else { None };
+                body.about_particles(solid.map(|solid| solid.volume))
+            }
+            AnyBody::TwoLayer(body) => {
+                let solid = if let TwoLayerShape::Mesh(mesh) = &body.shape { assets.solid(mesh) } else { None };
+                body.about_particles(solid.map(|solid| solid.surface.points.len()))
+            }
+        };
+        let own = own.unwrap_or_default();
+        particles += own;
+        if particles > most && own <= most {
+            let (place, what) = match body {
+                AnyBody::Solid(_) => ("material/support_radius", "the bodies larger support radii"),
+                AnyBody::TwoLayer(_) => ("shape/mesh/path", "coarser models"),
+            };
+            let pointer = format!("{}/{place}", scene.body_pointer(index));
+            let error = Box::new(IoError::TooManyParticles { particles, most, what });
+            return Err(IoError::Asset { pointer, error });
+        }
     }
     Ok(())
 }

@@ -5,10 +5,10 @@
 //! away by the next save in that folder.
 
 use super::IoError;
+use super::door::{self, OpenFile, TemporaryFile};
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
 
 /// Writes a file through `content`, so that the path holds either what it held before or all that is new.
 ///
@@ -61,7 +61,7 @@ fn sweep_folder(folder: &Path) {
             && file.try_lock().is_ok()
         {
             // Under the lock: a writer that has just made this file finds it gone when it has the lock itself.
-            fs::remove_file(entry.path()).ok();
+            door::remove(&entry.path()).ok();
         }
     }
 }
@@ -73,7 +73,7 @@ fn sweep_folder(folder: &Path) {
 /// [`IoError::Folder`] within [`IoError::InFile`]: it cannot be made or written to, or the path is a file.
 pub(crate) fn make_folder(path: &Path) -> Result<(), IoError> {
     let make = || {
-        fs::create_dir_all(path)?;
+        door::make_folders(path)?;
         sweep_folder(path);
         // Locked, as all of ours: another that sweeps at this moment leaves it alone.
         WriteTarget { path: path.join("probe"), old: None }.temporary_file()?.close()
@@ -90,7 +90,7 @@ const SUFFIX: &str = ".tmp";
 /// # Errors
 /// [`IoError::Write`] within [`IoError::InFile`]: it is there and stays.
 pub(super) fn remove_old(path: &Path) -> Result<(), IoError> {
-    match fs::remove_file(path) {
+    match door::remove(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(IoError::Write(error).within(path)),
         _ => Ok(()),
     }
@@ -130,18 +130,11 @@ impl WriteTarget {
         }
     }
 
-    fn temporary_file(&self) -> io::Result<NamedTempFile> {
-        let mut options = tempfile::Builder::new();
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt;
-            // What the system gives any new file; temporary files are private otherwise.
-            options.permissions(fs::Permissions::from_mode(0o666));
-        }
+    fn temporary_file(&self) -> io::Result<TemporaryFile> {
         loop {
-            let file = options.prefix(PREFIX).suffix(SUFFIX).tempfile_in(self.folder())?;
+            let file = TemporaryFile::make(self.folder(), PREFIX, SUFFIX, false)?;
             // Not every file system has locks: there, nothing is swept away either.
-            if file.as_file().lock().is_err() || file.path().exists() {
+            if file.is_held() {
                 return Ok(file);
             }
             // Somebody swept it away before it was locked.
@@ -158,7 +151,7 @@ fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
 /// A file that is being written beside the one that it is to replace. Dropped, it is gone.
 pub(super) struct Draft {
     target: WriteTarget,
-    file: BufWriter<NamedTempFile>,
+    file: BufWriter<TemporaryFile>,
 }
 
 impl Draft {
@@ -169,13 +162,9 @@ impl Draft {
     }
 
     /// Brings what was written to the disk and renames it over what was there. Gives the file, to be written on.
-    pub(super) fn replace(self) -> io::Result<File> {
+    pub(super) fn replace(self) -> io::Result<OpenFile> {
         let file = self.file.into_inner().map_err(io::IntoInnerError::into_error)?;
-        if let Some(old) = &self.target.old {
-            file.as_file().set_permissions(old.permissions())?;
-        }
-        file.as_file().sync_all()?;
-        let file = file.persist(&self.target.path).map_err(|error| error.error)?;
+        let file = file.put(&self.target.path, self.target.old.as_ref().map(Metadata::permissions))?;
         // The rename itself is on the disk once the folder is. Not every system can open a folder: then it is on its
         // own.
         if let Ok(folder) = File::open(self.target.folder()) {

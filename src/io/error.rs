@@ -31,6 +31,30 @@ pub enum IoError {
         /// Greatest size that is read.
         limit: u64,
     },
+    /// JSON of so many small values that they take far more memory than the text.
+    #[error(
+        "its values would take about {megabytes} MB of memory where its {bytes} bytes are given {most} MB; is it the right file?"
+    )]
+    TooManyValues {
+        /// Length of the text [bytes].
+        bytes: usize,
+        /// Memory that they would take [MiB].
+        megabytes: u64,
+        /// Most that is taken for such a text [MiB].
+        most: u64,
+    },
+    /// Models of which the scene makes too many particles.
+    #[error(
+        "with the bodies before it the scene has about {particles:.1e} particles where {most:.0e} are allowed; give {what}"
+    )]
+    TooManyParticles {
+        /// How many there would be.
+        particles: f64,
+        /// Greatest number.
+        most: f64,
+        /// What to change.
+        what: &'static str,
+    },
     /// The system refused to read.
     #[error("the file cannot be read ({0}); check its permissions")]
     Read(#[source] io::Error),

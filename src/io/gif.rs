@@ -5,7 +5,7 @@
 
 use super::IoError;
 use super::atomic::Draft;
-use std::fs::File;
+use super::door::OpenFile;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,7 @@ pub(crate) struct AnimatedGif {
     /// Time of a frame [s].
     seconds: f64,
     /// None until the first picture is there.
-    file: Option<File>,
+    file: Option<OpenFile>,
     frames: u64,
     pictures: u64,
     /// Where the byte is that ends the file.

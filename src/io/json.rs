@@ -14,6 +14,10 @@ use std::fmt;
 pub(super) fn parse(text: &str) -> Result<Value, IoError> {
     // Some editors begin a file with a byte order mark; RFC 8259 lets a reader pass over it.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (needed, most) = (memory_of(text.as_bytes()), 10 * text.len() as u64 + FREE);
+    if needed > most {
+        return Err(IoError::TooManyValues { bytes: text.len(), megabytes: needed >> 20, most: most >> 20 });
+    }
     let mut source = serde_json::Deserializer::from_str(text);
     let parsed: Result<Strict, _> = serde_path_to_error::deserialize(&mut source);
     let (error, path) = match parsed {
@@ -32,6 +36,38 @@ pub(super) fn parse(text: &str) -> Result<Value, IoError> {
         problem = format!("{problem} near `{token}`");
     }
     Err(IoError::Syntax { line, column, path, problem })
+}
+
+/// Memory that a text's values may take beside ten times its length [bytes].
+const FREE: u64 = 64 << 20;
+
+/// About the memory that a text takes as values [bytes], at the time when a list grows, without reading any of them.
+fn memory_of(text: &[u8]) -> u64 {
+    /// A value in its list, with the room that the list keeps for more; a list's first four values; a leaf of the tree
+    /// of an object's members; a member's name.
+    const COSTS: [u64; 4] = [64, 160, 680, 40];
+    let [value, list, object, name] = COSTS;
+    let (mut bytes, mut at) = (text.len() as u64, 0);
+    while let Some(&byte) = text.get(at) {
+        at += 1;
+        match byte {
+            b'"' => {
+                while let Some(&byte) = text.get(at) {
+                    at += if byte == b'\\' { 2 } else { 1 };
+                    if byte == b'"' {
+                        break;
+                    }
+                }
+            }
+            b',' => bytes += value,
+            b':' => bytes += name,
+            // Empty ones take no room of their own.
+            b'[' if text.get(at) != Some(&b']') => bytes += list,
+            b'{' if text.get(at) != Some(&b'}') => bytes += object,
+            _ => {}
+        }
+    }
+    bytes
 }
 
 /// Line, column and what is wrong there, on one line.

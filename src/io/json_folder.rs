@@ -1,6 +1,7 @@
 //! Folders in which the program keeps small things for a person, each as JSON in a file of its own.
 
 use super::atomic::sweep;
+use super::door;
 use super::json::{place_and_problem, pointer_of};
 use super::json_out::write_line;
 use super::read::read_text;
@@ -87,7 +88,7 @@ impl JsonFolder {
     /// # Errors
     /// [`IoError::InFile`]: the system does not let it go.
     pub(crate) fn remove(path: &Path) -> Result<(), IoError> {
-        fs::remove_file(path).map_err(|error| IoError::Write(error).within(path))
+        door::remove(path).map_err(|error| IoError::Write(error).within(path))
     }
 }
 

@@ -7,6 +7,7 @@ pub(crate) mod atomic;
 mod beside;
 mod collect;
 mod colours;
+pub(crate) mod door;
 mod error;
 pub(crate) mod export;
 mod finite;
@@ -70,6 +71,7 @@ pub(crate) use read::read_json;
 pub(crate) use recent::RecentFiles;
 #[cfg(feature = "gui")]
 pub(crate) use recovery::{Origin, RecoverableDocument, RecoveryFile, recoverable_documents};
+pub(crate) use scene::typed;
 pub use scene::{load_scene, save_scene, scene_from_json, scene_to_json};
 pub use schema::{scene_schema, unknown_fields};
 pub(crate) use skinned_glb::write_skinned_glb;

@@ -1,6 +1,7 @@
 //! Reading a whole file, if it is one and of sensible size.
 
 use super::IoError;
+use super::json::parse;
 use std::fs::{self, File, FileType};
 use std::io::{self, Read};
 use std::path::Path;
@@ -19,6 +20,11 @@ pub(super) fn open_file(path: &Path) -> Result<(File, u64), IoError> {
         return Err(IoError::NotAFile(kind_of(metadata.file_type())));
     }
     Ok((File::open(path).map_err(IoError::Read)?, metadata.len()))
+}
+
+/// Length of a regular file [bytes]; none where there is no such file.
+pub(super) fn length_of(path: &Path) -> Option<u64> {
+    fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|metadata| metadata.len())
 }
 
 /// The content of a regular file of at most `limit` bytes.
@@ -51,11 +57,11 @@ pub(super) fn read_text(path: &Path, limit: u64) -> Result<String, IoError> {
 /// JSON that this program wrote earlier.
 ///
 /// # Errors
-/// As [`read_text`], and [`IoError::Read`] where it is no JSON; within [`IoError::InFile`].
+/// As [`read_text`], and [`IoError::Syntax`] where it is no JSON; within [`IoError::InFile`].
 pub(crate) fn read_json(path: &Path) -> Result<serde_json::Value, IoError> {
     /// Longest such file [bytes].
     const LIMIT: u64 = 1 << 30;
-    let read = || serde_json::from_str(&read_text(path, LIMIT)?).map_err(|error| IoError::Read(error.into()));
+    let read = || parse(&read_text(path, LIMIT)?);
     read().map_err(|error| error.within(path))
 }
 

@@ -6,12 +6,13 @@
 //! recovered, and another window's document is not taken for it.
 
 use super::atomic::sweep;
+use super::door::{self, TemporaryFile};
 use super::json::parse;
 use super::json_out::write_line;
 use super::read::read_text;
-use super::scene::{MAX_SCENE_BYTES, checked_scene};
+use super::scene::{MAX_SCENE_BYTES, checked_scene, typed};
 use super::{IoError, make_folder, write_atomically};
-use crate::scene::{Scene, SceneError, one_line};
+use crate::scene::{Scene, SceneError};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::fs::{self, File};
@@ -130,7 +131,7 @@ impl RecoveryFile {
 impl Drop for RecoveryFile {
     fn drop(&mut self) {
         // What cannot be removed is found free of its lock, and removed, at the next start.
-        fs::remove_file(&self.lock).ok();
+        door::remove(&self.lock).ok();
     }
 }
 
@@ -187,10 +188,10 @@ impl RecoverableDocument {
 fn taken(folder: &Path) -> io::Result<(File, PathBuf)> {
     let suffix = format!(".{LOCK}");
     loop {
-        let made = tempfile::Builder::new().prefix(PREFIX).suffix(&suffix).tempfile_in(folder)?;
+        let made = TemporaryFile::make(folder, PREFIX, &suffix, true)?;
         // Not every file system has locks: there, a document open in another window is offered too.
-        if made.as_file().lock().is_err() || made.path().exists() {
-            return Ok(made.keep()?);
+        if made.is_held() {
+            return made.keep();
         }
         // Somebody took it for one that was left behind, before it was locked.
     }
@@ -205,12 +206,12 @@ fn drop_free(lock: &Path) {
     if let Ok(file) = File::open(lock)
         && file.try_lock().is_ok()
     {
-        fs::remove_file(lock).ok();
+        door::remove(lock).ok();
     }
 }
 
 fn removed(path: &Path) -> Result<(), IoError> {
-    match fs::remove_file(path) {
+    match door::remove(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(IoError::Write(error).within(path)),
         _ => Ok(()),
     }
@@ -233,11 +234,11 @@ fn looked_at(document: &Path) -> Option<RecoverableDocument> {
 
 fn read(document: &Path) -> Result<ReadContent, IoError> {
     let text = read_text(document, MAX_SCENE_BYTES)?;
-    serde_json::from_value(parse(&text)?).map_err(|error| {
+    typed(&parse(&text)?).map_err(|why| {
         IoError::Type(SceneError {
             path: String::new(),
             value: "this".to_owned(),
-            problem: format!("is no document that was kept ({})", one_line(&error.to_string())),
+            problem: format!("is no document that was kept ({why})"),
             remedy: "remove the file".to_owned(),
         })
     })

@@ -7,6 +7,7 @@ use super::read::read_text;
 use super::schema::{SchemaNode, closest, node_at, unknown_fields_of};
 use super::{IoError, write_atomically};
 use crate::scene::{SCENE_VERSION, Scene, SceneError, brief, one_line};
+use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::Path;
 
@@ -74,6 +75,23 @@ fn scene_from_value(value: &Value) -> Result<Scene, IoError> {
             None => (mismatch(&message), describe(&path)),
         };
         IoError::Type(SceneError { path, value: brief(found), problem: one_line(&problem), remedy })
+    })
+}
+
+/// A value tree as a thing of a type.
+///
+/// # Errors
+/// Where it is none, what stands there and what is wrong with it, as a part of a sentence.
+pub(crate) fn typed<T: DeserializeOwned>(value: &Value) -> Result<T, String> {
+    serde_path_to_error::deserialize(value).map_err(|error| {
+        let (path, found) = deepest(value, pointer_of(error.path()));
+        let message = error.inner().to_string();
+        let problem = match missing_field(&message) {
+            Some(field) => format!("lacks the member {field:?}"),
+            None => mismatch(&message),
+        };
+        let at = if path.is_empty() { "/" } else { &path };
+        one_line(&format!("{at}: {} {problem}", brief(found)))
     })
 }
 

@@ -37,6 +37,7 @@ mod room;
 mod round_shape;
 mod shape;
 mod sheet;
+mod size;
 mod spring_act;
 mod start;
 mod time;
@@ -84,6 +85,7 @@ pub use sheet::{
     Grain, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, Sheet, SheetActivation, SheetRestShape, SheetSource,
     SheetStiffness, SheetTriangles, SweptStrokes,
 };
+pub(crate) use size::BYTES_PER_PARTICLE;
 pub use spring_act::{ActiveSprings, SpringChoice};
 pub use start::{Impulse, Initial};
 pub use time::{Automatic, Manual, Time, TimeStep};

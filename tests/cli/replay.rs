@@ -74,7 +74,7 @@ fn what_gained_energy_is_told_again() {
 fn what_is_no_journal_is_refused() {
     let desk = desk();
     let line = desk.refused("replay scene.json");
-    assert!(line.contains("scene.json: it is no journal"), "{line}");
+    assert!(line.contains("scene.json: it is no journal of the window"), "{line}");
     let mut journal: Value = desk.json("journal.json");
     journal["scene"]["bodies"][0]["material"]["young_modulus"] = json!(-1);
     fs::write(desk.path("journal.json"), journal.to_string()).expect("it is written");

@@ -21,6 +21,7 @@ mod hurried;
 mod in_sight;
 mod journal;
 mod loading;
+mod monkey;
 mod patterns;
 mod picture;
 mod plots;

@@ -11,9 +11,9 @@ use super::republished::Republished;
 use super::writer::{MotionWriter, Planned};
 use crate::export::{BodySubject, Frame, Subject};
 use crate::io::atomic::{Draft, remove_old};
+use crate::io::door::OpenFile;
 use crate::io::{IoError, write_atomically};
 use glam::DVec3;
-use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -59,7 +59,7 @@ struct Growing {
     path: PathBuf,
     points: u32,
     /// None until the first frame is there.
-    file: Option<File>,
+    file: Option<OpenFile>,
     samples: u32,
 }
 

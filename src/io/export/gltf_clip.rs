@@ -3,7 +3,7 @@
 
 use super::looks::merged_parts;
 use crate::geometry::file_mesh::{FileMesh, FilePart, UvSet};
-use crate::io::model::triangulate;
+use crate::io::model::Cutter;
 use glam::DVec3;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -29,11 +29,11 @@ impl ClipMesh {
         let Vertices { source, uv_sets, normals, .. } = vertices;
         let normals = mesh.normals.is_some().then_some(normals);
         let points: Vec<DVec3> = source.iter().map(|&vertex| mesh.points[vertex as usize]).collect();
-        let (mut triangles, mut parts) = (Vec::new(), Vec::new());
+        let (mut triangles, mut parts, mut cutter) = (Vec::new(), Vec::new(), Cutter::default());
         for (part, runs) in merged_parts(mesh) {
             let first = triangles.len();
             for face in runs.into_iter().flat_map(|run| &faces[run]) {
-                triangulate(face, &points, &mut triangles);
+                cutter.cut(face, &points, &mut triangles);
             }
             parts.push((part.clone(), first..triangles.len()));
         }

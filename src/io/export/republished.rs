@@ -5,8 +5,8 @@
 //! more at the end: all that is copied is three times the file, and what a run that is killed leaves is whole, and two
 //! thirds of its frames at least.
 
+use crate::io::door::OpenFile;
 use crate::io::{IoError, write_atomically};
-use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 pub(super) struct Republished {
     path: PathBuf,
     /// Frames so far, in a file without a name, which is gone with the program.
-    aside: File,
+    aside: OpenFile,
     /// Bytes of whole frames there.
     length: u64,
     frames: usize,
@@ -28,7 +28,7 @@ impl Republished {
     /// The folder takes no file.
     pub(super) fn create(path: PathBuf) -> Result<Self, IoError> {
         let folder = path.parent().unwrap_or(Path::new("."));
-        let aside = tempfile::tempfile_in(folder).map_err(|error| IoError::Write(error).within(&path))?;
+        let aside = OpenFile::aside(folder).map_err(|error| IoError::Write(error).within(&path))?;
         Ok(Self { path, aside, length: 0, frames: 0, published: 0 })
     }
 

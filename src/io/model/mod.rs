@@ -16,7 +16,7 @@ mod stl;
 mod text;
 
 pub(super) use named_files::NamedFiles;
-pub(super) use polygon::triangulate;
+pub(super) use polygon::Cutter;
 
 use limits::MAX_MODEL_BYTES;
 

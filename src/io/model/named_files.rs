@@ -3,10 +3,12 @@
 use super::failure::Failure;
 use super::gltf;
 use super::limits::MAX_MODEL_BYTES;
+use super::mtl::MOST_LIBRARIES;
 use super::obj::each_statement;
 use super::text::{Lines, decoded, number, without_mark, words};
 use crate::io::paths::resolved;
 use crate::io::read::read_bytes;
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 /// Files that a model names.
@@ -54,14 +56,23 @@ fn within(folder: &Path, path: PathBuf) -> PathBuf {
     if path.is_absolute() { relative().unwrap_or(path) } else { path }
 }
 
+/// Names of textures that are looked for, at most.
+const MOST_TEXTURES: usize = 10_000;
+
 /// Files that an OBJ file names: its materials, and the textures of these.
 pub(super) fn of_obj(bytes: &[u8], folder: &Path) -> Result<NamedFiles, Failure> {
     let text = without_mark(bytes);
-    let (mut files, mut libraries) = (NamedFiles::default(), Vec::new());
+    let (mut files, mut libraries, mut named) = (NamedFiles::default(), Vec::new(), HashSet::new());
     let here = (folder, Path::new(""));
     each_statement(&text, |statement| {
         if statement.keyword() == b"mtllib" {
             let name = decoded(statement.name());
+            if !named.insert(name.clone()) {
+                return Ok(());
+            }
+            if named.len() > MOST_LIBRARIES {
+                return Err(Failure::new(format_args!("it names more than {MOST_LIBRARIES} libraries of materials")));
+            }
             // One with spaces in its name, or several.
             if ways(&name).iter().any(|name| folder.join(name).is_file()) {
                 libraries.extend(files.take(here, &[&name], &name));
@@ -71,12 +82,24 @@ pub(super) fn of_obj(bytes: &[u8], folder: &Path) -> Result<NamedFiles, Failure>
         }
         Ok(())
     })?;
+    libraries.sort();
+    libraries.dedup();
+    let (mut read, mut textures) = (HashSet::new(), HashSet::new());
     for library in libraries {
+        if resolved(&folder.join(&library)).is_some_and(|file| !read.insert(file)) {
+            continue;
+        }
         let content = read_bytes(&folder.join(&library), MAX_MODEL_BYTES).unwrap_or_default();
         let beside = library.parent().unwrap_or(Path::new(""));
         for (_, line) in Lines::new(&without_mark(&content)) {
             if let Some(name) = texture_of(line) {
                 let (name, last) = (decoded(name), decoded(words(name).last().unwrap_or_default()));
+                if !textures.insert((beside.to_owned(), name.clone())) {
+                    continue;
+                }
+                if textures.len() > MOST_TEXTURES {
+                    return Err(Failure::new(format_args!("its materials name more than {MOST_TEXTURES} textures")));
+                }
                 files.take((folder, beside), &[&name, &last], &name);
             }
         }

@@ -4,10 +4,12 @@
 //! a first line behind a byte order mark so that every index is off by one, and say of no fault in which line it is.
 
 use super::failure::Failure;
+use super::limits::MOST_PARTS;
 use super::mtl::Materials;
 use super::notes::note;
 use super::obj_piece::{Corner, Piece, Vertices};
-use super::text::{Lines, decoded, number, shown, without_mark, words};
+use super::polygon::{Cutter, too_long};
+use super::text::{Lines, decoded, named, number, shown, without_mark, words};
 use crate::geometry::file_mesh::{CornerValues, FileMesh, FilePart, UvSet};
 use crate::geometry::model::Model;
 use crate::io::colours::linear;
@@ -147,6 +149,7 @@ struct Reader<'a> {
     material: Option<String>,
     name: String,
     piece: Piece,
+    cutter: Cutter,
     corners: Vec<Corner>,
     model: Model,
     file: FileMesh,
@@ -168,6 +171,7 @@ impl<'a> Reader<'a> {
             material: None,
             name: String::new(),
             piece: Piece::default(),
+            cutter: Cutter::default(),
             corners: Vec::new(),
             model: Model::default(),
             file: FileMesh::default(),
@@ -187,18 +191,18 @@ impl<'a> Reader<'a> {
             b"f" | b"fo" => self.add_face(line)?,
             b"o" | b"g" => {
                 self.finish_piece();
-                self.name = decoded(line.name());
-                self.begin_part();
+                self.name = named(line.name());
+                self.begin_part(line)?;
             }
             b"mtllib" => self.materials.load(self.folder, &decoded(line.name())),
             b"usemtl" => {
-                let material = Some(decoded(line.name())).filter(|name| self.materials.knows(name));
+                let material = Some(named(line.name())).filter(|name| self.materials.knows(name));
                 if material != self.material {
                     self.finish_piece();
                     self.material = material;
                 }
-                self.material_name = decoded(line.name());
-                self.begin_part();
+                self.material_name = named(line.name());
+                self.begin_part(line)?;
             }
             // Lines, points, curves and what else is no surface.
             _ => {}
@@ -221,7 +225,9 @@ impl<'a> Reader<'a> {
             self.too_few = Some((count + 1, first));
             return Ok(());
         }
-        self.piece.add_face(&self.corners, self.vertices);
+        if !self.piece.add_face(&self.corners, self.vertices, &mut self.cutter) {
+            return Err(too_long(self.corners.len()));
+        }
         let Self { corners, file, vertices, textures, normals, .. } = self;
         let is_there = |index: &u32| vertices.textures.get(*index as usize).is_some_and(Option::is_some);
         textures.extend(corners.iter().map(|corner| corner.texture.filter(is_there).unwrap_or(UvSet::NONE)));
@@ -234,10 +240,14 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn begin_part(&mut self) {
+    fn begin_part(&mut self, line: &Statement<'_>) -> Result<(), Failure> {
+        if self.file.parts.len() > MOST_PARTS {
+            return Err(line.fail(format_args!("it begins more than {MOST_PARTS} parts")));
+        }
         let colour = self.material.as_ref().and_then(|name| self.materials.colour(name));
         let (name, material) = (self.name.clone(), self.material_name.clone());
         self.file.begin_part(FilePart { name, material, colour, ..FilePart::default() });
+        Ok(())
     }
 
     /// One corner of a face: `vertex`, `vertex/texture`, `vertex//normal` or `vertex/texture/normal`.
@@ -293,7 +303,7 @@ impl<'a> Reader<'a> {
         self.file.complete_normals();
         self.file.colours = self.vertices.all_colours();
         self.model.file = Some(Arc::new(self.file));
-        self.model.notes.extend(self.materials.notes.into_iter().map(note));
+        self.model.notes.extend(self.materials.told().map(note));
         if let Some((count, line)) = self.too_few {
             let faces = if count == 1 { "1 face has" } else { &format!("{count} faces have") };
             let text = format!("{faces} fewer than three corners and no part in the surface, the first in line {line}");

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::obj::each_statement;
-use super::text::{decoded, shown, without_mark};
+use super::text::{named, shown, without_mark};
 use glam::DVec3;
 
 /// A polyline.
@@ -34,7 +34,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<ObjLine>, Failure> {
     each_statement(&text, |statement| {
         match statement.keyword() {
             b"v" => seen += 1,
-            b"o" | b"g" => (name, end) = (decoded(statement.name()), None),
+            b"o" | b"g" => (name, end) = (named(statement.name()), None),
             b"l" => {
                 let mut vertices = Vec::new();
                 for word in statement.values() {

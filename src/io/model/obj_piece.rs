@@ -1,6 +1,6 @@
 //! A part of an OBJ file: its faces, and the vertices that they make of positions and normals.
 
-use super::polygon::triangulate;
+use super::polygon::Cutter;
 use crate::geometry::model::MeshData;
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
@@ -75,7 +75,8 @@ impl Piece {
         self.triangles.is_empty()
     }
 
-    pub(super) fn add_face(&mut self, corners: &[Corner], vertices: &Vertices) {
+    /// Adds a face, cut into triangles; false where that takes too long.
+    pub(super) fn add_face(&mut self, corners: &[Corner], vertices: &Vertices, cutter: &mut Cutter) -> bool {
         self.face.clear();
         for &corner in corners {
             let next = self.corners.len() as u32;
@@ -86,7 +87,7 @@ impl Piece {
             }
             self.face.push(index);
         }
-        triangulate(&self.face, &self.positions, &mut self.triangles);
+        cutter.cut(&self.face, &self.positions, &mut self.triangles)
     }
 
     /// The mesh, in the colours of its vertices or else in that of its material.

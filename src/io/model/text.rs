@@ -1,6 +1,7 @@
 //! Text as exporters write it: with or without a byte order mark, in UTF-8, UTF-16 or Latin-1, with lines that end as
 //! on any system, and numbers as C, Fortran and spreadsheets print them.
 
+use super::limits::LONGEST_NAME;
 use std::borrow::Cow;
 
 /// Characters of a line that a message repeats, at most.
@@ -87,9 +88,27 @@ pub(super) fn decoded(bytes: &[u8]) -> String {
     }
 }
 
+/// Bytes as a name, whose end goes where it is longer than any is meant to be.
+pub(super) fn named(bytes: &[u8]) -> String {
+    shortened(decoded(bytes))
+}
+
+/// A name without its end where it is longer than any is meant to be.
+pub(super) fn shortened(mut name: String) -> String {
+    if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
+        name.truncate(end);
+    }
+    name
+}
+
 /// A line as a message shows it.
 pub(super) fn shown(line: &[u8]) -> String {
-    let text = decoded(line.trim_ascii());
+    let line = line.trim_ascii();
+    // Of a long one enough, up to a whole character.
+    let enough = line.len().min(4 * SHOWN + 4);
+    let cut_through = str::from_utf8(&line[..enough]).err().filter(|error| error.error_len().is_none());
+    let end = cut_through.map_or(enough, |error| error.valid_up_to());
+    let text = decoded(&line[..if enough < line.len() { end } else { enough }]);
     if text.chars().count() <= SHOWN { text } else { text.chars().take(SHOWN).chain("...".chars()).collect() }
 }
 

@@ -17,7 +17,7 @@ pub(super) fn bodies<'a>(root: &At<'_>, scene: &'a Scene) -> Result<Ids<'a>, Sce
         ids.add(&at.field("id"), body.id())?;
         match body {
             AnyBody::Solid(body) => particles = solid(&at, body, particles)?,
-            AnyBody::TwoLayer(body) => two_layer(&at, body)?,
+            AnyBody::TwoLayer(body) => particles = two_layer(&at, body, particles)?,
         }
     }
     Ok(ids)

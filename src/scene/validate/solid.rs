@@ -10,12 +10,10 @@ use super::parts::{impulses, initial, model_file, pins, placement, regions, rota
 use super::sheets::sheets;
 use super::voids::voids;
 use super::{SceneError, brief};
-use crate::geometry::lattice::points_looked_at;
 use crate::scene::{
-    Body, CapsuleShape, CylinderShape, Fibre, IntegratorChoice, IntegratorKind, MAX_PARTICLES, Mass, Material, Shape,
-    Stiffness, TorusShape,
+    BYTES_PER_PARTICLE, Body, CapsuleShape, CylinderShape, Fibre, IntegratorChoice, IntegratorKind, MAX_PARTICLES,
+    Mass, Material, MeshShape, Shape, Stiffness, TorusShape,
 };
-use glam::{DMat3, DVec3};
 
 /// Range of D / h. Below it a particle has over 150 neighbours and costs more than it tells; above it fewer than
 /// 20 are left, too few for a sound deformation gradient.
@@ -26,9 +24,6 @@ const MAX_POISSON: f64 = 0.49;
 
 /// Fewest particles worth asking for: two along each axis.
 const LEAST_PARTICLES: usize = 8;
-
-/// Memory that a material particle takes with its neighbours [bytes].
-const BYTES_PER_PARTICLE: f64 = 2500.0;
 
 /// Checks a fibre solid but for its identifier. `before` are the particles of the bodies before it; gives those with
 /// its own.
@@ -121,36 +116,31 @@ fn material(at: &At<'_>, material: &Material) -> Checked {
     Ok(())
 }
 
-/// Particles of the bodies so far, this one included, as their volumes and spacings have it.
-fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, SceneError> {
-    // The volume of a mesh is not in the document: baking counts its particles.
-    let material = &body.material;
-    let own = match &body.shape {
-        Shape::Box(shape) => {
-            let turn = &shape.lattice_rotation;
-            let axes = if turn.degrees == 0.0 {
-                DMat3::IDENTITY
-            } else {
-                let axis = DVec3::from_array(turn.axis).normalize_or(DVec3::Y);
-                DMat3::from_axis_angle(axis, turn.degrees.to_radians())
-            };
-            points_looked_at(DVec3::from_array(shape.size), material.spacing(), axes)
-        }
-        round => match round.volume() {
-            Some(volume) => volume / material.spacing().powi(3),
-            None => return Ok(before),
-        },
-    };
-    let particles = before + own;
-    let most = MAX_PARTICLES as f64;
+/// What is said of so many particles.
+pub(super) fn too_many(particles: f64) -> String {
     let rounded = |value: f64| if value < 1e6 { format!("{value:.1}") } else { format!("{value:.1e}") };
-    let problem = format!(
+    format!(
         "makes about {} million particles ({} GB of memory) where {:.0} million are allowed",
         rounded(particles * 1e-6),
         rounded(particles * BYTES_PER_PARTICLE * 1e-9),
-        most * 1e-6
-    );
-    let material_at = at.field("material");
+        MAX_PARTICLES as f64 * 1e-6
+    )
+}
+
+/// Particles of the bodies so far, this one included, as their volumes and spacings have it.
+fn count(at: &At<'_>, body: &Body, before: f64) -> Result<f64, SceneError> {
+    // The volume of a mesh is not in the document: what fills it is counted when it is read.
+    let Some(own) = body.about_particles(None) else { return Ok(before) };
+    let particles = before + own;
+    let most = MAX_PARTICLES as f64;
+    let problem = too_many(particles);
+    let (material, material_at) = (&body.material, at.field("material"));
+    if let Shape::Mesh(MeshShape { particles: Some(count), .. }) = &body.shape {
+        let (shape_at, few) = (at.field("shape"), || "give fewer, or take bodies away");
+        let mesh_at = shape_at.field("mesh");
+        require(&mesh_at.field("particles"), count, particles <= most, &problem, few)?;
+        return Ok(particles);
+    }
     let radius_at = material_at.field("support_radius");
     require(&radius_at, &material.support_radius, particles <= most, &problem, || {
         if before >= most * 0.5 {

@@ -1,17 +1,32 @@
 //! Checks of the two-layer bodies.
 
+use super::SceneError;
 use super::check::{At, Checked, Ids, finite, not_negative, number, ordered, positive, require, vector};
 use super::drives;
 use super::follows::follows;
 use super::parts::{impulses, initial, model_file, pins, placement, regions};
+use super::solid::too_many;
 use crate::scene::{Drive, InnerOffset, MAX_PARTICLES, Region, Selector, TwoLayer, TwoLayerShape};
 
 /// More subdivisions of the octahedron than this are refused.
 const MOST_SUBDIVISIONS: u32 = 5;
 
-/// Checks a two-layer body but for its identifier.
-pub(super) fn two_layer(at: &At<'_>, body: &TwoLayer) -> Checked {
+/// More sides of a ring than this are refused: its steps get shorter with each.
+const MOST_SIDES: u32 = 20_000;
+
+/// Checks a two-layer body but for its identifier. `before` are the particles of the bodies before it; gives those with
+/// its own.
+pub(super) fn two_layer(at: &At<'_>, body: &TwoLayer, before: f64) -> Result<f64, SceneError> {
     shape(&at.field("shape"), &body.shape)?;
+    // Those of a mesh are counted when it is read.
+    let particles = before + body.about_particles(None).unwrap_or_default();
+    let (problem, few) = (too_many(particles), || "give fewer sides or subdivisions, or take bodies away");
+    require(&at.field("shape"), &body.title(), particles <= MAX_PARTICLES as f64, &problem, few)?;
+    rest(at, body)?;
+    Ok(particles)
+}
+
+fn rest(at: &At<'_>, body: &TwoLayer) -> Checked {
     placement(&at.field("placement"), &body.placement)?;
     parameters(at, body)?;
     initial(&at.field("initial"), &body.initial)?;
@@ -50,9 +65,9 @@ fn shape(at: &At<'_>, shape: &TwoLayerShape) -> Checked {
         TwoLayerShape::Segment(segment) => positive(&at.field("segment").field("length"), segment.length, "m"),
         TwoLayerShape::Ring(ring) => {
             let at = at.field("ring");
-            let possible = (3..=MAX_PARTICLES as u32 / 2).contains(&ring.sides);
+            let possible = (3..=MOST_SIDES).contains(&ring.sides);
             require(&at.field("sides"), &ring.sides, possible, "sides make no polygon that fits", || {
-                format!("give 3 to {}", MAX_PARTICLES / 2)
+                format!("give 3 to {MOST_SIDES}")
             })?;
             radii(&at, ring.outer_radius, ring.inner_radius, ring.single_layer)
         }
@@ -115,7 +130,7 @@ fn parameters(at: &At<'_>, body: &TwoLayer) -> Checked {
 }
 
 /// The regions of a body, its own and those that each has.
-pub(super) fn known_regions<'a>(at: &At<'_>, body: &'a TwoLayer) -> Result<Ids<'a>, super::SceneError> {
+pub(super) fn known_regions<'a>(at: &At<'_>, body: &'a TwoLayer) -> Result<Ids<'a>, SceneError> {
     let mut known = Ids::of("region");
     for id in TwoLayer::REGIONS {
         known.add(at, id)?;

@@ -2,15 +2,29 @@
 //! numbers standing for themselves or for shares of the greatest.
 
 use super::super::failure::{Failure, missing};
-use super::super::limits::MOST;
+use super::super::limits::{MOST, REPEATED};
 use super::buffers::Buffers;
 use super::document::{Accessor, Document, SparsePart};
+use std::cell::Cell;
+use std::collections::HashSet;
+use std::path::Path;
 
-/// Reads accessors.
+/// Reads accessors. What of them is read again and again, and kept, is counted: a few bytes may ask for any amount.
 pub(super) struct Accessors<'a> {
     pub(super) document: &'a Document,
     pub(super) buffers: Buffers<'a>,
+    /// Bytes of the document and of all files that it takes its numbers from.
+    bytes: usize,
+    /// Numbers that were read.
+    read: Cell<usize>,
+    /// Vertices that were made, or what takes as much memory.
+    kept: Cell<usize>,
+    /// Accessors whose positions several pieces share.
+    shared: HashSet<usize>,
 }
+
+/// Numbers that are read beside two for each byte, at most.
+const MOST_READ: usize = 100_000_000;
 
 /// Whether whole numbers are shares of the greatest of their type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,7 +51,57 @@ impl Rows {
     }
 }
 
-impl Accessors<'_> {
+impl<'a> Accessors<'a> {
+    /// Of a document whose text has so many bytes.
+    pub(super) fn new(document: &'a Document, text: usize, folder: &'a Path, bin: Option<&'a [u8]>) -> Self {
+        let buffers = Buffers::new(document, folder, bin);
+        let bytes = text.saturating_add(buffers.bytes_there());
+        let pieces = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
+        let mut known = HashSet::new();
+        let shared =
+            pieces.filter_map(|piece| piece.attributes.get("POSITION").copied().filter(|&at| !known.insert(at)));
+        let shared = shared.collect();
+        Self { document, buffers, bytes, read: Cell::new(0), kept: Cell::new(0), shared }
+    }
+
+    /// Whether several pieces have their positions from this accessor.
+    pub(super) fn is_shared(&self, index: usize) -> bool {
+        self.shared.contains(&index)
+    }
+
+    /// Counts so many vertices, or what takes as much memory, that are made of what was read.
+    ///
+    /// # Errors
+    /// More than a file of its size has a use for: it shows the same again and again.
+    pub(super) fn keep(&self, count: usize) -> Result<(), Failure> {
+        let most = REPEATED + self.bytes / 8;
+        self.kept.set(self.kept.get().saturating_add(count));
+        if self.kept.get() <= most {
+            return Ok(());
+        }
+        Err(Failure::with(
+            format_args!(
+                "it shows the same data again and again: more than {most} vertices are made of {} bytes",
+                self.bytes
+            ),
+            "export fewer copies of it",
+        ))
+    }
+
+    fn count(&self, numbers: usize, name: &str) -> Result<(), Failure> {
+        self.read.set(self.read.get().saturating_add(numbers));
+        if self.read.get() <= MOST_READ.saturating_add(2 * self.bytes) {
+            return Ok(());
+        }
+        let (millions, bytes) = (self.read.get() / 1_000_000, self.bytes);
+        Err(Failure::with(
+            format_args!(
+                "it reads the same data again and again: {millions} million numbers of {bytes} bytes at {name}"
+            ),
+            "export fewer copies of it",
+        ))
+    }
+
     /// The rows of an accessor that is used as `purpose`, which has one of the `kinds`.
     pub(super) fn read(&self, index: usize, kinds: &[&str], whole: Whole, purpose: &str) -> Result<Rows, Failure> {
         let name = format!("accessors[{index}] ({purpose})");
@@ -58,8 +122,9 @@ impl Accessors<'_> {
         let convert = converter(accessor, whole).ok_or_else(|| {
             Failure::new(format_args!("{name} has the componentType {}, which is none", accessor.component_type))
         })?;
-        let mut rows = Rows { values: vec![0.0; width * accessor.count], width };
-        if let Some(view) = accessor.buffer_view {
+        self.count(width * accessor.count, &name)?;
+        let zeros = || Rows { values: vec![0.0; width * accessor.count], width };
+        let mut rows = if let Some(view) = accessor.buffer_view {
             let stride = self.document.buffer_views.get(view).and_then(|view| view.byte_stride);
             let part = SparsePart {
                 buffer_view: view,
@@ -67,10 +132,17 @@ impl Accessors<'_> {
                 component_type: accessor.component_type,
             };
             let block = Block { name: &name, part: &part, count: accessor.count, width, stride };
+            self.bytes_of(&block)?;
+            let mut rows = zeros();
             self.each(&block, |place, bytes| rows.values[place] = convert(bytes))?;
+            rows
         } else if accessor.sparse.is_none() {
             return Err(Failure::new(format_args!("{name} has no bufferView: its data is not in the file")));
-        }
+        } else {
+            // Zeros, none of which is in the file.
+            self.keep(accessor.count)?;
+            zeros()
+        };
         self.read_sparse(accessor, &name, convert, &mut rows)?;
         Ok(rows)
     }
@@ -78,9 +150,11 @@ impl Accessors<'_> {
     /// Rows that differ from what the bufferView has, or from zero.
     fn read_sparse(&self, accessor: &Accessor, name: &str, convert: Convert, rows: &mut Rows) -> Result<(), Failure> {
         let Some(sparse) = &accessor.sparse else { return Ok(()) };
-        let mut places = vec![0; sparse.count.min(MOST)];
-        let count = places.len();
+        let count = sparse.count;
         let block = Block { name, part: &sparse.indices, count, width: 1, stride: None };
+        self.bytes_of(&block)?;
+        self.count(count, name)?;
+        let mut places = vec![0; count];
         self.each(&block, |place, bytes| {
             let mut wide = [0; 8];
             wide[..bytes.len()].copy_from_slice(bytes);
@@ -99,8 +173,8 @@ impl Accessors<'_> {
         self.each(&block, |at, bytes| rows.values[places[at / width] * width + at % width] = convert(bytes))
     }
 
-    /// Hands out the bytes of every component in turn.
-    fn each(&self, block: &Block<'_>, mut take: impl FnMut(usize, &[u8])) -> Result<(), Failure> {
+    /// The bytes of a block, how many of them a component has, and how many there are from row to row.
+    fn bytes_of(&self, block: &Block<'_>) -> Result<(&[u8], usize, usize), Failure> {
         let &Block { name, part, count, width, stride } = block;
         let Some(size) = size_of(part.component_type) else {
             return Err(Failure::new(format_args!(
@@ -111,7 +185,7 @@ impl Accessors<'_> {
         let bytes = self.buffers.view(part.buffer_view)?;
         let packed = size * width;
         let stride = stride.filter(|&stride| stride > 0).unwrap_or(packed);
-        let length = count.checked_sub(1).map_or(0, |last| last * stride + packed);
+        let length = count.checked_sub(1).map_or(0, |last| last.saturating_mul(stride).saturating_add(packed));
         let Some(bytes) = bytes.get(part.byte_offset..).filter(|bytes| bytes.len() >= length) else {
             let end = part.byte_offset.saturating_add(length);
             return Err(Failure::new(format_args!(
@@ -121,6 +195,14 @@ impl Accessors<'_> {
                 missing(end.saturating_sub(bytes.len()))
             )));
         };
+        Ok((bytes, size, stride))
+    }
+
+    /// Hands out the bytes of every component in turn.
+    fn each(&self, block: &Block<'_>, mut take: impl FnMut(usize, &[u8])) -> Result<(), Failure> {
+        let (bytes, size, stride) = self.bytes_of(block)?;
+        let &Block { count, width, .. } = block;
+        let packed = size * width;
         for row in 0..count {
             let row_bytes = &bytes[row * stride..row * stride + packed];
             for (column, component) in row_bytes.chunks_exact(size).enumerate() {

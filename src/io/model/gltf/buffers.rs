@@ -3,11 +3,13 @@
 use super::super::failure::{Failure, missing};
 use super::super::limits::MAX_MODEL_BYTES;
 use super::document::{Buffer, Document};
-use crate::io::read::read_bytes;
+use crate::io::paths::resolved;
+use crate::io::read::{length_of, read_bytes};
 use crate::scene::one_line;
 use std::borrow::Cow;
 use std::cell::OnceCell;
-use std::path::Path;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 
 /// The buffers of a document, each fetched when it is first asked for: what only animations need may be missing.
 pub(super) struct Buffers<'a> {
@@ -15,12 +17,33 @@ pub(super) struct Buffers<'a> {
     folder: &'a Path,
     bin: Option<&'a [u8]>,
     loaded: Vec<OnceCell<Cow<'a, [u8]>>>,
+    /// The first buffer that names the same file, or the same text, as each.
+    first: Vec<usize>,
 }
 
 impl<'a> Buffers<'a> {
     pub(super) fn new(document: &'a Document, folder: &'a Path, bin: Option<&'a [u8]>) -> Self {
         let loaded = document.buffers.iter().map(|_| OnceCell::new()).collect();
-        Self { document, folder, bin, loaded }
+        let mut known: HashMap<&str, usize> = HashMap::new();
+        let mut files: HashMap<PathBuf, usize> = HashMap::new();
+        let first = document.buffers.iter().enumerate().map(|(index, buffer)| {
+            let Some(uri) = &buffer.uri else { return index };
+            let named = *known.entry(uri).or_insert(index);
+            if named != index || uri.starts_with("data:") || uri.contains("://") {
+                return named;
+            }
+            resolved(&path_of(folder, uri)).map_or(index, |file| *files.entry(file).or_insert(index))
+        });
+        let first = first.collect();
+        Self { document, folder, bin, loaded, first }
+    }
+
+    /// Bytes of the binary part and of all files that are named; those of the text count with it.
+    pub(super) fn bytes_there(&self) -> usize {
+        let files = self.document.buffers.iter().enumerate().filter(|(index, _)| self.first[*index] == *index);
+        let uris = files.filter_map(|(_, buffer)| buffer.uri.as_ref()).filter(|uri| !uri.starts_with("data:"));
+        let sizes = uris.filter_map(|uri| length_of(&path_of(self.folder, uri)));
+        sizes.fold(self.bin.map_or(0, <[u8]>::len), |sum, size| sum.saturating_add(size as usize))
     }
 
     /// The bytes of a buffer view.
@@ -48,13 +71,15 @@ impl<'a> Buffers<'a> {
     }
 
     fn buffer(&self, index: usize) -> Result<&[u8], Failure> {
-        let (Some(buffer), Some(cell)) = (self.document.buffers.get(index), self.loaded.get(index)) else {
+        let cell = self.first.get(index).and_then(|&first| self.loaded.get(first));
+        let (Some(buffer), Some(cell)) = (self.document.buffers.get(index), cell) else {
             return Err(Failure::new(format_args!("buffers[{index}] is referred to and not there")));
         };
-        if let Some(bytes) = cell.get() {
-            return Ok(bytes);
+        if cell.get().is_none() {
+            let bytes = self.fetch(buffer, index)?;
+            cell.get_or_init(|| bytes);
         }
-        let bytes = self.fetch(buffer, index)?;
+        let bytes: &[u8] = cell.get().map_or(&[], |bytes| bytes);
         if bytes.len() < buffer.byte_length {
             let place = match &buffer.uri {
                 Some(uri) if !uri.starts_with("data:") => format!(" (the file {})", one_line(uri)),
@@ -67,7 +92,7 @@ impl<'a> Buffers<'a> {
                 missing(buffer.byte_length - bytes.len())
             )));
         }
-        Ok(cell.get_or_init(|| bytes))
+        Ok(bytes)
     }
 
     fn fetch(&self, buffer: &Buffer, index: usize) -> Result<Cow<'a, [u8]>, Failure> {
@@ -87,13 +112,18 @@ impl<'a> Buffers<'a> {
             let problem = format!("buffers[{index}] lies on the web, at {}", one_line(uri));
             return Err(Failure::with(problem, "put that file beside this one and name it without its address"));
         }
-        let name = decode_percent(uri);
-        // Some exporters write paths as their system does.
-        let slashed = self.folder.join(name.replace('\\', "/"));
-        let path = self.folder.join(&name);
-        let path = if name.contains('\\') && !path.exists() { slashed } else { path };
+        let path = path_of(self.folder, uri);
         read_bytes(&path, MAX_MODEL_BYTES).map(Cow::Owned).map_err(|error| Failure::Other(error.within(&path)))
     }
+}
+
+/// The file that a document in `folder` names.
+fn path_of(folder: &Path, uri: &str) -> PathBuf {
+    let name = decode_percent(uri);
+    // Some exporters write paths as their system does.
+    let slashed = folder.join(name.replace('\\', "/"));
+    let path = folder.join(&name);
+    if name.contains('\\') && !path.exists() { slashed } else { path }
 }
 
 /// A compression that is not read.

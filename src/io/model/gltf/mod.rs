@@ -18,13 +18,12 @@ mod skeleton;
 pub(super) use self::skeleton::read_skeleton;
 
 use self::accessor::Accessors;
-use self::buffers::{Buffers, decode_percent};
+use self::buffers::decode_percent;
 use self::container::Container;
 use self::document::Document;
 use self::pose::{DEEPEST, instances, joints, local, worlds};
 use self::primitive::{Piece, Pose};
 use super::failure::Failure;
-use super::limits::MOST;
 use crate::geometry::file_mesh::FileMesh;
 use crate::geometry::model::Model;
 use crate::io::json::parse;
@@ -36,7 +35,7 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Model, Failure> {
     let Container { json, bin } = Container::open(bytes)?;
     let document = Document::read(&json)?;
     let notes = extensions::left_out(&document.extensions_required)?;
-    let accessors = Accessors { document: &document, buffers: Buffers::new(&document, folder, bin) };
+    let accessors = Accessors::new(&document, json.len(), folder, bin);
     let model = Model { notes, ..Model::default() };
     let mut reader =
         Reader { accessors: &accessors, worlds: worlds(&document), model, file: FileMesh::default(), visited: 0 };
@@ -61,6 +60,9 @@ pub(super) fn named_files(bytes: &[u8]) -> Result<Vec<String>, Failure> {
     Ok(names.filter(is_file).map(|uri| decode_percent(uri).replace('\\', "/")).collect())
 }
 
+/// Times that nodes are shown which were shown before, at most: a document has each once.
+const MOST_AGAIN: usize = 100_000;
+
 struct Reader<'a, 'b> {
     accessors: &'a Accessors<'b>,
     worlds: Vec<DMat4>,
@@ -76,7 +78,7 @@ impl Reader<'_, '_> {
             return Err(Failure::new(format_args!("nodes[{index}] is referred to and not there")));
         };
         self.visited += 1;
-        if depth > DEEPEST || self.visited > MOST {
+        if depth > DEEPEST || self.visited > document.nodes.len() + MOST_AGAIN {
             return Err(Failure::new(format_args!("its nodes contain each other, at nodes[{index}]")));
         }
         let place = parent * local(node);
@@ -102,14 +104,14 @@ impl Reader<'_, '_> {
         let weights = if weights.is_empty() { &mesh.weights } else { weights };
         for (number, primitive) in mesh.primitives.iter().enumerate() {
             let name = format!("meshes[{index}].primitives[{number}]");
+            accessors.keep(1)?;
             let piece = Piece { accessors, mesh, primitive, name, weights };
             if let Some(drawn) = piece.read(pose)? {
+                // Faces take half as much memory as vertices do.
+                accessors.keep(drawn.mesh.positions.len() + drawn.mesh.triangles.len() / 2)?;
                 own_mesh::add_piece(&mut self.file, &drawn);
                 self.model.add(drawn.mesh);
             }
-        }
-        if self.model.positions.len() > MOST {
-            return Err(Failure::new("its nodes repeat too many vertices"));
         }
         Ok(())
     }

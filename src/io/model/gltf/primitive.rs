@@ -1,6 +1,7 @@
 //! One drawn piece of a glTF mesh: its vertices in the pose of the file, its faces, its colours.
 
 use super::super::failure::Failure;
+use super::super::text::shortened;
 use super::accessor::{Accessors, Whole};
 use super::buffers::compressed;
 use super::document::{Material, Mesh, Primitive};
@@ -25,6 +26,31 @@ pub(super) struct Piece<'a, 'b> {
     pub(super) name: String,
     /// How much of each morph target is there.
     pub(super) weights: &'a [f64],
+}
+
+/// Of the values of some vertices those of `used`.
+fn only<T: Copy>(values: &[T], used: &[u32]) -> Vec<T> {
+    used.iter().filter_map(|&vertex| values.get(vertex as usize).copied()).collect()
+}
+
+impl Drawn {
+    /// The piece without the vertices that it has no faces at: those of other pieces, where they share a list.
+    fn without_strays(self) -> Self {
+        let Self { mut mesh, uv_sets, own_colours, .. } = self;
+        let mut places = vec![u32::MAX; mesh.positions.len()];
+        mesh.triangles.iter().flatten().for_each(|&vertex| places[vertex as usize] = 0);
+        let used: Vec<u32> = (0..places.len() as u32).filter(|&vertex| places[vertex as usize] == 0).collect();
+        for (place, &vertex) in (0..).zip(&used) {
+            places[vertex as usize] = place;
+        }
+        mesh.triangles.iter_mut().flatten().for_each(|vertex| *vertex = places[*vertex as usize]);
+        mesh.positions = only(&mesh.positions, &used);
+        mesh.normals = only(&mesh.normals, &used);
+        mesh.colours = only(&mesh.colours, &used);
+        let uv_sets = uv_sets.iter().map(|set| only(set, &used)).collect();
+        let own_colours = only(&own_colours, &used);
+        Self { mesh, uv_sets, own_colours, ..self }
+    }
 }
 
 /// A piece as it is drawn.
@@ -80,15 +106,17 @@ impl Piece<'_, '_> {
         let tinted = |colour: &[f32; 4]| [0, 1, 2, 3].map(|k| colour[k] * base[k]);
         let colours =
             if own_colours.is_empty() { vec![base; positions.len()] } else { own_colours.iter().map(tinted).collect() };
-        let name = self.mesh.name.clone().unwrap_or_default();
+        let name = shortened(self.mesh.name.clone().unwrap_or_default());
         if triangles.is_empty() {
             return Ok(None);
         }
         let uv_sets = self.uv_sets(positions.len());
-        let material = self.material().map(|material| (material.name.clone(), base_colour(material)));
-        let part = self.primitive.extras[PART].as_str().unwrap_or_default().to_owned();
+        let material = self.material().map(|material| (shortened(material.name.clone()), base_colour(material)));
+        let part = shortened(self.primitive.extras[PART].as_str().unwrap_or_default().to_owned());
         let mesh = MeshData { name, positions, normals, colours, triangles };
-        Ok(Some(Drawn { mesh, uv_sets, material, own_colours, part }))
+        let drawn = Drawn { mesh, uv_sets, material, own_colours, part };
+        let is_shared = self.primitive.attributes.get("POSITION").is_some_and(|&at| self.accessors.is_shared(at));
+        Ok(Some(if is_shared { drawn.without_strays() } else { drawn }))
     }
 
     /// Texture coordinates, whose second one points down in the format. Those that cannot be read are none: a shape
@@ -100,7 +128,7 @@ impl Piece<'_, '_> {
             let uvs: Vec<[f64; 2]> = rows.rows().map(|row| [row[0], 1.0 - row[1]]).collect();
             (uvs.len() == vertices && uvs.iter().flatten().all(|c| c.is_finite())).then_some(uvs)
         };
-        (0..).map_while(set).map(|index| read(index).unwrap_or_default()).collect()
+        (0..MOST_SETS).map_while(set).map(|index| read(index).unwrap_or_default()).collect()
     }
 
     fn material(&self) -> Option<&Material> {
@@ -187,10 +215,17 @@ impl Piece<'_, '_> {
 
     /// Tells of every vertex which of so many joints hold it, and by how much, those by nothing left out.
     pub(super) fn each_hold(&self, joints: usize, told: &mut dyn FnMut(usize, u32, f64)) -> Result<(), Failure> {
-        for set in 0.. {
+        for set in 0..=MOST_SETS {
             let (held, by) = (format!("JOINTS_{set}"), format!("WEIGHTS_{set}"));
             let attributes = &self.primitive.attributes;
             let (Some(&held_at), Some(&by_at)) = (attributes.get(&held), attributes.get(&by)) else { break };
+            if set == MOST_SETS {
+                return Err(Failure::new(format_args!(
+                    "{} is held by more than {} joints a vertex",
+                    self.name,
+                    4 * set
+                )));
+            }
             let read = |index, whole, name: &str| {
                 self.accessors.read(index, &["VEC4"], whole, &format!("{name} of {}", self.name))
             };
@@ -223,6 +258,9 @@ impl Piece<'_, '_> {
 fn base_colour(material: &Material) -> [f32; 4] {
     material.pbr_metallic_roughness.base_color_factor
 }
+
+/// Sets of texture coordinates, and of joints, that are read of a piece, at most.
+const MOST_SETS: usize = 8;
 
 // The format's numbers for how vertices make faces.
 pub(super) const TRIANGLES: u32 = 4;

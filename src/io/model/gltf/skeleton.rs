@@ -2,9 +2,9 @@
 //! animations.
 
 use super::super::failure::Failure;
+use super::super::text::shortened;
 use super::accessor::{Accessors, Rows, Whole};
 use super::animation::clips;
-use super::buffers::Buffers;
 use super::container::Container;
 use super::document::Document;
 use super::extensions;
@@ -24,7 +24,7 @@ pub(in super::super) fn read_skeleton(bytes: &[u8], folder: &Path) -> Result<Ske
     let Container { json, bin } = Container::open(bytes)?;
     let document = Document::read(&json)?;
     extensions::left_out(&document.extensions_required)?;
-    let accessors = Accessors { document: &document, buffers: Buffers::new(&document, folder, bin) };
+    let accessors = Accessors::new(&document, json.len(), folder, bin);
     let (order, nodes) = nodes(&document)?;
     let (joints, first_joints) = joints(&accessors, &order)?;
     if joints.is_empty() {
@@ -110,7 +110,7 @@ fn joints(accessors: &Accessors<'_>, order: &[usize]) -> Result<(Vec<Joint>, Vec
                 return Err(Failure::new(problem));
             };
             let name = match &document.nodes[joint].name {
-                Value::String(name) if !name.trim().is_empty() => name.clone(),
+                Value::String(name) if !name.trim().is_empty() => shortened(name.clone()),
                 _ => format!("nodes[{joint}]"),
             };
             let inverse_bind = bound.next().map_or(DMat4::IDENTITY, DMat4::from_cols_slice);
@@ -137,11 +137,13 @@ fn add_mesh(
             continue;
         }
         let name = format!("meshes[{index}].primitives[{number}]");
+        accessors.keep(1)?;
         let piece = Piece { accessors, mesh, primitive, name, weights };
         piece.refuse_compressed()?;
         let positions = piece.vectors("POSITION")?;
         let triangles = triangles_of(&piece.indices(positions.len())?, mode);
         piece.check(&triangles, &positions)?;
+        accessors.keep(positions.len() + triangles.len() / 2)?;
         let mut held: Vec<Vec<(u32, f64)>> = vec![Vec::new(); positions.len()];
         piece.each_hold(joints.len(), &mut |vertex, joint, weight| {
             if let Some(held) = held.get_mut(vertex) {

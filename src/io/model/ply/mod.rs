@@ -9,7 +9,7 @@ mod values;
 use self::header::{Element, Header, Property, Scalar};
 use self::values::{Place, Values};
 use super::failure::Failure;
-use super::polygon::triangulate;
+use super::polygon::{Cutter, too_long};
 use super::text::without_mark;
 use crate::geometry::file_mesh::{CornerValues, FileMesh, UvSet};
 use crate::geometry::model::{MeshData, Model};
@@ -250,7 +250,7 @@ impl Faces {
     /// Triangles of what is there.
     fn triangles(&self, positions: &[DVec3]) -> Result<Vec<[u32; 3]>, Failure> {
         let mut triangles = Vec::with_capacity(self.ends.len());
-        let mut face = Vec::new();
+        let (mut face, mut cutter) = (Vec::new(), Cutter::default());
         for (index, (corners, is_strip)) in self.each().enumerate() {
             // A strip may be several, with -1 between them.
             for run in corners.split(|&corner| is_strip && corner == -1) {
@@ -263,8 +263,8 @@ impl Faces {
                 }
                 if is_strip {
                     add_strip(&face, &mut triangles);
-                } else {
-                    triangulate(&face, positions, &mut triangles);
+                } else if !cutter.cut(&face, positions, &mut triangles) {
+                    return Err(too_long(face.len()));
                 }
             }
         }

@@ -1,0 +1,20 @@
+//! The sound files of `tests/corpus`, and folders for what is made of them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Works in a folder that is gone afterwards.
+pub fn in_new_folder<T>(work: impl FnOnce(&Path) -> T) -> T {
+    let folder = tempfile::tempdir().expect("a folder");
+    work(folder.path())
+}
+
+/// Files of one folder of the corpus, in the order of their names.
+pub fn corpus(kind: &str) -> Vec<(PathBuf, Vec<u8>)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus").join(kind);
+    let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    paths.sort();
+    assert!(!paths.is_empty(), "{kind}");
+    paths.into_iter().map(|path| (path.clone(), fs::read(&path).expect("a file"))).collect()
+}

@@ -168,10 +168,14 @@ pub(crate) fn prune(solid: &Solid, mut sample: LatticeSample, reach: f64) -> Fil
 /// Rows through a surface with holes from which on the parts of its cells are not measured.
 const MOST_OPEN_ROWS: usize = 2_000;
 
-/// Faces that are looked at, a row counting as some more, up to which a lattice is looked for that fits a solid's second
-/// moments.
+/// Faces that are looked at, a row counting as some more, up to which a lattice is looked for that fits a solid's
+/// second moments.
 const MOST_LOOKS: f64 = 4e6;
 const LOOKS_A_ROW: f64 = 8.0;
+
+/// Share of the particles in parts of two layers or fewer from which on no other lattice is looked for: none makes
+/// sections right that are so thin.
+const THIN: f64 = 0.25;
 
 /// The lattice of a filling.
 fn lattice_of(sample: &LatticeSample) -> Option<FittedLattice> {
@@ -183,11 +187,11 @@ fn lattice_of(sample: &LatticeSample) -> Option<FittedLattice> {
 /// The lattice that fits a solid best, where that is soon found.
 fn fitted_to(
     solid: &Solid,
-    spacing: f64,
+    (spacing, is_thin): (f64, bool),
     progress: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> ControlFlow<(), Option<FittedLattice>> {
     let looks = FittedLattice::rows_through(solid, spacing) * (LOOKS_A_ROW + solid.faces_a_row());
-    if FittedLattice::TRIED * looks < MOST_LOOKS {
+    if !is_thin && FittedLattice::TRIED * looks < MOST_LOOKS {
         return FittedLattice::to(solid, spacing, progress);
     }
     let is_soon_filled = looks < MOST_LOOKS;
@@ -212,8 +216,10 @@ pub(crate) fn with_shares(
     let Some(lattice) = lattice_of(sample) else { return ControlFlow::Continue(filling) };
     progress()?;
     filling.shares = cell_shares(solid, &lattice, &sample.cells);
+    let thin = (filling.thinness.single + filling.thinness.double) as f64;
+    let is_thin = thin > THIN * sample.points.len() as f64;
     if let (Some(spacing), true, true) = (fits, solid.report.closed, filling.shares.is_some())
-        && let Some(fitted) = fitted_to(solid, spacing, progress)?
+        && let Some(fitted) = fitted_to(solid, (spacing, is_thin), progress)?
     {
         progress()?;
         let mut refilled = prune(solid, fitted.collect(solid), reach);

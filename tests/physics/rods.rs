@@ -57,7 +57,7 @@ fn sag_over_theory(n: u32, degrees: f64) -> f64 {
 #[test]
 fn rods_askew_to_the_lattice_stay_near_theory() {
     // With whole particles it was 1.153 and 0.903, 1.200 and 0.879.
-    for (degrees, sag, torsion) in [(30.0, 1.095, 1.034), (45.0, 1.046, 1.011)] {
+    for (degrees, sag, torsion) in [(30.0, 1.095, 1.034), (45.0, 1.019, 1.055)] {
         let (found_sag, found_torsion) = (sag_over_theory(3, degrees), torsion_over_theory(3, degrees));
         println!("{degrees} degrees: sag {found_sag}, torsion {found_torsion}");
         assert!((found_sag - sag).abs() < 0.02, "{degrees} degrees: sag {found_sag}, not {sag}");

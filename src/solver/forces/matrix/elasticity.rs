@@ -29,8 +29,8 @@ impl Elasticity {
         Self { lambda, mu, residual_penalty: 1.5 * mu, sum_penalty: beta * mu * spacing * spacing }
     }
 
-    /// The same on a lattice that is stretched by a factor along the directions in which the body bends and twists. What
-    /// residuals cost there, a good part of the stiffness of few layers, goes with its square.
+    /// The same on a lattice that is stretched by a factor along the directions in which the body is long. What
+    /// residuals cost when it bends or twists, a good part of the stiffness of few layers, goes with its square.
     #[must_use]
     pub fn stretched_by(self, stretch: f64) -> Self {
         let by = stretch.powi(-2);

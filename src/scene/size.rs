@@ -36,7 +36,9 @@ impl TwoLayer {
             TwoLayerShape::Segment(_) => return Some(2.0),
             TwoLayerShape::Ring(ring) => (f64::from(ring.sides), ring.single_layer),
             // An octahedron cut in four again and again.
-            TwoLayerShape::Ball(ball) => (4_f64.powi(ball.subdivisions as i32 + 1) + 2.0, ball.single_layer),
+            TwoLayerShape::Ball(ball) => {
+                (2_f64.powf(2.0 * f64::from(ball.subdivisions) + 2.0) + 2.0, ball.single_layer)
+            }
             TwoLayerShape::Mesh(mesh) => (points? as f64, mesh.single_layer),
         };
         Some(if single { points } else { 2.0 * points })

@@ -75,7 +75,7 @@ const SCENE: &[&str] = &[
 ];
 
 const TARGETS: [Target; 12] = [
-    Target { name: "scene", folder: "scene", read: read::scene, words: SCENE, short: 40 },
+    Target { name: "scene", folder: "scene", read: read::scene, words: SCENE, short: 25 },
     Target { name: "obj", folder: "obj", read: read::model, words: OBJ, short: 60 },
     Target { name: "stl", folder: "stl", read: read::model, words: STL, short: 60 },
     Target { name: "ply", folder: "ply", read: read::model, words: PLY, short: 60 },
@@ -84,9 +84,9 @@ const TARGETS: [Target; 12] = [
     Target { name: "cache", folder: "cache", read: read::motion, words: &[], short: 80 },
     Target { name: "lines", folder: "lines", read: read::lines, words: OBJ, short: 80 },
     Target { name: "strokes", folder: "strokes", read: drawn::strokes, words: &[], short: 60 },
-    Target { name: "commands", folder: "commands", read: drawn::commands, words: &[], short: 4 },
-    Target { name: "drives", folder: "drives", read: run::drives, words: SCENE, short: 12 },
-    Target { name: "recording", folder: "recording", read: run::journal, words: SCENE, short: 12 },
+    Target { name: "commands", folder: "commands", read: drawn::commands, words: &[], short: 2 },
+    Target { name: "drives", folder: "drives", read: run::drives, words: SCENE, short: 6 },
+    Target { name: "recording", folder: "recording", read: run::journal, words: SCENE, short: 6 },
 ];
 
 /// The sound files of a target, by their endings; the scene of every field is one more.

@@ -1,5 +1,10 @@
 //! What comes from outside and does harm: files of any bytes, files that ask for the whole machine, disks that fail.
 
+#![allow(
+    clippy::print_stdout,
+    reason = "programs that are started by a test, and the long forms, tell what they found"
+)]
+
 mod bombs;
 mod drawn;
 mod faults;

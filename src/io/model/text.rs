@@ -90,15 +90,13 @@ pub(super) fn decoded(bytes: &[u8]) -> String {
 
 /// Bytes as a name, whose end goes where it is longer than any is meant to be.
 pub(super) fn named(bytes: &[u8]) -> String {
-    shortened(decoded(bytes))
+    shortened(&decoded(bytes))
 }
 
 /// A name without its end where it is longer than any is meant to be.
-pub(super) fn shortened(mut name: String) -> String {
-    if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
-        name.truncate(end);
-    }
-    name
+pub(super) fn shortened(name: &str) -> String {
+    let end = name.char_indices().nth(LONGEST_NAME).map_or(name.len(), |(end, _)| end);
+    name[..end].to_owned()
 }
 
 /// A line as a message shows it.

@@ -106,13 +106,13 @@ impl Piece<'_, '_> {
         let tinted = |colour: &[f32; 4]| [0, 1, 2, 3].map(|k| colour[k] * base[k]);
         let colours =
             if own_colours.is_empty() { vec![base; positions.len()] } else { own_colours.iter().map(tinted).collect() };
-        let name = shortened(self.mesh.name.clone().unwrap_or_default());
+        let name = shortened(self.mesh.name.as_deref().unwrap_or_default());
         if triangles.is_empty() {
             return Ok(None);
         }
         let uv_sets = self.uv_sets(positions.len());
-        let material = self.material().map(|material| (shortened(material.name.clone()), base_colour(material)));
-        let part = shortened(self.primitive.extras[PART].as_str().unwrap_or_default().to_owned());
+        let material = self.material().map(|material| (shortened(&material.name), base_colour(material)));
+        let part = shortened(self.primitive.extras[PART].as_str().unwrap_or_default());
         let mesh = MeshData { name, positions, normals, colours, triangles };
         let drawn = Drawn { mesh, uv_sets, material, own_colours, part };
         let is_shared = self.primitive.attributes.get("POSITION").is_some_and(|&at| self.accessors.is_shared(at));

@@ -110,7 +110,7 @@ fn joints(accessors: &Accessors<'_>, order: &[usize]) -> Result<(Vec<Joint>, Vec
                 return Err(Failure::new(problem));
             };
             let name = match &document.nodes[joint].name {
-                Value::String(name) if !name.trim().is_empty() => shortened(name.clone()),
+                Value::String(name) if !name.trim().is_empty() => shortened(name),
                 _ => format!("nodes[{joint}]"),
             };
             let inverse_bind = bound.next().map_or(DMat4::IDENTITY, DMat4::from_cols_slice);

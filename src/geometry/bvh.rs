@@ -125,8 +125,8 @@ impl Bvh {
         }
     }
 
-    /// Pairs of leaves that meet, each once, a leaf with itself included: `meet` tells of two nodes whether any triangles
-    /// below them may.
+    /// Pairs of leaves that meet, each once, a leaf with itself included: `meet` tells of two nodes whether any
+    /// triangles below them may.
     pub(crate) fn meeting_leaves(&self, meet: impl Fn(usize, usize) -> bool) -> Vec<[u32; 2]> {
         let mut pairs = Vec::new();
         let mut open = vec![[0, 0]];

@@ -1,5 +1,5 @@
-//! The one door through which files are changed: made, written, brought to the disk, renamed, removed. A test can stand in
-//! it and let any step fail as disks, systems and power cuts do.
+//! The one door through which files are changed: made, written, brought to the disk, renamed, removed. A test can stand
+//! in it and let any step fail as disks, systems and power cuts do.
 
 use std::cell::RefCell;
 use std::fs::{self, File, Permissions};

@@ -293,8 +293,8 @@ impl Frame {
         0.5 * x * x * aside + x * axis.cross(from_middle - x * along)
     }
 
-    /// By how much that turns particles [m], as `MeasureKind::twist` measures turns: its regions are as long as they are
-    /// wide, and hold more particles on one side or the other by where the lattice falls.
+    /// By how much that turns particles [m], as `MeasureKind::twist` measures turns: its regions are as long as they
+    /// are wide, and hold more particles on one side or the other by where the lattice falls.
     fn turn(&self, particles: &[u32], positions: &[DVec3]) -> f64 {
         let at = || particles.iter().map(|&i| positions[i as usize]);
         let count = particles.len() as f64;

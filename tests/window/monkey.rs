@@ -1,5 +1,5 @@
-//! A monkey at the window: actions of the table, keys, drags, clicks, wheels, storms of undo, examples, in an order that
-//! a seed gives. Whatever it does the window lives on, and the document undone to its start and redone is the same.
+//! A monkey at the window: actions of the table, keys, drags, clicks, wheels, storms of undo, examples, in the order
+//! of a seed. Whatever it does the window lives on, and the document undone to its start and redone is the same.
 //!
 //! For any time: `SINEW_MONKEY="SECONDS [SEED]" cargo test --release --test window -- --ignored --nocapture monkey`.
 

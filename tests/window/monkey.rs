@@ -99,7 +99,7 @@ impl Monkey {
 
     fn perform(&mut self, action: Action) {
         let ctx = self.window.ctx.clone();
-        self.window.state_mut().perform(&ctx, action);
+        self.window.state_mut().dispatch(&ctx, action);
         self.window.step();
     }
 

@@ -35,10 +35,10 @@ fn drives_are_set_and_varied() {
     scene["gravity_drive"] = json!({"wave": {"period": 0.04}});
     let desk = Desk::new(&scene);
     let period = "/gravity_drive/wave/period";
-    desk.done(&format!("sweep scene.json --vary {period}=0.02,0.03 --seconds 0.02 --report r.json"));
+    desk.done(&format!("sweep scene.json --vary {period}=0.02,0.03 --fps 50 --seconds 0.02 --report r.json"));
     let rows = rows(&desk, "r.json");
     for (row, value) in rows.iter().zip(["0.02", "0.03"]) {
-        desk.done(&format!("simulate scene.json --seconds 0.02 --set {period}={value} --report one.json"));
+        desk.done(&format!("simulate scene.json --fps 50 --seconds 0.02 --set {period}={value} --report one.json"));
         assert_eq!(row["bodies"], desk.json("one.json")["bodies"], "{value}");
     }
     assert_ne!(rows[0]["bodies"], rows[1]["bodies"]);

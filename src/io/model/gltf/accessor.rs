@@ -5,7 +5,7 @@ use super::super::failure::{Failure, missing};
 use super::super::limits::{MOST, REPEATED};
 use super::buffers::Buffers;
 use super::document::{Accessor, Document, SparsePart};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashSet;
 use std::path::Path;
 
@@ -19,8 +19,8 @@ pub(super) struct Accessors<'a> {
     read: Cell<usize>,
     /// Vertices that were made, or what takes as much memory.
     kept: Cell<usize>,
-    /// Accessors whose positions several pieces share.
-    shared: HashSet<usize>,
+    /// Accessors whose positions a piece has shown.
+    shown: RefCell<HashSet<usize>>,
 }
 
 /// Numbers that are read beside two for each byte, at most.
@@ -56,17 +56,12 @@ impl<'a> Accessors<'a> {
     pub(super) fn new(document: &'a Document, text: usize, folder: &'a Path, bin: Option<&'a [u8]>) -> Self {
         let buffers = Buffers::new(document, folder, bin);
         let bytes = text.saturating_add(buffers.bytes_there());
-        let pieces = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
-        let mut known = HashSet::new();
-        let shared =
-            pieces.filter_map(|piece| piece.attributes.get("POSITION").copied().filter(|&at| !known.insert(at)));
-        let shared = shared.collect();
-        Self { document, buffers, bytes, read: Cell::new(0), kept: Cell::new(0), shared }
+        Self { document, buffers, bytes, read: Cell::new(0), kept: Cell::new(0), shown: RefCell::default() }
     }
 
-    /// Whether several pieces have their positions from this accessor.
-    pub(super) fn is_shared(&self, index: usize) -> bool {
-        self.shared.contains(&index)
+    /// Notes that a piece shows the positions of this accessor; whether another one did before.
+    pub(super) fn is_shown_again(&self, index: usize) -> bool {
+        !self.shown.borrow_mut().insert(index)
     }
 
     /// Counts so many vertices, or what takes as much memory, that are made of what was read.

@@ -115,8 +115,9 @@ impl Piece<'_, '_> {
         let part = shortened(self.primitive.extras[PART].as_str().unwrap_or_default());
         let mesh = MeshData { name, positions, normals, colours, triangles };
         let drawn = Drawn { mesh, uv_sets, material, own_colours, part };
-        let is_shared = self.primitive.attributes.get("POSITION").is_some_and(|&at| self.accessors.is_shared(at));
-        Ok(Some(if is_shared { drawn.without_strays() } else { drawn }))
+        // The first has all of them, in the file's order.
+        let again = self.primitive.attributes.get("POSITION").is_some_and(|&at| self.accessors.is_shown_again(at));
+        Ok(Some(if again { drawn.without_strays() } else { drawn }))
     }
 
     /// Texture coordinates, whose second one points down in the format. Those that cannot be read are none: a shape

@@ -32,7 +32,7 @@ fn tied_values_change_together_and_ranges_are_lists() {
 #[test]
 fn drives_are_set_and_varied() {
     let mut scene = pressed();
-    scene["gravity_drive"] = json!({"wave": {"period": 0.04}});
+    (scene["gravity"], scene["gravity_drive"]) = (json!([0, -9.81, 0]), json!({"wave": {"period": 0.04}}));
     let desk = Desk::new(&scene);
     let period = "/gravity_drive/wave/period";
     desk.done(&format!("sweep scene.json --vary {period}=0.02,0.03 --fps 50 --seconds 0.02 --report r.json"));

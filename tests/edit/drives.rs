@@ -17,11 +17,11 @@ fn json(scene: &Scene) -> serde_json::Value {
     serde_json::from_str(&scene_to_json(scene)).expect("what was written is JSON")
 }
 
-/// As many drives as a file has: whatever is one is tagged as one.
+/// As many drives as a file has: whatever is one is tagged as one, and what one is otherwise is a part of it.
 fn count(value: &serde_json::Value) -> usize {
     let own = |(key, value): (&String, &serde_json::Value)| {
         let is_drive = key.ends_with("drive") && value.as_object().is_some_and(|of| of.len() == 1);
-        usize::from(is_drive) + count(value)
+        if key == "otherwise" { 0 } else { usize::from(is_drive) + count(value) }
     };
     match value {
         serde_json::Value::Object(fields) => fields.iter().map(own).sum(),

@@ -64,7 +64,7 @@ impl FittedLattice {
 
     /// Lattices that are tried to find the one that fits a shape best, at most, those that differ along x only counting
     /// as one.
-    pub(crate) const TRIED: f64 = ((1 + FREE_CHANGES.len() as i32) * SHIFTS * SHIFTS) as f64;
+    pub(crate) const TRIED: f64 = (1.0 + FREE_CHANGES.len() as f64) * (SHIFTS * SHIFTS) as f64;
 
     /// The lattice that fits a shape best; none where there are so many particles that none is looked for. `progress`
     /// is asked from time to time whether to go on.

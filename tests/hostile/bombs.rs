@@ -118,7 +118,7 @@ fn a_gltf_that_shows_the_same_again_and_again() {
     let many = document(&vec![one.clone(); MANY], &positions(MANY), &views(), &buffers());
     is_refused(&[("primitives.glb", &glb(&many, &bin))], &words);
     // Nodes that show one mesh, and nodes that contain one another so that their number doubles with every level.
-    let mut nodes = document(&[one.clone()], &positions(MANY), &views(), &buffers());
+    let mut nodes = document(std::slice::from_ref(&one), &positions(MANY), &views(), &buffers());
     nodes["nodes"] = json!(vec![json!({"mesh": 0}); MANY]);
     nodes["scenes"] = json!([{"nodes": (0..MANY).collect::<Vec<_>>()}]);
     is_refused(&[("nodes.glb", &glb(&nodes, &bin))], &words);

@@ -143,7 +143,7 @@ impl Monkey {
         let mut at = self.place();
         self.button(at, button, true, modifiers);
         let step = 90.0 * Vec2::new(self.random.share() - 0.5, self.random.share() - 0.5);
-        for _ in 0..1 + self.random.below(12) {
+        for _ in 0..=self.random.below(12) {
             at += step + 30.0 * Vec2::new(self.random.share() - 0.5, self.random.share() - 0.5);
             self.window.input_mut().events.push(Event::PointerMoved(at));
             self.window.step();
@@ -170,7 +170,7 @@ impl Monkey {
         self.perform(Action::Examples);
         self.window.event(Event::Text(example.title.to_owned()));
         self.window.run_steps(4);
-        let found = self.window.query_all_by_label(example.title).next().inspect(|found| found.click()).is_some();
+        let found = self.window.query_all_by_label(example.title).next().inspect(egui_kittest::Node::click).is_some();
         self.window.run_steps(if found { 3 } else { 0 });
         self.opened();
     }
@@ -185,7 +185,7 @@ impl Monkey {
                     return;
                 }
                 let dialog = action.name().ends_with('…') || matches!(action, Action::Save | Action::Help);
-                if !(matches!(action, Action::New | Action::NewEmpty | Action::Reload) && !self.opens) {
+                if !matches!(action, Action::New | Action::NewEmpty | Action::Reload) || self.opens {
                     self.perform(action);
                 }
                 match action {

@@ -36,7 +36,6 @@ mod supports;
 mod two_layer;
 mod voids;
 
-#[cfg(feature = "gui")]
 pub(crate) use drives::drive as solver_drive;
 pub use elements::OwnElements;
 pub use error::BakeError;

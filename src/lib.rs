@@ -109,7 +109,7 @@
 //! | what | where |
 //! | --- | --- |
 //! | a stroke becomes a curve | [`sketch::lift()`]: `clean` the strokes, `correspond` them, merge them |
-//! | the matrix's force | `solver::forces::matrix`: the formulae at its head, a plain evaluation and a fast one |
+//! | the matrix's force | `solver::forces::matrix`: the formulae at its head, a plain evaluation (`pair_list`) and a fast one (`stencil`) |
 //! | what changes in time, and what it does to fibres | `solver::drive`, `solver::forces::fibre::activation`; from the scene: `bake::drives` |
 //! | the fibres' force | `solver::forces::fibre`; how a fibre hangs in the matrix: `solver::embedding` |
 //! | fibres that get thicker and thinner | `solver::driven_fractions`; what the matrix around does: `solver::forces::matrix` (`thinning`); from the scene: `bake::fractions` |
@@ -210,6 +210,8 @@
 //!
 //! The motion:
 //! - *bake*: to put a scene together into a world. *Note*: what was noticed on the way ([`bake::Baked::notes`]).
+//!   [`scene`] and [`solver`] call a thing by one name: a `Body`, `Panel`, `Collider`, `Drive`, `Element` or `Measure` is
+//!   said in the one and is made of it in the other.
 //! - *world*: bodies and panels at one time. *State*: positions, velocities and masses of a body.
 //! - *frame*: the time from one picture to the next. *Outer step*: a part of it for which contact between bodies and
 //!   with panels is evaluated once. *Sub-step*: one of a body's own steps in that.
@@ -226,6 +228,9 @@
 //!   matrix that stays. *Fallback*: a step that was halved, or handed over to leap-frog, because a stage was not
 //!   solved.
 //! - *divergence*: a motion that can no longer be computed; the body is stopped. *Break*: of a fibre, past its limits.
+//! - *grab*: a point of a body that is held by hand, with the spring from there to where the hand is. *Lead*: of a shared
+//!   drive that is led by hand, what it is told to be.
+//! - *von Mises stress*: the size of a stress that changes shape; it is shown, measured and yielded by.
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers
 //!   of the last frames, many more of them.
@@ -247,123 +252,7 @@
 //! - *action*: what menus, keys and the palette offer. *Disabled reason*: why one cannot be had just now.
 //! - *autosave*: the copy of a changed scene that is kept aside. *Recoverable document*: one found at the next start.
 //!
-//! # A force, an integrator and an element of your own
-//!
-//! All are traits. Implement the first two and hand them to a body. A world can go back to any checkpoint of it and
-//! moves on from there bit for bit: what a force or an integrator remembers goes along by its `clone_box`.
-//!
-//! ```
-//! use glam::DVec3;
-//! use sinew::solver::{Dynamics, Energies, Force, Integrator, ParticleState};
-//!
-//! /// A steady push on every particle [N].
-//! #[derive(Clone)]
-//! struct Wind(DVec3);
-//!
-//! impl Force for Wind {
-//!     fn add_forces(&mut self, _time: f64, _state: &ParticleState, forces: &mut [DVec3]) {
-//!         for force in forces {
-//!             *force += self.0;
-//!         }
-//!     }
-//!     fn add_energy(&self, _time: f64, _state: &ParticleState, _energies: &mut Energies) {}
-//!     fn clone_box(&self) -> Box<dyn Force> {
-//!         Box::new(self.clone())
-//!     }
-//! }
-//!
-//! /// Kick, then drift: first order, symplectic.
-//! #[derive(Clone, Default)]
-//! struct SymplecticEuler(Vec<DVec3>);
-//!
-//! impl Integrator for SymplecticEuler {
-//!     fn step(&mut self, dynamics: &mut Dynamics<'_>, state: &mut ParticleState, time: f64, dt: f64) {
-//!         dynamics.start(time, state);
-//!         dynamics.accelerations(state, &mut self.0);
-//!         for i in 0..state.len() {
-//!             state.velocities[i] += dt * self.0[i];
-//!             state.positions[i] += dt * state.velocities[i];
-//!         }
-//!         dynamics.constrain(time + dt, state);
-//!     }
-//!     fn stable_step(&self, omega: f64, _damping: f64) -> f64 {
-//!         2.0 / omega
-//!     }
-//!     fn clone_box(&self) -> Box<dyn Integrator> {
-//!         Box::new(self.clone())
-//!     }
-//! }
-//!
-//! use sinew::scene::{Assets, Body, Scene};
-//! let scene = Scene::new("Wind").with_gravity([0.0; 3]).with_body(Body::cuboid("cube", [0.03; 3]));
-//! let mut world = sinew::bake::bake(&scene, &Assets::default())?.world;
-//! let body = world.body_mut(0).expect("the scene's first body");
-//! body.set_integrator(Box::new(SymplecticEuler::default()));
-//! body.add_force(Box::new(Wind(DVec3::X * 1e-3)));
-//! world.advance_frame();
-//! assert!(world.bodies()[0].state().linear_momentum().x > 0.0);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
-//!
-//! A structure in a body, an energy of a few points that ride on its particles, is less work than a force: an
-//! [`solver::Element`] says which points, its energy and the slopes of that. [`bake::bake_with_elements`] tries it (the
-//! slopes against differences of the energy, the sums of forces and torques), refuses it with the figure, passes its
-//! forces on by the points' weights, and measures the stable step with it:
-//!
-//! ```
-//! use glam::DVec3;
-//! use sinew::bake::{OwnElements, bake_with_elements};
-//! use sinew::scene::{Assets, Body, Scene};
-//! use sinew::solver::{Element, Local, Slopes};
-//!
-//! /// Holds three points apart by an energy in inverse proportion to the area between them [J m²].
-//! #[derive(Clone)]
-//! struct Strut(f64);
-//!
-//! impl Element for Strut {
-//!     fn points(&self) -> &[u32] {
-//!         &[0, 1, 2]
-//!     }
-//!     fn energy(&self, at: &Local<'_>) -> f64 {
-//!         let [a, b, c] = [at.points[0], at.points[1], at.points[2]];
-//!         self.0 / (0.5 * (b - a).cross(c - a).length())
-//!     }
-//!     fn slopes(&self, at: &Local<'_>, out: &mut Slopes<'_>) {
-//!         let [a, b, c] = [at.points[0], at.points[1], at.points[2]];
-//!         let twice = (b - a).cross(c - a);
-//!         let by_area = -self.0 / (0.25 * twice.length_squared());
-//!         let normal = 0.5 * by_area * twice.normalize();
-//!         let [by_b, by_c] = [(c - a).cross(normal), normal.cross(b - a)];
-//!         out.points[0] -= by_b + by_c;
-//!         out.points[1] += by_b;
-//!         out.points[2] += by_c;
-//!     }
-//!     fn clone_box(&self) -> Box<dyn Element> {
-//!         Box::new(self.clone())
-//!     }
-//! }
-//!
-//! let scene = Scene::new("Strut").with_gravity([0.0; 3]).with_body(Body::cuboid("cube", [0.03; 3]));
-//! let points = [DVec3::new(-0.01, 0.0, 0.0), DVec3::new(0.01, 0.0, 0.0), DVec3::new(0.0, 0.01, 0.0)];
-//! let strut = OwnElements::new("cube", "strut", points, vec![Box::new(Strut(1e-8))]);
-//! let mut world = bake_with_elements(&scene, &Assets::default(), &[strut])?.world;
-//! let before = world.bodies()[0].energies(0.0).elements;
-//! world.advance_frame();
-//! assert!(world.bodies()[0].energies(world.time()).elements < before, "it has pushed its points apart");
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
-//!
-//! A force that is added and an integrator that is set do not change the step that was measured when the scene was put
-//! together; [`bake::bake`] measures it for what a scene file names.
-//!
-//! To make one part of the crate, so that scene files can ask for it:
-//!
-//! - a force: a file (or, for a large one, a folder) of its own under `src/solver/forces`; what it needs of a scene as
-//!   fields in [`scene`] with their checks in `scene::validate`; and a line in `bake::body` or `bake::two_layer` that
-//!   pushes it before the stable step is measured, with `step_limit` where its linearisation at the start hides how
-//!   stiff it gets. Its energy is counted under one of the names of [`solver::Energies`], which reports know.
-//! - an integrator: a file of its own under `src/solver/integrators`, a line in the table of [`scene::IntegratorKind`],
-//!   which files, the command line and the window go by, and an arm in `bake::integrator` that makes it.
+#![doc = include_str!("own_parts.md")]
 //!
 //! # Where the formulation differs from the papers' print
 //!

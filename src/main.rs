@@ -1,11 +1,12 @@
 //! The `sinew` binary: arguments in, a headless command or the window out.
 
 use clap::Parser;
-use sinew::cli::{Cli, Console, run, traced};
+use sinew::cli::{Cli, Console, quiet_importers, run, traced};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    quiet_importers();
     let cli = Cli::parse();
     let mut console = Console::of_process();
     traced(cli.trace.as_deref(), &mut console, |console| match &cli.command {

@@ -63,9 +63,9 @@ pub mod io {
 
 /// Lines that help while a stroke is drawn, and the limits of a lift.
 pub mod sketch {
-    pub use crate::sketch::follow::follow;
     pub use crate::sketch::guides::guides;
     pub use crate::sketch::lift::{SAMPLES, STRAY_LIMIT};
+    pub use crate::sketch::partial_lift::partial_lift;
 }
 
 /// Recording.

@@ -72,10 +72,8 @@ pub(super) fn stepping(
 fn moves_gently(scene: &Scene, body: &Body) -> bool {
     let Initial { velocity, angular_velocity, .. } = &body.initial;
     let is_held = body.pins.iter().any(|pin| pin.axes.len() == 3 && pin.motion == Motion::Fixed);
-    let is_alone = !body.self_contact
-        && scene.bodies.len() + scene.two_layer.len() == 1
-        && scene.panels.is_empty()
-        && scene.colliders.is_empty();
+    let is_alone =
+        !body.self_contact && scene.all_bodies().count() == 1 && scene.panels.is_empty() && scene.colliders.is_empty();
     let is_struck = !body.impulses.is_empty() || [*velocity, *angular_velocity] != [[0.0; 3]; 2];
     let may_tear = body.fibres.iter().any(|fibre| fibre.break_past.is_some() || fibre.yields.is_some())
         || body.material.plasticity.is_some();

@@ -21,9 +21,7 @@ use std::time::Instant;
 pub struct Compare {
     /// Scene file, or a model: OBJ, STL, PLY, glTF or GLB
     scene: PathBuf,
-    /// Integrators to compare: euler, midpoint, rk4, symplectic_euler, leap_frog, verlet, feynman,
-    /// backward_euler, tr_bdf2, sdirk2, implicit_midpoint, bdf2, newmark
-    #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "euler,midpoint,rk4", value_parser = integrator)]
+    #[arg(long, help = format!("Integrators to compare: {}", words()), value_name = "a,b,c", value_delimiter = ',', default_value = "euler,midpoint,rk4", value_parser = integrator)]
     integrators: Vec<IntegratorKind>,
     /// Steps [s]; each run takes exactly this step
     #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "0.003,0.03,0.3", value_parser = step, allow_negative_numbers = true)]
@@ -338,7 +336,12 @@ fn integrator(text: &str) -> Result<IntegratorKind, String> {
         return Ok(IntegratorKind::ExplicitEuler);
     }
     let found = IntegratorKind::ALL.into_iter().find(|kind| kind.word() == text);
-    found.ok_or_else(|| format!("use one of {}, {EULER}", IntegratorKind::ALL.map(IntegratorKind::word).join(", ")))
+    found.ok_or_else(|| format!("use one of {}", words()))
+}
+
+/// What the option takes.
+fn words() -> String {
+    format!("{EULER}, {}", IntegratorKind::ALL.map(IntegratorKind::word).join(", "))
 }
 
 fn step(text: &str) -> Result<f64, String> {

@@ -28,6 +28,20 @@ pub(super) struct Drive {
     pub end: RunEnd,
 }
 
+/// A run that ended because a frame could not be kept.
+pub(super) struct FailedRun {
+    /// Time spent stepping, and nothing else [s].
+    pub wall_seconds: f64,
+    /// Why it could not be kept.
+    pub error: CliError,
+}
+
+impl From<FailedRun> for CliError {
+    fn from(run: FailedRun) -> Self {
+        run.error
+    }
+}
+
 /// A frame after one that took longer is ended in the midst by an interruption; what would have to be kept for that at
 /// every frame is not worth it for shorter ones.
 const LONG: Duration = Duration::from_millis(200);
@@ -55,9 +69,10 @@ pub(super) fn drive(
     until_rest: bool,
     interruption: &Interruption,
     each: &mut dyn FnMut(&Runner) -> Result<(), CliError>,
-) -> Result<Drive, CliError> {
+) -> Result<Drive, FailedRun> {
     let mut stepping = Duration::ZERO;
-    each(runner)?;
+    let failed = |stepping: Duration| move |error| FailedRun { wall_seconds: stepping.as_secs_f64(), error };
+    each(runner).map_err(failed(stepping))?;
     let mut end = RunEnd::Time;
     // Nothing is known of the first.
     let mut is_long = true;
@@ -77,7 +92,7 @@ pub(super) fn drive(
         }
         is_long = begun.elapsed() > LONG;
         stepping += begun.elapsed();
-        each(runner)?;
+        each(runner).map_err(failed(stepping))?;
         if runner.all_stopped() {
             end = RunEnd::Stopped;
             break;

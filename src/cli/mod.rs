@@ -39,6 +39,7 @@ mod table;
 mod table1;
 mod trace;
 
+pub use crate::io::quiet_importers;
 pub use console::Console;
 pub use error::CliError;
 pub use interruption::Signal;

@@ -1,6 +1,6 @@
 //! `sinew simulate`: one run of a scene, and what it shows.
 
-use super::drive::{Drive, RunEnd, drive, warn_unbalanced};
+use super::drive::{Drive, FailedRun, RunEnd, drive, warn_unbalanced};
 use super::finite::NotFinite;
 use super::interruption::Interruption;
 use super::motion::{MotionOptions, told};
@@ -93,21 +93,20 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     let last = args.motion.last_frame(most, args.span.seconds)?;
     let mut outputs = FrameOutputs::new(args, (&scene, &assets), &inputs, &runner, last)?;
     interruption.wait_for_end();
-    let ran = match watch(args, (&scene, last), &mut runner, interruption, &mut outputs, console) {
-        Ok(ran) => ran,
-        Err(error) => {
-            outputs.keep();
-            return Err(error);
-        }
-    };
+    // What was computed until a frame could not be written is told, and written as far as it can be.
+    let (wall_seconds, end, failed) =
+        match watch(args, (&scene, last), &mut runner, interruption, &mut outputs, console) {
+            Ok(ran) => (ran.wall_seconds, Some(ran.end), None),
+            Err(FailedRun { wall_seconds, error }) => (wall_seconds, None, Some(error)),
+        };
     let lines = notes.iter().map(|note| format!("{}: {note}", word(note))).collect();
-    let mut report = Report::new(&scene, &runner, ran.wall_seconds, lines);
-    report.complete = !matches!(ran.end, RunEnd::Interrupted(_));
+    let mut report = Report::new(&scene, &runner, wall_seconds, lines);
+    report.complete = !matches!(end, None | Some(RunEnd::Interrupted(_)));
     let mut text = summary(&report, runner.world(), &source);
     let finite = outputs.is_finite(&report, console);
     let run = Run::new(&scene, args.scene.as_ref(), &args.sets.sets, args.span.fps);
     let whole = RunReport { report: &report, run };
-    let written = outputs.finish(args, finite.then_some(&whole), console)?;
+    let (written, unwritten) = outputs.finish(args, finite.then_some(&whole), console);
     if !written.is_empty() {
         text.push('\n');
         text.push_str(&written);
@@ -116,9 +115,14 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
         console.warn(&"report and series are not written: they would hold what is no number");
     }
     console.print(&text)?;
+    let mut errors = failed.into_iter().chain(unwritten);
+    if let Some(first) = errors.next() {
+        errors.for_each(|error| console.error(&error));
+        return Err(first);
+    }
     let differs = repeated.is_some_and(|repeated| !repeated.compare(&scene, &report, console));
-    Ok(match ran.end {
-        RunEnd::Interrupted(signal) => Outcome::Interrupted(signal),
+    Ok(match end {
+        Some(RunEnd::Interrupted(signal)) => Outcome::Interrupted(signal),
         _ if differs => Outcome::Differs,
         _ if runner.world().divergence().is_some() || !finite => Outcome::Diverged,
         _ => Outcome::Done,
@@ -133,7 +137,7 @@ fn watch(
     interruption: &Interruption,
     outputs: &mut FrameOutputs,
     console: &mut Console,
-) -> Result<Drive, CliError> {
+) -> Result<Drive, FailedRun> {
     let limit = args.span.limit(scene);
     let frames = frames_to(limit, runner, console).min(last);
     let pieces = if args.span.until_rest { "frames at most" } else { "frames" };
@@ -207,11 +211,6 @@ impl FrameOutputs {
         Ok(self.files.push(scene, runner)?)
     }
 
-    /// Writes what is left of the shapes' frames so far; what the run failed by is told, and not what fails then.
-    fn keep(&mut self) {
-        self.files.keep().ok();
-    }
-
     /// Whether all that was collected is made of numbers; what is not is said.
     fn is_finite(&self, report: &Report, console: &mut Console) -> bool {
         let series = self.series.as_ref().and_then(TimeSeries::not_finite);
@@ -225,24 +224,28 @@ impl FrameOutputs {
     }
 
     /// Writes what was collected, the report and the series where they are made of numbers; gives a line about each
-    /// file.
+    /// file, and why others could not be written.
     fn finish(
         mut self,
         args: &Simulate,
         report: Option<&RunReport<'_>>,
         console: &mut Console,
-    ) -> Result<String, CliError> {
-        // First: no report that cannot be written keeps frames from their files.
-        self.files.keep()?;
-        let mut text = String::new();
-        if let (Some(path), Some(report)) = (&args.report, report) {
-            text += &output::write_report(path, report)?;
-        }
-        if let (Some(path), Some(series), Some(_)) = (&args.series, self.series, report) {
+    ) -> (String, Vec<CliError>) {
+        let mut errors = Vec::new();
+        errors.extend(self.files.keep().err().map(CliError::from));
+        let report_line = args.report.as_ref().zip(report).map(|(path, report)| output::write_report(path, report));
+        let series_line = args.series.as_ref().zip(self.series).filter(|_| report.is_some()).map(|(path, series)| {
             output::write_bytes(path, &series.to_csv()?)?;
-            text += &output::wrote("series", path);
+            Ok(output::wrote("series", path))
+        });
+        let mut text = String::new();
+        for line in report_line.into_iter().chain(series_line) {
+            match line {
+                Ok(line) => text += &line,
+                Err(error) => errors.push(error),
+            }
         }
         text += &told(&self.files.written(), console);
-        Ok(text)
+        (text, errors)
     }
 }

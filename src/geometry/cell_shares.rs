@@ -1,7 +1,8 @@
 //! How much of a shape each particle of a lattice in it stands for: one at a surface seldom stands for a whole cell.
 
 use super::lattice_fit::{FittedLattice, OWN_MOMENT, Target};
-use super::rows::{Moments, Rows};
+use super::moments::Moments;
+use super::scanlines::Scanlines;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use glam::{DMat3, DVec3, IVec3};
@@ -37,7 +38,7 @@ const ROUNDS: usize = 4;
 const REACH: i32 = 2;
 
 /// The shares of the particles in these cells of a lattice in a shape; none where each stands for a whole cell.
-pub(crate) fn cell_shares(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IVec3]) -> Option<CellShares> {
+pub(crate) fn cell_shares(shape: &dyn Scanlines, lattice: &FittedLattice, cells: &[IVec3]) -> Option<CellShares> {
     let is_large = cells.len() > MANY;
     let Pieces { all, whole, lost } = Pieces::of(shape, lattice, cells, if is_large { FEW_ROWS } else { ROWS });
     let cell = lattice.spacings().element_product();
@@ -90,7 +91,7 @@ impl Pieces {
     const NONE: Self = Self { all: Vec::new(), whole: Moments::NONE, lost: 0.0 };
 
     /// By so many rows through an eighth of each cell.
-    fn of(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IVec3], through: usize) -> Self {
+    fn of(shape: &dyn Scanlines, lattice: &FittedLattice, cells: &[IVec3], through: usize) -> Self {
         let numbers: HashMap<IVec3, usize> = cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
         let (spacings, origin) = (lattice.spacings(), lattice.origin);
         let within = places_within(through);
@@ -142,7 +143,7 @@ fn places_within(eighth: usize) -> Vec<[f64; 2]> {
 }
 
 /// Indices along y and z of the rows of cells with particles and those within reach of them, as far as the shape goes.
-fn rows_near(shape: &dyn Rows, lattice: &FittedLattice, cells: &[IVec3]) -> Vec<[i32; 2]> {
+fn rows_near(shape: &dyn Scanlines, lattice: &FittedLattice, cells: &[IVec3]) -> Vec<[i32; 2]> {
     let [first, last] =
         shape.bounds().map(|corner| ((corner - lattice.origin) / lattice.spacings()).round().as_ivec3());
     let mut rows: Vec<[i32; 2]> = cells.iter().map(|cell| [cell.z, cell.y]).collect();
@@ -253,8 +254,8 @@ impl CellShares {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::askew_box::AskewBox;
     use crate::geometry::lattice::Cuboid;
-    use crate::geometry::rows::AskewBox;
     use std::ops::ControlFlow;
 
     fn fitted_to(size: DVec3, axes: DMat3) -> (AskewBox, FittedLattice, Vec<IVec3>) {

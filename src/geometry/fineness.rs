@@ -21,7 +21,13 @@ impl Fineness {
     /// What a person should know of it; none where every part has its layers.
     pub(crate) fn said(&self) -> Option<String> {
         let forced = "fewer would not hold it together, and so many do not run in real time";
-        if self.is_forced { Some(forced.to_owned()) } else { self.given_up.map(|thin| thin.to_string()) }
+        let many = "fewer would give most of it less than two layers, and so many do not run in real time";
+        match self.given_up {
+            _ if self.is_forced => Some(forced.to_owned()),
+            None => (self.particles > BY_ITSELF[1]).then(|| many.to_owned()),
+            Some(thin) if self.particles > BY_ITSELF[1] => Some(format!("{thin}; so many do not run in real time")),
+            Some(thin) => Some(thin.to_string()),
+        }
     }
 }
 
@@ -131,6 +137,8 @@ mod tests {
         // Where all of it is thin more are taken, and then no more.
         let found = fineness(&plate(0.002), [800, 3000, 50_000]);
         assert!((13_990..=14_010).contains(&found.particles) && found.given_up.is_none(), "{found:?}");
+        assert!(found.said().is_some_and(|text| text.contains("do not run in real time")), "{found:?}");
+        assert_eq!(fineness(&plate(0.005), [800, 3000, 10_000]).said(), None);
         let given_up = fineness(&plate(0.002), [800, 3000, 10_000]).given_up.expect("too thin");
         assert!(given_up.share > 0.97 && (given_up.thickness - 0.002).abs() < 1e-6, "{given_up:?}");
         assert!((given_up.wanted / 14_000.0 - 1.0).abs() < 0.01, "{given_up:?}");

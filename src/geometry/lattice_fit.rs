@@ -5,7 +5,8 @@
 //! the lattice falls.
 
 use super::lattice::LatticeSample;
-use super::rows::{Moments, Rows};
+use super::moments::Moments;
+use super::scanlines::Scanlines;
 use super::whole_layers::{CHANGES, UNEVEN, price, stretch_to, whole_changes};
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
@@ -56,7 +57,7 @@ impl FittedLattice {
     }
 
     /// Rows of a lattice through the box around a shape.
-    pub(crate) fn rows_through(shape: &dyn Rows, spacing: f64) -> f64 {
+    pub(crate) fn rows_through(shape: &dyn Scanlines, spacing: f64) -> f64 {
         let [min, max] = shape.bounds();
         let rows = (max - min) / spacing + 2.0;
         rows.y * rows.z
@@ -69,7 +70,7 @@ impl FittedLattice {
     /// The lattice that fits a shape best; none where there are so many particles that none is looked for. `progress`
     /// is asked from time to time whether to go on.
     pub(crate) fn to(
-        shape: &dyn Rows,
+        shape: &dyn Scanlines,
         spacing: f64,
         progress: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> ControlFlow<(), Option<Self>> {
@@ -125,7 +126,7 @@ impl FittedLattice {
     }
 
     /// The lattice that has a shape's faces between its layers where it is flat along all axes.
-    pub(crate) fn between_faces(shape: &dyn Rows, spacing: f64) -> Option<Self> {
+    pub(crate) fn between_faces(shape: &dyn Scanlines, spacing: f64) -> Option<Self> {
         let planes: [Option<Planes>; 3] = std::array::from_fn(|axis| Planes::along(shape, axis, spacing));
         if planes.iter().any(Option::is_none) {
             return None;
@@ -150,7 +151,7 @@ impl FittedLattice {
     }
 
     /// Its points inside a shape.
-    pub(crate) fn collect(&self, shape: &dyn Rows) -> LatticeSample {
+    pub(crate) fn collect(&self, shape: &dyn Scanlines) -> LatticeSample {
         let Self { spacing, stretch, origin } = *self;
         let mut cells = Vec::new();
         for (y, z, row) in self.rows(shape) {
@@ -163,7 +164,7 @@ impl FittedLattice {
     }
 
     /// The rows that come near a shape with their stretches, by z, then y.
-    fn rows<'a>(&self, shape: &'a dyn Rows) -> impl Iterator<Item = (i32, i32, Vec<[f64; 2]>)> + use<'a> {
+    fn rows<'a>(&self, shape: &'a dyn Scanlines) -> impl Iterator<Item = (i32, i32, Vec<[f64; 2]>)> + use<'a> {
         let [min, max] = shape.bounds();
         let (spacings, origin) = (self.spacings(), self.origin);
         let first = ((min - origin) / spacings).floor().as_ivec3();
@@ -185,7 +186,7 @@ impl FittedLattice {
 }
 
 /// Volume and moments of the whole particles of lattices that differ along x only.
-fn whole_moments(shape: &dyn Rows, lattices: &[FittedLattice], center: DVec3) -> Vec<Moments> {
+fn whole_moments(shape: &dyn Scanlines, lattices: &[FittedLattice], center: DVec3) -> Vec<Moments> {
     let mut sums = vec![Moments::NONE; lattices.len()];
     let Some(first) = lattices.first() else { return sums };
     let spacings = first.spacings();
@@ -218,7 +219,7 @@ pub(super) struct Target {
 }
 
 impl Target {
-    fn of(shape: &dyn Rows, center: DVec3) -> Self {
+    fn of(shape: &dyn Scanlines, center: DVec3) -> Self {
         Self::from_moments(&Moments::of(shape, center))
     }
 
@@ -288,7 +289,7 @@ struct Flat {
 
 impl Planes {
     /// Those of a shape that is mostly flat along an axis.
-    fn along(shape: &dyn Rows, axis: usize, spacing: f64) -> Option<Self> {
+    fn along(shape: &dyn Scanlines, axis: usize, spacing: f64) -> Option<Self> {
         let (mut seen, mut flat) = (0.0, 0.0);
         let mut faces: Vec<(f64, f64)> = Vec::new();
         shape.visit_faces(&mut |normal, point, area| {

@@ -1,6 +1,7 @@
 //! Shapes and distances: curves, kernel, neighbour search, surface meshes, and from a model to the particles inside it
 //! (weld, check, orient, fill). Knows nothing of scenes or physics.
 
+pub(crate) mod askew_box;
 pub(crate) mod bvh;
 mod caps;
 pub(crate) mod carve;
@@ -27,6 +28,7 @@ pub(crate) mod linear_map;
 pub(crate) mod mesh;
 pub(crate) mod model;
 pub(crate) mod model_report;
+pub(crate) mod moments;
 pub(crate) mod nearest;
 pub(crate) mod neighbours;
 pub(crate) mod obstacle;
@@ -42,8 +44,8 @@ pub(crate) mod point_tree;
 pub(crate) mod ray;
 pub(crate) mod rig;
 pub(crate) mod row_index;
-pub(crate) mod rows;
 pub(crate) mod scanline;
+pub(crate) mod scanlines;
 pub(crate) mod section;
 pub(crate) mod sheets;
 pub(crate) mod skeleton;

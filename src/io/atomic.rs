@@ -25,13 +25,15 @@ pub fn write_atomically(path: &Path, content: impl FnOnce(&mut dyn Write) -> io:
 }
 
 /// Looks whether [`write_atomically`] could write to a path, before the work whose result is to go there is begun.
-/// Leaves nothing behind. Returns the file that would be written, whole and with links followed, for comparing.
+/// Leaves nothing behind, nor what writers left there when they were killed. Returns the file that would be written,
+/// whole and with links followed, for comparing.
 ///
 /// # Errors
 /// [`IoError::Write`] within [`IoError::InFile`], as writing would give it.
 pub(crate) fn check_writable(path: &Path) -> Result<PathBuf, IoError> {
     let probe = || {
         let target = WriteTarget::of(path)?;
+        sweep_folder(target.folder());
         target.temporary_file()?.close()?;
         let name = target.path.file_name().unwrap_or_default();
         Ok(fs::canonicalize(target.folder())?.join(name))

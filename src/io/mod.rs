@@ -57,6 +57,7 @@ pub(crate) use json_out::write_json;
 pub(crate) use lines::{NamedLine, check_lines_name, read_lines, write_lines};
 pub(crate) use model::is_model;
 pub use model::load_model;
+pub use model::quiet_importers;
 #[cfg(feature = "gui")]
 pub(crate) use model::read_model;
 pub(crate) use moving::{MovingFormat, MovingPicture, PictureAs};

@@ -119,6 +119,11 @@ impl RecoveryFile {
         write_atomically(&self.document, |out| write_line(out, &kept))
     }
 
+    /// Whether its folder still holds it.
+    pub fn is_there(&self) -> bool {
+        self.lock.exists()
+    }
+
     /// Forgets what was kept: the document was saved, or closed without its changes.
     ///
     /// # Errors

@@ -12,7 +12,7 @@ use std::time::{Duration, SystemTime};
 /// Times of change within this of when they were read may hide a later change: file systems tick as coarsely as this.
 const COARSE: Duration = Duration::from_secs(2);
 
-/// A file as it was at one moment. Take it before the file is read, and again after it was saved.
+/// A file as it was at one moment. Take it before the file is read, and by what was written when it was saved.
 #[derive(Clone, Debug)]
 pub(crate) struct FileStamp {
     path: PathBuf,
@@ -42,8 +42,14 @@ impl FileStamp {
         let look = fs::metadata(path).and_then(|metadata| Ok((metadata.len(), metadata.modified()?))).ok();
         let now = SystemTime::now();
         let is_old = |&(_, changed): &(u64, SystemTime)| now.duration_since(changed).is_ok_and(|age| age > COARSE);
-        let hash = hash_of(path).map_err(|error| error.within(path))?;
+        let hash = hash_at(path).map_err(|error| error.within(path))?;
         Ok(Self { path: path.to_owned(), hash, look: look.filter(is_old) })
+    }
+
+    /// A file as it is after this was written to it, whatever another program writes there from then on.
+    pub(crate) fn of_written(path: &Path, content: &[u8]) -> Self {
+        // The time of change is not asked for: another write may have come in between.
+        Self { path: path.to_owned(), hash: hash_of(content), look: None }
     }
 
     /// Where the file is.
@@ -62,7 +68,7 @@ impl FileStamp {
         if look.is_some() && look == self.look {
             return FileState::Same;
         }
-        match hash_of(&self.path) {
+        match hash_at(&self.path) {
             Ok(hash) if hash == self.hash => FileState::Same,
             Err(IoError::Missing) => FileState::Missing,
             _ => FileState::Changed,
@@ -70,11 +76,15 @@ impl FileStamp {
     }
 }
 
+fn hash_at(path: &Path) -> Result<u64, IoError> {
+    read_bytes(path, MAX_SCENE_BYTES).map(|content| hash_of(&content))
+}
+
 /// A number that differs for another content, within one run of the program.
-fn hash_of(path: &Path) -> Result<u64, IoError> {
+fn hash_of(content: &[u8]) -> u64 {
     let mut hasher = DefaultHasher::new();
-    hasher.write(&read_bytes(path, MAX_SCENE_BYTES)?);
-    Ok(hasher.finish())
+    hasher.write(content);
+    hasher.finish()
 }
 
 #[cfg(test)]
@@ -110,6 +120,17 @@ mod tests {
         fs::create_dir(&path).expect("made");
         assert!(FileStamp::of(&path).is_err());
         assert!(FileStamp::of(&folder.path().join("none.json")).is_err());
+    }
+
+    #[test]
+    fn what_another_program_writes_right_after_a_save_is_a_change() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("scene.json");
+        let written = FileStamp::of_written(&path, b"ours");
+        fs::write(&path, "ours").expect("written");
+        assert_eq!(written.state(), FileState::Same);
+        aged(&path, "that", 100);
+        assert_eq!(written.state(), FileState::Changed, "of the same length, before it was looked at once");
     }
 
     #[test]

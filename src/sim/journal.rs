@@ -144,7 +144,7 @@ impl Journal {
     }
 
     /// Whether hands have led any shared drive.
-    pub(super) fn was_played(&self) -> bool {
+    pub(super) fn was_performed(&self) -> bool {
         self.asked.iter().any(|entry| matches!(entry.what, Asked::Lead { aim: Some(_), .. }))
     }
 

@@ -34,4 +34,4 @@ pub use taken::MotionTaker;
 #[cfg(feature = "gui")]
 pub(crate) use taken::TakenMotion;
 pub use trial::Trial;
-pub use worker::{RecordedSeries, Rerun, Worker};
+pub use worker::{Rerun, TimeSeriesSet, Worker};

@@ -20,7 +20,7 @@ impl Journal {
     pub fn performed(&self, body: usize, id: &str, drive: &Drive) -> Option<Drive> {
         let mut drive = drive.clone();
         let mut hold: Option<Hold> = None;
-        let mut was_played = false;
+        let mut was_performed = false;
         for JournalEntry { frame, what } in &self.asked {
             let Asked::Lead { body: of, drive: led, aim } = what else { continue };
             if (*of, led.as_str()) != (body, id) || (hold.is_none() && aim.is_none()) {
@@ -35,7 +35,7 @@ impl Journal {
             {
                 held.keys.push((start, value));
             }
-            was_played = true;
+            was_performed = true;
             match aim {
                 Some(aim) => held.keys.push((end, aim.clamp(own.least(), own.greatest()))),
                 None => held.back_in = Some(end - start),
@@ -49,7 +49,7 @@ impl Journal {
         if let Some(held) = hold {
             drive = on_top(held, &drive);
         }
-        was_played.then_some(drive)
+        was_performed.then_some(drive)
     }
 }
 

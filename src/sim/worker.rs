@@ -14,7 +14,6 @@ mod models;
 mod motion;
 mod playback;
 mod queue;
-mod recorded_series;
 mod replay;
 mod runs;
 mod shared;
@@ -23,10 +22,11 @@ mod simulation;
 mod stop;
 #[cfg(test)]
 mod tests;
+mod time_series_set;
 mod views;
 
 pub use again::Rerun;
-pub use recorded_series::RecordedSeries;
+pub use time_series_set::TimeSeriesSet;
 
 use super::command::SimCommand;
 use super::journal::Journal;
@@ -98,7 +98,7 @@ impl Worker {
 
     /// Looks at the numbers that were recorded of every frame. The solver waits meanwhile: to be read, not to be worked
     /// with.
-    pub fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
+    pub fn time_series<T>(&self, read: impl FnOnce(&TimeSeriesSet) -> T) -> T {
         self.shared.with_series(|series| read(series))
     }
 
@@ -108,8 +108,8 @@ impl Worker {
     }
 
     /// Whether hands have led any shared drive since the start of the motion.
-    pub fn was_played(&self) -> bool {
-        self.shared.with_journal(|journal| journal.was_played())
+    pub fn was_performed(&self) -> bool {
+        self.shared.with_journal(|journal| journal.was_performed())
     }
 }
 

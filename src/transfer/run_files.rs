@@ -80,6 +80,7 @@ impl RunFiles {
         if !self.frames.takes(runner.world().number()) {
             return Ok(());
         }
+        let _export = tracing::info_span!("export", frame = runner.world().number()).entered();
         if let Some(shapes) = &mut self.shapes {
             shapes.push(runner)?;
         }

@@ -12,7 +12,6 @@ use crate::scene::{Collider, ColliderMesh, ColliderShape, Drivable};
 use egui::{RichText, Ui};
 use glam::DVec3;
 use std::path::Path;
-use std::sync::Arc;
 
 const SIZE: NumberField = NumberField::new("Radius", "m", 1e-4..=1000.0, None, "Radius of the collider");
 /// A new collider is this share of what is there, and lies this share of that below it.
@@ -147,11 +146,8 @@ fn show_collider(ui: &mut Ui, collider: &mut Collider) {
 pub(super) fn add_mesh(cx: &mut Context, file: &Path) -> Result<(), IoError> {
     let mut colliders = cx.scene().colliders.clone();
     let (id, _) = new_id(&colliders);
-    let mut assets = (*cx.document.assets).clone();
-    let path = add_collider_model(&mut assets, file, &cx.document.folder)?;
+    let path = cx.add_models(|assets, folder| add_collider_model(assets, file, folder))?;
     let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    cx.document.assets = Arc::new(assets);
-    cx.simulation.set_models(&cx.document);
     cx.selection.choose_collider(id.clone());
     colliders.push(Collider { name, ..Collider::new(id, ColliderMesh::new(path)) });
     cx.edit(&Command::SetColliders(colliders), Step::Own);

@@ -123,7 +123,7 @@ impl Comparison {
         let tooltip = "Runs the first tenth of a second with ever finer steps and plots the error against the step";
         let button = ui.add_enabled(obstacle.is_none(), egui::Button::new("Measure the orders")).on_hover_text(tooltip);
         if button.on_disabled_hover_text(obstacle.unwrap_or_default()).clicked() {
-            let (scene, assets) = (Arc::clone(cx.scene()), Arc::clone(&cx.document.assets));
+            let (scene, assets) = (Arc::clone(cx.scene()), Arc::clone(cx.document.assets()));
             self.study(scene, assets, ui.ctx().clone());
         }
         if let Some(receiver) = &self.studying {

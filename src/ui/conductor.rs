@@ -21,8 +21,8 @@ pub(super) fn conductor(ui: &mut Ui, cx: &mut Context) {
     ui.horizontal(|ui| {
         let tooltip = "Makes keys of what was played since the start, linear from frame to frame, and lets go: played \
                        again from the start it is the same motion";
-        let has_played = ui.add_enabled(cx.simulation.was_played(), Button::new("Record")).on_hover_text(tooltip);
-        if has_played.on_disabled_hover_text("Nothing was played since the start").clicked() {
+        let was_performed = ui.add_enabled(cx.simulation.was_performed(), Button::new("Record")).on_hover_text(tooltip);
+        if was_performed.on_disabled_hover_text("Nothing was played since the start").clicked() {
             record(cx, &drives);
         }
         let tooltip = "The drives go on by themselves; nothing of the scene changes";

@@ -11,7 +11,6 @@ use crate::scene::{
 };
 use egui::{ComboBox, Ui};
 use std::path::Path;
-use std::sync::Arc;
 
 const START: NumberField = NumberField::new("Start", "s", 0.0..=1e6, Some(0.0), "When the body begins to follow");
 const PRE_ROLL: NumberField = NumberField::new(
@@ -115,7 +114,7 @@ fn show_follow(ui: &mut Ui, cx: &Context, body: AnyBody<'_>, follow: &mut Follow
 }
 
 fn show_skeleton(ui: &mut Ui, cx: &Context, leader: &mut SkeletonLeader) {
-    let Some(skeleton) = cx.document.assets.skeleton(&leader.path) else { return };
+    let Some(skeleton) = cx.document.assets().skeleton(&leader.path) else { return };
     let names: Vec<&str> = skeleton.clips.iter().map(|clip| clip.name.as_str()).collect();
     let present = leader.animation.as_deref().and_then(|name| names.iter().position(|one| *one == name)).unwrap_or(0);
     let chosen = choice(ui, "Animation", names.iter().copied(), present);
@@ -214,10 +213,7 @@ pub(super) fn add_follow(cx: &mut Context, file: &Path) -> Result<(), IoError> {
     } else {
         Leader::from(SkeletonLeader { scale, up, ..SkeletonLeader::new(path) })
     };
-    let mut assets = (*cx.document.assets).clone();
-    add_leader(&mut assets, &leader, &cx.document.folder)?;
-    cx.document.assets = Arc::new(assets);
-    cx.simulation.set_models(&cx.document);
+    cx.add_models(|assets, folder| add_leader(assets, &leader, folder))?;
     let mut follows = body.follows().to_vec();
     let taken = |n: &usize| follows.iter().any(|follow| follow.id == format!("motion-{n}"));
     let number = (1..=follows.len() + 1).find(|n| !taken(n)).unwrap_or(1);

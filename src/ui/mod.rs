@@ -73,26 +73,35 @@ pub(crate) use app::App;
 pub use document::Document;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use thiserror::Error;
 
 /// Under this name the system keeps what is remembered.
 const NAME: &str = "sinew";
 
-/// Why there is no window.
+/// Why there is no window, or none any more.
 #[derive(Debug, Error)]
-#[error(
-    "no window could be opened ({problem}); it needs a screen (DISPLAY or WAYLAND_DISPLAY) and a graphics driver, on \
-     Debian: apt install libx11-6 libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0 libvulkan1 mesa-vulkan-drivers; \
-     `sinew simulate` does the same work without one"
-)]
-pub struct NoWindow {
-    problem: String,
+pub enum NoWindow {
+    /// None was opened.
+    #[error(
+        "no window could be opened ({0}); it needs a screen (DISPLAY or WAYLAND_DISPLAY) and a graphics driver, on \
+         Debian: apt install libx11-6 libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0 libvulkan1 mesa-vulkan-drivers; \
+         `sinew simulate` does the same work without one"
+    )]
+    NotOpened(String),
+    /// It was open.
+    #[error(
+        "the window ended by a fault of this program ({0}); changes that were not saved are kept and offered at the next \
+         start"
+    )]
+    Failed(String),
 }
 
 /// Opens the window on a document and returns when it is closed.
 ///
 /// # Errors
-/// [`NoWindow`] where there is no screen, no driver or a library is missing.
+/// [`NoWindow`] where there is no screen, no driver or a library is missing, or where an open one fails.
 pub fn run(document: Document) -> Result<(), NoWindow> {
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
@@ -107,6 +116,8 @@ pub fn run(document: Document) -> Result<(), NoWindow> {
     // A missing library makes a dependency panic; that is a sentence for the person, not a crash.
     let hook = std::panic::take_hook();
     std::panic::set_hook(Box::new(|_| {}));
+    let opened = Arc::new(AtomicBool::new(false));
+    let opening = Arc::clone(&opened);
     let outcome = catch_unwind(AssertUnwindSafe(move || {
         eframe::run_native(
             NAME,
@@ -125,6 +136,7 @@ pub fn run(document: Document) -> Result<(), NoWindow> {
                 if !given {
                     app.welcome();
                 }
+                opening.store(true, Ordering::SeqCst);
                 Ok(Box::new(app))
             }),
         )
@@ -139,5 +151,5 @@ pub fn run(document: Document) -> Result<(), NoWindow> {
             .unwrap_or_else(|| "the window system failed".to_owned()),
     };
     let problem = problem.lines().next().unwrap_or_default().trim_end_matches('.').to_owned();
-    Err(NoWindow { problem })
+    Err(if opened.load(Ordering::SeqCst) { NoWindow::Failed(problem) } else { NoWindow::NotOpened(problem) })
 }

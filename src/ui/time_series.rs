@@ -5,7 +5,7 @@ use super::context::Context;
 use super::controls::button;
 use super::plots::{BOLD, LINE, THIN, Trace, over_time, thinned};
 use super::theme::{self, GRID, Tone};
-use crate::sim::{ColumnKind, RecordedSeries, TimeSeries};
+use crate::sim::{ColumnKind, TimeSeries, TimeSeriesSet};
 use crate::solver::energy::Energies;
 use crate::text::number::three_figures;
 use egui::{Align2, Color32, Panel, RichText, Role, ScrollArea, Sense, TextStyle, Ui, Vec2, WidgetInfo};
@@ -219,7 +219,7 @@ impl TimeSeriesPanel {
     }
 
     /// The lines of a plot, those of the ghost thin and dashed behind them.
-    fn traces(&self, chart: &Chart, recorded: &RecordedSeries) -> Vec<Trace> {
+    fn traces(&self, chart: &Chart, recorded: &TimeSeriesSet) -> Vec<Trace> {
         let shown = || chart.curves.iter().filter(|curve| !self.hidden.contains(&curve.name));
         // A ghost with other bodies or measures has other columns, of which these curves know nothing.
         let is_there = |ghost: &TimeSeries, curve: &Curve| {

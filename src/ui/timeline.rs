@@ -3,7 +3,7 @@
 use super::action::Action;
 use super::context::{Context, Request, Severity};
 use super::controls::{button, key_of};
-use super::drives::{Columns, Lanes};
+use super::drives::{Columns, DriveLanes};
 use super::theme::{self, GRID};
 use super::timescale::TimeScale;
 use crate::sim::{DEFAULT_MEMORY, Published, SimCommand};
@@ -56,7 +56,7 @@ pub(super) struct Timeline {
     asked: Option<(f64, Arc<Published>)>,
     /// How many of the simulation's words on it have been passed on.
     said: u64,
-    lanes: Lanes,
+    lanes: DriveLanes,
 }
 
 /// What a button shows.
@@ -129,7 +129,7 @@ impl Timeline {
         }
         let most = (0.5 * ui.ctx().content_rect().height()).max(LEAST);
         // Where nothing is driven yet, one line says how something is.
-        let panel = if Lanes::count(cx.scene()) == 0 {
+        let panel = if DriveLanes::count(cx.scene()) == 0 {
             egui::Panel::bottom("timeline without drives").exact_size(LEAST)
         } else {
             egui::Panel::bottom("timeline with drives").resizable(true).default_size(LANES).size_range(LEAST..=most)
@@ -218,7 +218,7 @@ impl Timeline {
         let bar = Rect::from_min_size(place.min + Vec2::new(0.0, 0.5 * GRID), Vec2::new(place.width(), BAR));
         let span = cx.simulation.published().status.recording.span.filter(|_| !cx.simulation.is_comparing());
         let frame = cx.scene().time.frame_seconds();
-        let until = if self.remembered.drives { Lanes::last(cx.scene()) } else { 0.0 };
+        let until = if self.remembered.drives { DriveLanes::last(cx.scene()) } else { 0.0 };
         let places = bar.shrink2(Vec2::new(INSET, 0.0)).x_range();
         let scale = TimeScale::new(span.unwrap_or([0.0; 2]), until, frame, places);
         let scale = self.lanes.held_scale().unwrap_or(scale);
@@ -276,7 +276,7 @@ impl Timeline {
 fn drives_switch(ui: &mut Ui, cx: &mut Context) {
     let is_on = cx.actions[Action::Drives].on == Some(true);
     let tooltip = format!("{} ({})", Action::Drives.tooltip(), key_of(ui, Action::Drives));
-    let text = match Lanes::count(cx.scene()) {
+    let text = match DriveLanes::count(cx.scene()) {
         0 => "Drives".to_owned(),
         count => format!("Drives {count}"),
     };

@@ -93,7 +93,7 @@ fn middle(cx: &Context, body: &Body) -> [f64; 3] {
         Shape::Box(BoxShape { center, .. }) => *center,
         Shape::Ball(_) | Shape::Cylinder(_) | Shape::Capsule(_) | Shape::Torus(_) => [0.0; 3],
         Shape::Mesh(mesh) => {
-            let solid = cx.document.assets.solid(mesh);
+            let solid = cx.document.assets().solid(mesh);
             solid.map_or([0.0; 3], |solid| (0.5 * (solid.min + solid.max)).to_array())
         }
     }

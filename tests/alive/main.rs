@@ -17,3 +17,4 @@ mod rules;
 mod scenes;
 mod steps;
 mod thickening;
+mod turning;

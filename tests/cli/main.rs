@@ -24,6 +24,7 @@ mod sweep;
 mod sweep_values;
 mod table1;
 mod trace;
+mod unwritten;
 
 use serde_json::{Value, json};
 use std::fs;

@@ -29,6 +29,20 @@ fn drawn(desk: &Desk, arguments: &str) -> Option<Said> {
 
 #[cfg(feature = "render")]
 #[test]
+fn a_model_is_drawn_as_the_window_opens_it() {
+    let desk = Desk::new(&pressed());
+    let cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n\
+        f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    fs::write(desk.path("cube.obj"), cube).expect("the model is written");
+    let Some(said) = drawn(&desk, "render cube.obj --at 0.05 --size 320x200 --out a.png") else { return };
+    assert_eq!(said.out, "picture written to a.png\n");
+    assert!(said.err.contains("the model is made a soft solid"), "{}", said.err);
+    let picture = fs::read(desk.path("a.png")).expect("the picture is there");
+    assert_eq!(png_size(&picture), [320, 200]);
+}
+
+#[cfg(feature = "render")]
+#[test]
 fn a_picture_is_as_large_as_it_was_asked_to_be_and_shows_when_it_was_taken() {
     let desk = Desk::new(&pressed());
     let Some(said) = drawn(&desk, "render scene.json --at 0 --size 320x200 --out a.png") else { return };

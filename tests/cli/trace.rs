@@ -50,6 +50,9 @@ fn a_trace_has_the_stages_of_baking_the_frames_and_the_files() {
     assert_eq!(of("body")["args"]["name"], "Block");
     assert_eq!(of("frame")["args"]["number"], 0);
     assert!(of("write")["args"]["file"].as_str().is_some_and(|file| file.ends_with("report.json")));
+    // Frames that are written beside the run, and how long that takes of it.
+    desk.run("simulate scene.json --out frames --format pc2 --trace out.json");
+    assert_eq!(spans(&desk.json("out.json")).get("export"), Some(&7), "the start and six frames");
     // The same motion as without.
     let hash = |report: Value| report["bodies"][0]["state_hash"].clone();
     let traced = hash(desk.json("report.json"));

@@ -1,4 +1,5 @@
-//! Small files that ask for the whole machine: each is read or refused within ten times its size and 64 MiB.
+//! Small files that ask for the whole machine: each is read or refused within ten times its size and 64 MiB, and within
+//! two seconds of a processor.
 
 use crate::files::in_new_folder;
 use crate::peak;
@@ -12,6 +13,9 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
+
+/// How long the threads may run for one of them [s]; libraries are not optimised but in a release.
+const SECONDS: f64 = if cfg!(debug_assertions) { 20.0 } else { 2.0 };
 
 /// What the test of a bomb does with its file: by its ending, and in a program of its own.
 #[test]
@@ -59,6 +63,10 @@ fn said(files: &[(&str, &[u8])]) -> String {
         let most = 10 * size + (64 << 20);
         if let Some(bytes) = peak.bytes {
             assert!(bytes <= most, "{}: {bytes} bytes of memory for {size}: {}", files[0].0, peak.said);
+        }
+        if let Some(seconds) = peak.seconds {
+            println!("{}: {seconds} s, {} MiB for {size} bytes", files[0].0, peak.bytes.unwrap_or_default() >> 20);
+            assert!(seconds <= SECONDS, "{}: {seconds} s: {}", files[0].0, peak.said);
         }
         peak.said
     })

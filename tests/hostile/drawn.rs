@@ -11,7 +11,7 @@ use serde_json::Value;
 use sinew::edit::Editor;
 use sinew::io::scene_to_json;
 use sinew::sketch::{LiftOptions, Stroke, View, lift, structure_particles, sweep};
-use sinew::test_support::sketch::{follow, guides};
+use sinew::test_support::sketch::{guides, partial_lift};
 use std::fs;
 use std::path::Path;
 
@@ -38,8 +38,8 @@ pub fn strokes(path: &Path) -> Verdict {
         stretch: value["stretch"].as_bool().unwrap_or_default(),
         model_diagonal,
     };
-    if let Ok(follow) = follow(&first, &second, model_diagonal) {
-        assert!(follow.curve.iter().all(|point| point.is_finite()), "a preview at no place");
+    if let Ok(preview) = partial_lift(&first, &second, model_diagonal) {
+        assert!(preview.curve.iter().all(|point| point.is_finite()), "a preview at no place");
     }
     drop(guides(&first, second.view, model_diagonal));
     if let Err(error) = sweep(&first, &second, model_diagonal, 0.05 * model_diagonal) {

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use sinew::sketch::{LiftOptions, Placed, Stroke, View, lift, structure_particles, trim};
-use sinew::test_support::sketch::{follow, guides};
+use sinew::test_support::sketch::{guides, partial_lift};
 
 fn view() -> impl Strategy<Value = View> {
     prop_oneof![Just(View::Front), Just(View::Side), Just(View::Top)]
@@ -56,8 +56,8 @@ proptest! {
             prop_assert!(lifted.curve.iter().all(|point| point.is_finite()));
             prop_assert!(lifted.cost.is_finite() && lifted.deviation.is_finite());
         }
-        if let Ok(follow) = follow(&first, &second, options.model_diagonal) {
-            prop_assert!(follow.curve.iter().all(|point| point.is_finite()) && follow.tick.is_finite());
+        if let Ok(preview) = partial_lift(&first, &second, options.model_diagonal) {
+            prop_assert!(preview.curve.iter().all(|point| point.is_finite()) && preview.tick.is_finite());
         }
         if let Ok(guides) = guides(&first, second.view, options.model_diagonal) {
             prop_assert!(guides.band[0] <= guides.start && guides.start <= guides.band[1]);

@@ -2,7 +2,7 @@
 
 use crate::drawing::{BOX_DIAGONAL, Curve, curve, draw};
 use sinew::sketch::{Stroke, View};
-use sinew::test_support::sketch::{follow, guides};
+use sinew::test_support::sketch::{guides, partial_lift};
 
 #[test]
 fn guides_mark_band_ends_and_turns() {
@@ -44,7 +44,7 @@ fn the_tick_runs_along_the_first_stroke_with_the_pen() {
         for share in [0.15, 0.4, 0.65, 0.9] {
             let second = begun(curve, share);
             let pen = second.points[second.points.len() - 1];
-            let found = follow(&first, &second, BOX_DIAGONAL).expect("a preview");
+            let found = partial_lift(&first, &second, BOX_DIAGONAL).expect("a preview");
             // The point of the known curve under the pen tells where the tick belongs.
             let under_pen = |t: &f64| View::Side.project(curve(*t)).distance(pen);
             let parameters = (0..=2000).map(|i| f64::from(i) / 2000.0);
@@ -63,7 +63,7 @@ fn the_tick_runs_from_the_end_for_a_stroke_drawn_backwards() {
     let mut second = draw(curve, View::Side, 0.0, 12);
     second.points.reverse();
     second.points.truncate(40);
-    let found = follow(&first, &second, BOX_DIAGONAL).expect("a preview");
+    let found = partial_lift(&first, &second, BOX_DIAGONAL).expect("a preview");
     assert!((found.tick.y - second.points[39].y).abs() < 0.02);
     assert!(found.curve[0].distance(curve(1.0)) < 0.02);
 }

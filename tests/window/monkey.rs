@@ -76,6 +76,8 @@ struct Monkey {
     done: Vec<String>,
     /// Whether examples are opened too.
     opens: bool,
+    /// The longest that a frame took.
+    longest: Duration,
 }
 
 impl Monkey {
@@ -90,22 +92,28 @@ impl Monkey {
             app.with_recovery(folder.join("kept")).with_pattern_folder(folder.join("patterns"))
         });
         let first = scene_to_json(window.state().scene());
-        Self { window, random: Random(seed), first, done: Vec::new(), opens }
+        Self { window, random: Random(seed), first, done: Vec::new(), opens, longest: Duration::ZERO }
     }
 
     fn text(&self) -> String {
         scene_to_json(self.window.state().scene())
     }
 
+    fn step(&mut self) {
+        let begun = Instant::now();
+        self.window.step();
+        self.longest = self.longest.max(begun.elapsed());
+    }
+
     fn perform(&mut self, action: Action) {
         let ctx = self.window.ctx.clone();
         self.window.state_mut().dispatch(&ctx, action);
-        self.window.step();
+        self.step();
     }
 
     fn key(&mut self, key: Key) {
         self.window.key_press_modifiers(Modifiers::NONE, key);
-        self.window.step();
+        self.step();
     }
 
     fn escape(&mut self) {
@@ -129,7 +137,7 @@ impl Monkey {
     fn button(&mut self, pos: Pos2, button: PointerButton, pressed: bool, modifiers: Modifiers) {
         self.window.event(Event::PointerMoved(pos));
         self.window.event(Event::PointerButton { pos, button, pressed, modifiers });
-        self.window.step();
+        self.step();
     }
 
     fn drag(&mut self) {
@@ -146,17 +154,17 @@ impl Monkey {
         for _ in 0..=self.random.below(12) {
             at += step + 30.0 * Vec2::new(self.random.share() - 0.5, self.random.share() - 0.5);
             self.window.input_mut().events.push(Event::PointerMoved(at));
-            self.window.step();
+            self.step();
         }
         self.button(at, button, false, modifiers);
     }
 
     /// What was opened is the document now, unless it was thought better of.
     fn opened(&mut self) {
-        self.window.step();
+        self.step();
         if let Some(discard) = self.window.query_by_label("Discard") {
             discard.click();
-            self.window.run_steps(3);
+            (0..3).for_each(|_| self.step());
         }
         self.escape();
         if self.window.state().undo_name().is_none() {
@@ -169,9 +177,9 @@ impl Monkey {
         self.escape();
         self.perform(Action::Examples);
         self.window.event(Event::Text(example.title.to_owned()));
-        self.window.run_steps(4);
+        (0..4).for_each(|_| self.step());
         let found = self.window.query_all_by_label(example.title).next().inspect(egui_kittest::Node::click).is_some();
-        self.window.run_steps(if found { 3 } else { 0 });
+        (0..if found { 3 } else { 0 }).for_each(|_| self.step());
         self.opened();
     }
 
@@ -221,13 +229,13 @@ impl Monkey {
                     source: egui::MouseWheelSource::Unknown,
                     modifiers: Modifiers::NONE,
                 });
-                self.window.step();
+                self.step();
                 "wheel".to_owned()
             }
             17 => {
                 let text = self.random.one_of(&["1.5", "-2", "0", "1e9", "3 cm", "nonsense", "", "90 g"]);
                 self.window.event(Event::Text(text.to_owned()));
-                self.window.step();
+                self.step();
                 format!("text {text:?}")
             }
             18 if self.opens && self.random.below(6) == 0 => {
@@ -293,6 +301,7 @@ fn a_monkey_for_any_time() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut monkey = Monkey::new(seed, folder.path(), true);
     let (begun, mut steps, mut checks) = (Instant::now(), 0_u64, 0);
+    let mut warm = None;
     while begun.elapsed() < Duration::from_secs(seconds) {
         for _ in 0..40 {
             monkey.act();
@@ -300,6 +309,33 @@ fn a_monkey_for_any_time() {
         }
         monkey.check();
         checks += 1;
+        if begun.elapsed() > Duration::from_secs(seconds / 10) {
+            warm.get_or_insert_with(held);
+        }
     }
-    println!("seed {seed}: {steps} steps, {checks} times undone and redone, {:.0} s", begun.elapsed().as_secs_f64());
+    let took = begun.elapsed().as_secs_f64();
+    println!("seed {seed}: {steps} steps, {checks} times undone and redone, {took:.0} s");
+    println!("the longest frame: {:.3} s", monkey.longest.as_secs_f64());
+    if let (Some(Some(before)), Some(after)) = (warm, held()) {
+        println!(
+            "memory {:?} MiB and {:?} files open after a tenth, {:?} and {:?} at the end",
+            before.0, before.1, after.0, after.1
+        );
+        // What the timeline keeps of a motion is bounded; nothing else grows.
+        assert!(after.0 < before.0 + before.0 / 2 + 200, "memory grows: {before:?} to {after:?} MiB");
+        assert!(after.1 < before.1 + 20, "open files grow: {before:?} to {after:?}");
+    }
+    assert!(
+        cfg!(debug_assertions) || monkey.longest < Duration::from_millis(500),
+        "{:?} without a frame",
+        monkey.longest
+    );
+}
+
+/// Memory of this program [MiB] and the number of files that it has open, as Linux tells them.
+fn held() -> Option<(u64, usize)> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    let memory = line.split_whitespace().next()?.parse::<u64>().ok()? / 1024;
+    Some((memory, std::fs::read_dir("/proc/self/fd").ok()?.count()))
 }

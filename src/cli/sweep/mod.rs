@@ -5,7 +5,7 @@ mod results;
 mod vary;
 
 use self::plot::{Against, plot};
-use self::results::{Plan as SweepPlan, Results, Row, names_of, read_off, to_csv};
+use self::results::{Plan as SweepPlan, Results, Row, measured, names_of, to_csv};
 use self::vary::{Product, Samples, Vary};
 use super::drive::{RunEnd, drive};
 use super::error::printable;
@@ -260,7 +260,7 @@ impl Plan<'_> {
         if let (Some(folder), Some(series)) = (folder, &series) {
             folder.write(row, series)?;
         }
-        let (measures, units) = read_off(report.measures);
+        let (measures, units) = measured(report.measures);
         Ok(Some(Row {
             values: self.product.object(row),
             seconds: report.seconds,

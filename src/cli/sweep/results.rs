@@ -48,7 +48,7 @@ impl Row {
 }
 
 /// The values and units of some measures.
-pub(super) fn read_off(readings: Vec<MeasureReport>) -> (Map<String, Value>, Vec<(String, String)>) {
+pub(super) fn measured(readings: Vec<MeasureReport>) -> (Map<String, Value>, Vec<(String, String)>) {
     let units = readings.iter().map(|reading| (reading.name.clone(), reading.unit.to_owned())).collect();
     (readings.into_iter().map(|reading| (reading.name, reading.value)).collect(), units)
 }

@@ -29,6 +29,7 @@ use crate::geometry::model::Model;
 use crate::geometry::point_cache::PointCache;
 use crate::geometry::skeleton::Skeleton;
 use crate::scene::one_line;
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
@@ -116,9 +117,28 @@ pub(super) fn read_cache(name: &Path, bytes: &[u8]) -> Result<PointCache, IoErro
     read.map_err(|failure| error_of(failure, format).within(name))
 }
 
+thread_local! {
+    /// Whether an importer is at work, whose panic is told as what it is.
+    static IS_GUARDED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Has no panic of an importer printed from now on, in any thread: that a file is damaged is said instead. Other panics
+/// are told as before.
+pub fn quiet_importers() {
+    let hook = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if !IS_GUARDED.get() {
+            hook(panic);
+        }
+    }));
+}
+
 /// Importers meet files that nobody has thought of: a panic in one is a file that cannot be read.
 fn guarded<T>(read: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
-    catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| Err(Failure::new("it is damaged")))
+    IS_GUARDED.set(true);
+    let read = catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| Err(Failure::new("it is damaged")));
+    IS_GUARDED.set(false);
+    read
 }
 
 /// Reads a model from the bytes of a file of that name, which need not be there; files beside it that it refers to
@@ -201,4 +221,25 @@ fn with_file(mut model: Model) -> Model {
 /// Vertices that are at no place stay only where nothing refers to them: then none that is not referred to does.
 fn without_strays(model: Model) -> Model {
     if model.positions.iter().all(|position| position.is_finite()) { model } else { model.retain(|_| true) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Mutex;
+
+    #[test]
+    fn panics_of_importers_are_told_as_damage_and_print_nothing() {
+        let told = Arc::new(Mutex::new(Vec::<String>::new()));
+        let hook = std::panic::take_hook();
+        let said = Arc::clone(&told);
+        std::panic::set_hook(Box::new(move |panic| said.lock().expect("a list").push(panic.to_string())));
+        quiet_importers();
+        let read = guarded(|| -> Result<(), Failure> { panic!("in an importer") });
+        let other = catch_unwind(|| panic!("elsewhere"));
+        std::panic::set_hook(hook);
+        assert!(read.is_err() && other.is_err());
+        let told = told.lock().expect("a list").join(" ");
+        assert!(told.contains("elsewhere") && !told.contains("in an importer"), "{told}");
+    }
 }

@@ -1,5 +1,6 @@
 //! Values between Python and JSON, by Python's own `json`.
 
+use crate::error::refused;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde::Serialize;
@@ -15,6 +16,6 @@ pub(crate) fn text_of(value: &Bound<'_, PyAny>) -> PyResult<String> {
 
 /// The Python value of something that can be JSON: dictionaries, lists, numbers, text.
 pub(crate) fn value_of<'py>(py: Python<'py>, value: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
-    let text = serde_json::to_string(value).map_err(crate::scene::refused)?;
+    let text = serde_json::to_string(value).map_err(refused)?;
     py.import("json")?.call_method1("loads", (text,))
 }

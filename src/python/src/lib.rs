@@ -14,6 +14,7 @@
 //! ```
 
 mod arrays;
+mod error;
 mod json;
 mod scene;
 mod simulation;

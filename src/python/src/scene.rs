@@ -1,16 +1,11 @@
 //! Scenes: read, looked into and changed by pointers.
 
+use crate::error::refused;
 use crate::json::{text_of, value_of};
-use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use sinew::io::{apply_sets, load_scene, save_scene, scene_from_json, scene_to_json};
-use std::fmt;
 use std::path::{Path, PathBuf};
-
-/// A refusal of the core as Python's exception, in the same words.
-pub(crate) fn refused(error: impl fmt::Display) -> PyErr {
-    PyValueError::new_err(error.to_string())
-}
 
 /// A scene. `scene[pointer]` is what an RFC 6901 pointer leads to, and `scene[pointer] = value` replaces it, as `--set`
 /// of the command line does; a value that the scene cannot have raises ValueError and leaves it as it was.

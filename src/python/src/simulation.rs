@@ -2,7 +2,8 @@
 
 use crate::arrays::{numbers, rows};
 use crate::json::value_of;
-use crate::scene::{Scene, refused};
+use crate::error::refused;
+use crate::scene::Scene;
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::{PyKeyError, PyRuntimeError};
 use pyo3::prelude::*;

@@ -1,6 +1,6 @@
 //! What the simulation thread hands to the window.
 
-use super::recorded_series::RecordedSeries;
+use super::time_series_set::TimeSeriesSet;
 use crate::scene::Scene;
 use crate::sim::journal::Journal;
 use crate::sim::status::Published;
@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 #[derive(Clone, Default)]
 pub(super) struct Shared {
     latest: Arc<Mutex<Option<Arc<Published>>>>,
-    series: Arc<Mutex<RecordedSeries>>,
+    series: Arc<Mutex<TimeSeriesSet>>,
     journal: Arc<Mutex<Option<Journal>>>,
 }
 
@@ -21,7 +21,7 @@ impl Shared {
     }
 
     /// Reads or writes the numbers; the other side waits meanwhile.
-    pub(super) fn with_series<T>(&self, work: impl FnOnce(&mut RecordedSeries) -> T) -> T {
+    pub(super) fn with_series<T>(&self, work: impl FnOnce(&mut TimeSeriesSet) -> T) -> T {
         work(&mut lock(&self.series))
     }
 
@@ -50,7 +50,7 @@ impl Outlet {
     }
 
     /// Writes the numbers.
-    pub(super) fn with_series(&self, work: impl FnOnce(&mut RecordedSeries)) {
+    pub(super) fn with_series(&self, work: impl FnOnce(&mut TimeSeriesSet)) {
         self.shared.with_series(work);
     }
 

@@ -1,6 +1,6 @@
 //! The sparse Cholesky factor, single precision: what it leaves is found by the residual, in double.
 
-use super::stiffness::Stiffness;
+use super::stiffness::StiffnessMatrix;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::sparse::linalg::cholesky::{
@@ -27,7 +27,7 @@ pub(super) struct Factor {
 
 /// The matrix `diagonal + K + D / h` with all but the diagonal gone along held axes.
 pub(super) struct Matrix<'a> {
-    pub(super) stiffness: &'a Stiffness,
+    pub(super) stiffness: &'a StiffnessMatrix,
     /// The stage's step h [s].
     pub(super) h: f64,
     /// What is added to every particle's own block [N/m].
@@ -79,7 +79,7 @@ impl Matrix<'_> {
 
 impl Elimination {
     /// Of matrices of this stiffness; none where it is too large to be worked on.
-    pub(super) fn new(stiffness: &Stiffness) -> Option<Self> {
+    pub(super) fn new(stiffness: &StiffnessMatrix) -> Option<Self> {
         let sparsity = &stiffness.sparsity;
         let (mut starts, mut rows) = (vec![0], Vec::new());
         for j in 0..sparsity.len() {

@@ -1,7 +1,7 @@
 //! The matrix of the chord steps: which one is in use, and the step by it.
 
 use super::cholesky::{Elimination, Factor, Matrix};
-use super::stiffness::Stiffness;
+use super::stiffness::StiffnessMatrix;
 use crate::solver::dynamics::Dynamics;
 use crate::solver::forces::{ColliderContact, Contact, Force, MatrixForce, Pressure};
 use crate::solver::state::ParticleState;
@@ -24,7 +24,7 @@ struct Origin {
 /// The stiffness of a body in one state, and all that is the same for every step.
 struct Basis {
     origin: Origin,
-    stiffness: Stiffness,
+    stiffness: StiffnessMatrix,
     elimination: Arc<Elimination>,
     /// How every particle's matrix was turned there; none of a body without a matrix.
     turns: Option<Vec<DMat3>>,
@@ -106,7 +106,7 @@ impl Chord {
                 gas.freeze(time, &at.positions);
             }
         }
-        let stiffness = Stiffness::around(&forces, &at, time, SMALL * dynamics.reach);
+        let stiffness = StiffnessMatrix::around(&forces, &at, time, SMALL * dynamics.reach);
         *dynamics.evaluations += stiffness.evaluations;
         let Some(elimination) = Elimination::new(&stiffness) else { return false };
         let turns = turns_with_it.then(|| {

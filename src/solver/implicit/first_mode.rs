@@ -1,7 +1,7 @@
 //! The slowest mode of a body that is held.
 
 use super::cholesky::{Elimination, Factor, Matrix};
-use super::stiffness::Stiffness;
+use super::stiffness::StiffnessMatrix;
 use crate::solver::body::BodyParts;
 use crate::solver::constraint::{Constraint, held};
 use crate::solver::forces::{ColliderContact, Contact};
@@ -32,7 +32,7 @@ pub(crate) fn first_mode(parts: &BodyParts) -> Option<f64> {
     let mut forces = parts.forces.clone();
     forces
         .retain(|force| force.downcast_ref::<Contact>().is_none() && force.downcast_ref::<ColliderContact>().is_none());
-    let stiffness = Stiffness::around(&forces, &at, 0.0, SMALL * parts.reach);
+    let stiffness = StiffnessMatrix::around(&forces, &at, 0.0, SMALL * parts.reach);
     let elimination = Arc::new(Elimination::new(&stiffness)?);
     let held = held(&parts.constraints, n);
     let diagonal = vec![DMat3::ZERO; n];
@@ -70,7 +70,7 @@ pub(crate) fn first_mode(parts: &BodyParts) -> Option<f64> {
 
 /// The body's stiffness and mass along its free axes.
 struct Inner<'a> {
-    stiffness: &'a Stiffness,
+    stiffness: &'a StiffnessMatrix,
     constraints: &'a [Constraint],
     masses: &'a [f64],
 }

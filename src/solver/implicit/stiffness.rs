@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 /// `K = -df/dx` [N/m] and `D = -df/dv` [N s/m] at one state, symmetrised, in blocks of three by three.
 #[derive(Clone, Debug)]
-pub(super) struct Stiffness {
+pub(super) struct StiffnessMatrix {
     pub(super) sparsity: Sparsity,
     /// K, block by block in the order of [`Sparsity`].
     pub(super) positions: Vec<DMat3>,
@@ -26,7 +26,7 @@ const FASTER: f64 = 1e5;
 /// bits do not depend on the number of threads.
 const MOVES_A_COPY: usize = 24;
 
-impl Stiffness {
+impl StiffnessMatrix {
     /// Of `forces` around `state` at `time` [s]; `small` is a small length [m] against which the forces are straight.
     pub(super) fn around(forces: &[Box<dyn Force>], state: &ParticleState, time: f64, small: f64) -> Self {
         let groups: Vec<Vec<u32>> = forces.iter().flat_map(|force| force.couplings()).collect();
@@ -214,7 +214,7 @@ mod tests {
     #[test]
     fn a_small_move_changes_the_forces_by_the_stiffness() {
         let (mut forces, state) = bar();
-        let stiffness = Stiffness::around(&forces, &state, 0.0, 1e-7 * D);
+        let stiffness = StiffnessMatrix::around(&forces, &state, 0.0, 1e-7 * D);
         let direction = any_field(state.len());
         for by_velocity in [false, true] {
             // Damping is weak beside the elastic forces, whose rounding stands beside it.
@@ -241,7 +241,7 @@ mod tests {
         use crate::solver::implicit::cholesky::{Elimination, Factor, Matrix};
         use glam::BVec3;
         let (forces, state) = bar();
-        let stiffness = Stiffness::around(&forces, &state, 0.0, 1e-7 * D);
+        let stiffness = StiffnessMatrix::around(&forces, &state, 0.0, 1e-7 * D);
         let n = state.len();
         let diagonal: Vec<DMat3> = state.masses.iter().map(|m| DMat3::from_diagonal(DVec3::splat(m * 1e4))).collect();
         let mut held = vec![BVec3::FALSE; n];

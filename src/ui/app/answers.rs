@@ -1,6 +1,7 @@
 //! What becomes of the answers to dialogs.
 
 use super::App;
+use crate::io::IoError;
 use crate::ui::autosave::{Loss, Question, Reply};
 use crate::ui::colliders_section::add_mesh;
 use crate::ui::context::Severity;
@@ -8,6 +9,7 @@ use crate::ui::dialogs::{self, Answer, Dialog, PathPurpose};
 use crate::ui::export;
 use crate::ui::follows_section::add_follow;
 use crate::ui::next::Next;
+use std::path::PathBuf;
 
 impl App {
     /// Shows what is open over the window and does what it comes to.
@@ -19,27 +21,11 @@ impl App {
         match (answer, dialog) {
             (Answer::None, dialog) => self.dialog = Some(dialog),
             (Answer::Do(action), _) => self.dispatch(ctx, action),
-            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Open, .. }) => {
-                self.leave(ctx, Next::Open(path));
+            (Answer::Path(path), Dialog::Path { purpose, next, .. }) => {
+                self.path_given(ctx, (path, false), purpose, next);
             }
-            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Collider, .. }) => {
-                if let Err(error) = add_mesh(&mut self.cx, &path) {
-                    self.cx.say(Severity::Error, error.to_string());
-                }
-            }
-            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Follow, .. }) => {
-                if let Err(error) = add_follow(&mut self.cx, &path) {
-                    self.cx.say(Severity::Error, error.to_string());
-                }
-            }
-            (Answer::Path(path) | Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Add(layers), .. }) => {
-                self.add_body_of(ctx, path, layers);
-            }
-            (Answer::Path(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => {
-                export::export_to(&mut self.cx, path);
-            }
-            (Answer::Picked(path), Dialog::Path { purpose: PathPurpose::Export, .. }) => {
-                export::export(&mut self.cx, &path);
+            (Answer::Picked(path), Dialog::Path { purpose, next, .. }) => {
+                self.path_given(ctx, (path, true), purpose, next);
             }
             (Answer::Example(example), _) => self.leave(ctx, Next::Example(example)),
             (Answer::Pattern, Dialog::Pattern(question)) => self.patterns.answered(&question, &mut self.cx),
@@ -50,12 +36,61 @@ impl App {
             }
             (Answer::Loaded(loaded), Dialog::Loading(loading)) => self.loaded(&loading, *loaded),
             (Answer::Recent(path), _) => self.open_recent(ctx, path),
-            (Answer::Path(path), Dialog::Path { next, .. }) => self.save_to(ctx, path, next),
-            (Answer::Picked(path), Dialog::Path { next, .. }) => self.write_then(ctx, &path, next),
             (Answer::Reply(reply), Dialog::Question(question)) => self.replied(ctx, question, reply),
-            _ => {}
+            // Closed, or answered by another dialog than was asked.
+            (
+                Answer::Closed
+                | Answer::Path(_)
+                | Answer::Picked(_)
+                | Answer::Reply(_)
+                | Answer::Loaded(_)
+                | Answer::Pattern
+                | Answer::Transfer(_),
+                _,
+            ) => {}
         }
         self.carry_out(ctx);
+    }
+
+    /// Does what a path was asked for; whether the desktop has asked already before a file is replaced.
+    fn path_given(
+        &mut self,
+        ctx: &egui::Context,
+        (path, was_asked): (PathBuf, bool),
+        purpose: PathPurpose,
+        next: Option<Next>,
+    ) {
+        let added = match purpose {
+            PathPurpose::Open => {
+                self.leave(ctx, Next::Open(path));
+                Ok(())
+            }
+            PathPurpose::Add(layers) => {
+                self.add_body_of(ctx, path, layers);
+                Ok(())
+            }
+            PathPurpose::Collider => add_mesh(&mut self.cx, &path),
+            PathPurpose::Follow => add_follow(&mut self.cx, &path),
+            PathPurpose::Export => {
+                if was_asked {
+                    export::export(&mut self.cx, &path);
+                } else {
+                    export::export_to(&mut self.cx, path);
+                }
+                Ok(())
+            }
+            PathPurpose::Save => {
+                if was_asked {
+                    self.write_then(ctx, &path, next);
+                } else {
+                    self.save_to(ctx, path, next);
+                }
+                Ok(())
+            }
+        };
+        if let Err(error) = added {
+            self.cx.say(Severity::Error, error.to_string());
+        }
     }
 
     /// Does what a question was answered by.
@@ -76,15 +111,36 @@ impl App {
                 }
             }
             (Question::Recover, Reply::Forget(k)) => {
-                if let Err(error) = self.autosave.discard(k) {
-                    self.cx.say(Severity::Error, error.to_string());
-                }
-                // The others are still offered.
-                if !self.autosave.offers().is_empty() {
-                    self.dialog = Some(Dialog::Question(Question::Recover));
-                }
+                let outcome = self.autosave.discard(k);
+                self.discarded(outcome);
             }
-            _ => {}
+            (Question::Recover, Reply::ForgetAll) => {
+                let outcome = self.autosave.discard_all();
+                self.discarded(outcome);
+            }
+            // Escape, and what the question does not offer.
+            (
+                _,
+                Reply::Save
+                | Reply::Discard
+                | Reply::Replace
+                | Reply::SaveElsewhere
+                | Reply::Reload
+                | Reply::Recover(_)
+                | Reply::Forget(_)
+                | Reply::ForgetAll
+                | Reply::Back,
+            ) => {}
+        }
+    }
+
+    /// Documents that were left behind are gone, or why not; those that are left are still offered.
+    fn discarded(&mut self, outcome: Result<(), IoError>) {
+        if let Err(error) = outcome {
+            self.cx.say(Severity::Error, error.to_string());
+        }
+        if !self.autosave.offers().is_empty() {
+            self.dialog = Some(Dialog::Question(Question::Recover));
         }
     }
 }

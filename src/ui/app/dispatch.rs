@@ -114,11 +114,11 @@ impl App {
             }
             Action::Quit => always(|app, ctx| app.leave(ctx, Next::Quit)),
             Action::Undo => {
-                let step = document.editor.undo_name();
+                let step = document.undo_name();
                 when(step.is_some(), "There is nothing to undo", |app, _| app.cx.undo()).detail(step)
             }
             Action::Redo => {
-                let step = document.editor.redo_name();
+                let step = document.redo_name();
                 when(step.is_some(), "There is nothing to redo", |app, _| app.cx.redo()).detail(step)
             }
             Action::Delete if has_keys => always(|app, _| drives::delete_keys(&mut app.cx)),

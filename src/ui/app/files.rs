@@ -1,7 +1,7 @@
 //! Opening and saving the document.
 
 use super::App;
-use crate::io::{FileStamp, save_scene};
+use crate::io::{FileStamp, save_scene, scene_to_json};
 use crate::ui::autosave::{Question, RecoveryOffer};
 use crate::ui::bodies::{Layers, add_model};
 use crate::ui::context::{ActiveBody, OpenDocument, Severity};
@@ -60,7 +60,7 @@ impl App {
             (Ok(Read::Document(document)), Source::Recovery(offer)) => {
                 self.take_up(*document, stamp);
                 self.cx.document.is_example = offer.document.origin.shipped;
-                self.cx.document.editor.mark_unsaved();
+                self.cx.document.mark_unsaved();
                 self.autosave.recovered(offer, &self.cx.document);
                 self.cx.say(Severity::Note, format!("Recovered {}; save it to keep it", offer.name()));
             }
@@ -139,11 +139,11 @@ impl App {
         } else {
             Ok(moved(document.scene(), &document.folder, &folder))
         };
-        match scene.and_then(|scene| save_scene(path, &scene)) {
-            Ok(()) => {
-                self.cx.document.editor.mark_saved();
+        match scene.and_then(|scene| save_scene(path, &scene).map(|()| scene)) {
+            Ok(scene) => {
+                self.cx.document.mark_saved();
                 self.cx.document.path = Some(path.to_owned());
-                self.autosave.watch(FileStamp::of(path).ok());
+                self.autosave.watch(Some(FileStamp::of_written(path, scene_to_json(&scene).as_bytes())));
                 self.autosave.note(&self.cx.document);
                 self.recent.add(path);
                 self.cx.say(Severity::Note, format!("Saved {}", path.display()));

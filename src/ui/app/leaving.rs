@@ -12,7 +12,7 @@ use std::path::PathBuf;
 impl App {
     /// Goes on to something else, after asking where that would lose changes.
     pub(super) fn leave(&mut self, ctx: &egui::Context, next: Next) {
-        if self.cx.document.editor.is_changed() {
+        if self.cx.document.is_changed() {
             self.dialog = Some(Dialog::Question(Question::Unsaved(next)));
         } else {
             self.go_on(ctx, next);
@@ -37,7 +37,7 @@ impl App {
     /// Takes the scene as its file holds it, after asking where that would lose changes.
     pub(super) fn reload(&mut self, ctx: &egui::Context) {
         let Some(path) = self.cx.document.path.clone() else { return };
-        if self.cx.document.editor.is_changed() {
+        if self.cx.document.is_changed() {
             self.dialog = Some(Dialog::Question(Question::Reload { path, is_asked: true, is_changed: true }));
         } else {
             self.open_document(ctx, Some(path));
@@ -60,7 +60,7 @@ impl App {
         self.autosave.look_after(ctx, &mut self.cx);
         self.transfer.look_after(ctx);
         let closes = ctx.input(|input| input.viewport().close_requested());
-        if closes && !self.autosave.is_leaving() && self.cx.document.editor.is_changed() {
+        if closes && !self.autosave.is_leaving() && self.cx.document.is_changed() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             if ctx.input(|input| input.viewport().visible()) == Some(false) {
                 ctx.send_viewport_cmd(ViewportCommand::Minimized(false));

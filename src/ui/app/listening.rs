@@ -25,9 +25,7 @@ impl App {
         let dropped = ctx.input(|input| input.raw.dropped_files.iter().map(|file| file.path().to_owned()).next());
         if let Some(path) = dropped {
             // Into a scene of one's own a model comes beside what is there.
-            if is_model(&path)
-                && (self.cx.document.editor.is_changed() || self.cx.scene().all_bodies().next().is_none())
-            {
+            if is_model(&path) && (self.cx.document.is_changed() || self.cx.scene().all_bodies().next().is_none()) {
                 self.add_body_of(ctx, path, Layers::Filled);
                 self.carry_out(ctx);
             } else {
@@ -46,7 +44,7 @@ impl App {
             }
         }
         self.set_key(ctx);
-        self.perform_keys(ctx);
+        self.dispatch_keys(ctx);
         self.use_clipboard(ctx);
     }
 
@@ -116,7 +114,7 @@ impl App {
     }
 
     /// Does what was asked for by keys.
-    fn perform_keys(&mut self, ctx: &egui::Context) {
+    fn dispatch_keys(&mut self, ctx: &egui::Context) {
         // While something is typed, plain keys belong to the text, with Shift, too.
         let typing = ctx.egui_wants_keyboard_input();
         let mut keys: Vec<(Action, KeyboardShortcut)> = Action::ALL

@@ -172,7 +172,7 @@ impl App {
     }
 
     fn show_title(&mut self, ctx: &egui::Context) {
-        let mark = if self.cx.document.editor.is_changed() { " •" } else { "" };
+        let mark = if self.cx.document.is_changed() { " •" } else { "" };
         let title = format!("{}{mark} — sinew", self.cx.document.name());
         if title != self.title {
             ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));

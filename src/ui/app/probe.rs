@@ -2,7 +2,7 @@
 
 use super::App;
 use crate::scene::Scene;
-use crate::sim::{Published, RecordedSeries};
+use crate::sim::{Published, TimeSeriesSet};
 use crate::sketch::pattern::Polyline;
 use crate::ui::dialogs::Dialog;
 use crate::ui::export;
@@ -37,7 +37,7 @@ impl App {
 
     /// What undo would take back.
     pub fn undo_name(&self) -> Option<&str> {
-        self.cx.document.editor.undo_name()
+        self.cx.document.undo_name()
     }
 
     /// Whether what is shown has taken up every change of the document.
@@ -46,7 +46,7 @@ impl App {
     }
 
     /// Looks at the numbers of every frame since the start.
-    pub fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
+    pub fn time_series<T>(&self, read: impl FnOnce(&TimeSeriesSet) -> T) -> T {
         self.cx.simulation.time_series(read)
     }
 

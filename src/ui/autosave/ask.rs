@@ -119,7 +119,9 @@ fn recover(ui: &mut Ui, about: &About<'_>) -> Option<Reply> {
     });
     ui.separator();
     let later = "Keeps them all; File, Recover unsaved… and the next start offer them again (Escape)";
-    choose(ui, &[("Decide later", later, Reply::Back)], false).or(reply)
+    let all = ("Discard all", "Removes them all for good", Reply::ForgetAll);
+    let choices = [("Decide later", later, Reply::Back), all];
+    choose(ui, &choices[..if about.offers.len() > 1 { 2 } else { 1 }], false).or(reply)
 }
 
 fn explain(ui: &mut Ui, heading: &str, why: &str) {

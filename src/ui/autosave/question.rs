@@ -46,6 +46,8 @@ pub(crate) enum Reply {
     Recover(usize),
     /// Removes one.
     Forget(usize),
+    /// Removes all of them.
+    ForgetAll,
     /// Leaves everything as it is.
     Back,
 }

@@ -96,6 +96,17 @@ impl Autosave {
         Ok(())
     }
 
+    /// Removes all documents that were left behind, for good.
+    ///
+    /// # Errors
+    /// The first file that cannot be removed; it is still offered, as are those after it.
+    pub(crate) fn discard_all(&mut self) -> Result<(), IoError> {
+        while !self.offers.is_empty() {
+            self.discard(0)?;
+        }
+        Ok(())
+    }
+
     /// The open document is now a recovered one: it is kept here before it is dropped there.
     pub(crate) fn recovered(&mut self, offer: &RecoveryOffer, document: &OpenDocument) {
         self.offers.retain(|other| other.document != offer.document);
@@ -107,7 +118,7 @@ impl Autosave {
     /// Takes note of what the document is now.
     pub(crate) fn note(&mut self, document: &OpenDocument) {
         self.seen = Arc::clone(document.scene());
-        if document.editor.is_changed() {
+        if document.is_changed() {
             let origin = Origin {
                 file: document.path.clone(),
                 folder: document.folder.clone(),
@@ -171,7 +182,7 @@ impl Autosave {
                 self.waiting.push(Question::Reload { path, is_asked: false, is_changed: false });
             }
             AutosaveReport::File(_, FileState::Missing) => {
-                cx.document.editor.mark_unsaved();
+                cx.document.mark_unsaved();
                 self.note(&cx.document);
                 if let Some(path) = &cx.document.path {
                     let said = format!("{} is no longer there; saving writes it anew", path.display());
@@ -188,9 +199,9 @@ impl Autosave {
         }
         let mut question = self.waiting.remove(0);
         if let Question::Reload { is_changed, .. } = &mut question {
-            *is_changed = cx.document.editor.is_changed();
+            *is_changed = cx.document.is_changed();
             // The file holds something else now, whatever is answered.
-            cx.document.editor.mark_unsaved();
+            cx.document.mark_unsaved();
             self.note(&cx.document);
         }
         Some(question)

@@ -85,6 +85,7 @@ impl AutosaveThread {
             slot: Arc::clone(&slot),
             folder: None,
             place: None,
+            kept: 0,
             recovered: Vec::new(),
             due: None,
             watched: None,
@@ -167,6 +168,8 @@ struct Autosaver {
     folder: Option<PathBuf>,
     /// Where this document is kept, from the first time on.
     place: Option<RecoveryFile>,
+    /// Number of the document that is kept there.
+    kept: u64,
     recovered: Vec<RecoverableDocument>,
     due: Option<Due>,
     watched: Option<Watched>,
@@ -235,13 +238,15 @@ impl Autosaver {
         self.due = None;
         let Some(folder) = &self.folder else { return };
         let Some(kept) = locked(&self.slot).take() else { return };
-        let outcome = match self.place.take() {
+        // A folder that vanished is made again.
+        let outcome = match self.place.take().filter(RecoveryFile::is_there) {
             Some(place) => Ok(place),
             None => RecoveryFile::open(folder),
         };
         let outcome = outcome.and_then(|place| self.place.insert(place).write(&kept.origin, &kept.scene));
         let Err(error) = outcome else {
             self.has_failed = false;
+            self.kept = kept.number;
             self.drop_recovered();
             return;
         };
@@ -257,7 +262,8 @@ impl Autosaver {
     fn forget(&mut self, number: u64) {
         // What was put in the slot since then waits.
         locked(&self.slot).take_if(|kept| kept.number <= number);
-        if let Some(place) = &self.place {
+        // A newer document that is kept there already stays.
+        if let Some(place) = self.place.as_ref().filter(|_| self.kept <= number) {
             // What cannot be removed is offered at the next start: too much, but nothing is lost.
             place.clear().ok();
         }
@@ -301,5 +307,74 @@ impl Autosaver {
         // The window may be gone.
         let _ = self.reports.send(report);
         (self.wake)();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+    use std::path::Path;
+
+    /// One that keeps in this folder, and what it tells.
+    fn autosaver(folder: &Path) -> (Autosaver, Receiver<AutosaveReport>) {
+        let (told, reports) = channel();
+        let autosaver = Autosaver {
+            slot: LatestSlot::default(),
+            folder: Some(folder.to_owned()),
+            place: None,
+            kept: 0,
+            recovered: Vec::new(),
+            due: None,
+            watched: None,
+            has_failed: false,
+            reports: told,
+            wake: Box::new(|| ()),
+        };
+        (autosaver, reports)
+    }
+
+    fn put(autosaver: &Autosaver, number: u64) {
+        let scene = Arc::new(Scene::new(format!("scene {number}")));
+        *locked(&autosaver.slot) = Some(WaitingDocument { number, origin: Origin::default(), scene });
+    }
+
+    /// Documents that are kept in a folder.
+    fn kept(folder: &Path) -> Vec<String> {
+        let files = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+        files.filter(|path| path.extension().is_some_and(|end| end == "json")).map(text).collect()
+    }
+
+    fn text(path: PathBuf) -> String {
+        fs::read_to_string(path).expect("a text")
+    }
+
+    #[test]
+    fn a_newer_document_outlives_that_an_older_one_is_forgotten() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (mut autosaver, _reports) = autosaver(folder.path());
+        // Asked for in this order by the window: keep 5 now, it is saved; meanwhile the next change was put in the slot.
+        put(&autosaver, 6);
+        autosaver.go(AutosaveRequest::KeepNow);
+        autosaver.go(AutosaveRequest::Forget(5));
+        let left = kept(folder.path());
+        assert!(left.len() == 1 && left[0].contains("scene 6"), "{left:?}");
+        autosaver.go(AutosaveRequest::Forget(6));
+        assert!(kept(folder.path()).is_empty());
+    }
+
+    #[test]
+    fn a_folder_that_vanishes_is_made_again() {
+        let above = tempfile::tempdir().expect("a folder");
+        let folder = above.path().join("recovery");
+        let (mut autosaver, reports) = autosaver(&folder);
+        for number in 1..4 {
+            put(&autosaver, number);
+            autosaver.go(AutosaveRequest::KeepNow);
+            let left = kept(&folder);
+            assert!(left.len() == 1 && left[0].contains(&format!("scene {number}")), "{left:?}");
+            fs::remove_dir_all(&folder).expect("removed");
+        }
+        assert!(reports.try_recv().is_err(), "nothing went wrong");
     }
 }

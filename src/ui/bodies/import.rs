@@ -8,11 +8,12 @@ use crate::edit::body_ops::{placed, scaled, scaled_two_layer};
 use crate::geometry::model::UpAxis;
 use crate::geometry::solid::Solid;
 use crate::io::{OpenedModel, add_leader};
-use crate::scene::{Body, ClosedMesh, Leader, MeshShape, ModelFile, OwnedBody, Shape, TwoLayer, TwoLayerShape};
+use crate::scene::{Assets, Body, ClosedMesh, Leader, MeshShape, ModelFile, OwnedBody, Shape, TwoLayer, TwoLayerShape};
 use crate::ui::context::{Context, Severity};
 use crate::ui::document::named_from;
 use crate::ui::gallery::{shipped_beside, shipped_or_read};
 use glam::DVec3;
+use std::convert::Infallible;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -63,13 +64,16 @@ pub(crate) fn add_model(path: &Path, opened: OpenedModel, layers: Layers, cx: &m
         body = sized;
     }
     body.view_mut().placement_mut().translation = [0.0; 3];
-    cx.simulation.set_models(&cx.document);
     add_body("Add", &body, bounds, cx);
 }
 
 fn insert(body: &OwnedBody, solid: &Arc<Solid>, cx: &mut Context) {
     if let Some(model) = body.view().model() {
-        Arc::make_mut(&mut cx.document.assets).insert(model, Arc::clone(solid));
+        let put = |assets: &mut Assets, _: &Path| {
+            assets.insert(model, Arc::clone(solid));
+            Ok::<(), Infallible>(())
+        };
+        let Ok(()) = cx.add_models(put);
     }
 }
 
@@ -86,13 +90,12 @@ fn resized(solid: &Arc<Solid>, factor: f64) -> Arc<Solid> {
 /// is none of either size.
 pub(crate) fn scaled_model(before: ModelFile<'_>, after: &OwnedBody, cx: &mut Context) -> bool {
     let Some(now) = after.view().model() else { return true };
-    if cx.document.assets.solid(now).is_some() {
+    if cx.document.assets().solid(now).is_some() {
         return true;
     }
-    let Some(solid) = cx.document.assets.solid(before).cloned() else { return false };
+    let Some(solid) = cx.document.assets().solid(before).cloned() else { return false };
     let solid = resized(&solid, now.scale / before.scale);
     insert(after, &solid, cx);
-    cx.simulation.set_models(&cx.document);
     true
 }
 
@@ -114,19 +117,17 @@ fn bring_leaders(body: &mut OwnedBody, cx: &mut Context) -> Result<(), String> {
             *path = brought(path, cx)?;
         }
         let is_there = match &follow.leader {
-            Leader::Skeleton(of) => cx.document.assets.skeleton(&of.path).is_some(),
+            Leader::Skeleton(of) => cx.document.assets().skeleton(&of.path).is_some(),
             Leader::Cache(of) => {
-                let rest = of.rest.as_ref().is_none_or(|rest| cx.document.assets.rest_mesh(rest).is_some());
-                rest && cx.document.assets.cache(&of.path).is_some()
+                let rest = of.rest.as_ref().is_none_or(|rest| cx.document.assets().rest_mesh(rest).is_some());
+                rest && cx.document.assets().cache(&of.path).is_some()
             }
         };
         if !is_there {
-            let folder = cx.document.folder.clone();
-            add_leader(Arc::make_mut(&mut cx.document.assets), &follow.leader, &folder)
-                .map_err(|error| error.to_string())?;
+            let added = cx.add_models(|assets, folder| add_leader(assets, &follow.leader, folder));
+            added.map_err(|error| error.to_string())?;
         }
     }
-    cx.simulation.set_models(&cx.document);
     Ok(())
 }
 
@@ -145,7 +146,7 @@ fn bring_model(body: &mut OwnedBody, cx: &mut Context) -> Result<Option<Bounds>,
     let path = Path::new(model.path).to_owned();
     let file = brought(model.path, cx)?;
     let named = ModelFile { path: &file, ..model };
-    let found = match cx.document.assets.solid(named) {
+    let found = match cx.document.assets().solid(named) {
         Some(solid) => Arc::clone(solid),
         None => Arc::new(read(&path, model)?),
     };
@@ -154,7 +155,6 @@ fn bring_model(body: &mut OwnedBody, cx: &mut Context) -> Result<Option<Bounds>,
         *path = file;
     }
     insert(body, &found, cx);
-    cx.simulation.set_models(&cx.document);
     Ok(around)
 }
 

@@ -1,16 +1,30 @@
-//! Curves and vertices of fibres, lifted from their strokes once and not in every frame of every view.
+//! Curves and vertices of fibres and sheets, made of their strokes once and not in every frame of every view.
 
 use crate::edit::fibre_ops::{self, Sampling};
-use crate::scene::{Fibre, FibreSource};
+use crate::edit::sheet_ops;
+use crate::scene::{Fibre, FibreSource, Sheet, SheetSource};
 use crate::sketch::{Lifted, structure_particles};
 use glam::DVec3;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// What fibres came out as, by their identifiers.
+/// What strokes came out as.
 #[derive(Debug, Default)]
-pub(crate) struct Lifts(RefCell<HashMap<String, Rc<Lift>>>);
+pub(crate) struct Lifts {
+    /// Fibres, by their identifiers.
+    fibres: RefCell<HashMap<String, Rc<Lift>>>,
+    /// The sheet that was asked for last.
+    sheet: RefCell<Option<Sweep>>,
+}
+
+/// What a sheet came out as.
+#[derive(Debug)]
+struct Sweep {
+    source: SheetSource,
+    sampling: Sampling,
+    vertices: Rc<[DVec3]>,
+}
 
 /// What a fibre came out as.
 #[derive(Debug)]
@@ -26,7 +40,7 @@ pub(crate) struct Lift {
 impl Lifts {
     /// What a fibre comes out as: lifted anew where its strokes or the body have changed since the last time.
     pub(crate) fn of(&self, fibre: &Fibre, sampling: Sampling) -> Rc<Lift> {
-        let mut known = self.0.borrow_mut();
+        let mut known = self.fibres.borrow_mut();
         if let Some(lift) = known.get(&fibre.id)
             && lift.source == fibre.source
             && lift.sampling == sampling
@@ -46,8 +60,23 @@ impl Lifts {
         lift
     }
 
-    /// Forgets every fibre: another body or document is drawn into.
+    /// The vertices of a sheet in the model frame [m], none where its strokes sweep no surface: swept anew where they or
+    /// the body have changed since the last time.
+    pub(crate) fn of_sheet(&self, sheet: &Sheet, sampling: Sampling) -> Rc<[DVec3]> {
+        let mut known = self.sheet.borrow_mut();
+        match &*known {
+            Some(sweep) if sweep.source == sheet.source && sweep.sampling == sampling => Rc::clone(&sweep.vertices),
+            _ => {
+                let vertices: Rc<[DVec3]> = sheet_ops::vertices(sheet, sampling).unwrap_or_default().into();
+                *known = Some(Sweep { source: sheet.source.clone(), sampling, vertices: Rc::clone(&vertices) });
+                vertices
+            }
+        }
+    }
+
+    /// Forgets all: another body or document is drawn into.
     pub(crate) fn clear(&self) {
-        self.0.borrow_mut().clear();
+        self.fibres.borrow_mut().clear();
+        *self.sheet.borrow_mut() = None;
     }
 }

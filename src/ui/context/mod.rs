@@ -34,10 +34,11 @@ pub(crate) use status::{Severity, StatusLine};
 use super::action::ActionStates;
 use super::theme::Tone;
 use crate::edit::Command;
-use crate::scene::{Drivable, Drive, Scene};
+use crate::scene::{Assets, Drivable, Drive, Scene};
 use crate::sim::SimCommand;
 use crate::solver::snapshot::Snapshot;
 use std::collections::VecDeque;
+use std::path::Path;
 use std::sync::Arc;
 
 /// What panels and tools share.
@@ -129,6 +130,13 @@ impl Context {
     /// What was asked for first and is not carried out yet.
     pub(super) fn next_request(&mut self) -> Option<Request> {
         self.requests.pop_front()
+    }
+
+    /// Puts models in by what lies in the document's folder, for the simulation too; none where that fails.
+    pub(super) fn add_models<T, E>(&mut self, change: impl FnOnce(&mut Assets, &Path) -> Result<T, E>) -> Result<T, E> {
+        let made = self.document.change_assets(change)?;
+        self.simulation.set_models(&self.document);
+        Ok(made)
     }
 
     /// Changes the document; changes of one gesture are one step of undo.

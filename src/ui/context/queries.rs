@@ -3,7 +3,6 @@
 use super::{ChosenPin, Context, Lift};
 use crate::edit::body_ops::placed;
 use crate::edit::fibre_ops::Sampling;
-use crate::edit::sheet_ops;
 use crate::scene::{AnyBody, Body, Fibre, FibreSource, Shape, Sheet, TwoLayer};
 use crate::sketch::View;
 use glam::DVec3;
@@ -101,7 +100,7 @@ impl Context {
             let vertices = self.active_vertices();
             chosen.iter().filter_map(|&k| vertices.get(k).copied()).collect()
         } else if let Some((_, sheet)) = self.selected_sheet() {
-            sheet_ops::vertices(sheet, self.sampling()).unwrap_or_default()
+            self.lifts.of_sheet(sheet, self.sampling()).to_vec()
         } else {
             let sampling = self.sampling();
             let lifts = self.selected_fibres().into_iter().map(|fibre| self.lifts.of(fibre, sampling));

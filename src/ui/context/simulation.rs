@@ -2,7 +2,7 @@
 
 use super::OpenDocument;
 use crate::scene::Scene;
-use crate::sim::{Journal, MotionTaker, Published, RecordedSeries, SimCommand, TakenMotion, Worker};
+use crate::sim::{Journal, MotionTaker, Published, SimCommand, TakenMotion, TimeSeriesSet, Worker};
 use glam::DVec3;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
@@ -46,7 +46,7 @@ pub(crate) struct Simulation {
 impl Simulation {
     /// Starts to simulate a document; `notify` is called whenever there is a new state.
     pub(crate) fn start(document: &OpenDocument, notify: impl Fn() + Send + 'static) -> Self {
-        let worker = Worker::start(Arc::clone(document.scene()), Arc::clone(&document.assets), true, notify);
+        let worker = Worker::start(Arc::clone(document.scene()), Arc::clone(document.assets()), true, notify);
         Self { worker, published: Arc::default(), sent_edits: 0, opened: 0, instead: None, ghost: None, grabbed: None }
     }
 
@@ -92,14 +92,14 @@ impl Simulation {
 
     /// Hands over the models of the document, with those that came into it.
     pub(crate) fn set_models(&self, document: &OpenDocument) {
-        self.worker.set_models(Arc::clone(&document.assets));
+        self.worker.set_models(Arc::clone(document.assets()));
     }
 
     /// Hands over another document, which begins anew.
     pub(crate) fn open(&mut self, document: &OpenDocument) {
         self.grabbed = None;
         self.instead = None;
-        if self.worker.send(SimCommand::Open(Arc::clone(document.scene()), Arc::clone(&document.assets))) {
+        if self.worker.send(SimCommand::Open(Arc::clone(document.scene()), Arc::clone(document.assets()))) {
             self.sent_edits += 1;
             self.opened = self.sent_edits;
         }
@@ -186,7 +186,7 @@ impl Simulation {
 
     /// Looks at the numbers of every frame since the start. The solver waits meanwhile: to be read, not to be worked
     /// with.
-    pub(crate) fn time_series<T>(&self, read: impl FnOnce(&RecordedSeries) -> T) -> T {
+    pub(crate) fn time_series<T>(&self, read: impl FnOnce(&TimeSeriesSet) -> T) -> T {
         self.worker.time_series(read)
     }
 
@@ -204,8 +204,8 @@ impl Simulation {
     }
 
     /// Whether hands have led any shared drive since its start.
-    pub(crate) fn was_played(&self) -> bool {
-        self.worker.was_played()
+    pub(crate) fn was_performed(&self) -> bool {
+        self.worker.was_performed()
     }
 
     /// What is grabbed by the pointer.

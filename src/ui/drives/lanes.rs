@@ -31,7 +31,7 @@ pub(crate) struct Columns {
 
 /// The lanes, and what is done in them.
 #[derive(Default)]
-pub(crate) struct Lanes {
+pub(crate) struct DriveLanes {
     drag: Option<KeyDrag>,
     turned: Option<HandleDrag>,
     boxed: Option<KeyBox>,
@@ -46,7 +46,7 @@ struct ShownLane {
     response: Response,
 }
 
-impl Lanes {
+impl DriveLanes {
     /// The drives of a scene, in the order of their lanes.
     fn listed(scene: &Scene) -> Vec<Drivable> {
         scene.drivables().into_iter().filter(|of| of.drive(scene).is_some()).collect()

@@ -18,4 +18,4 @@ mod value_scale;
 
 pub(crate) use actions::{KEYS, copied_keys, delete_keys, paste_keys, toggle_key};
 pub(crate) use key_button::{key_button, keyed_field, point_at};
-pub(crate) use lanes::{Columns, Lanes};
+pub(crate) use lanes::{Columns, DriveLanes};

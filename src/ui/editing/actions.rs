@@ -123,7 +123,7 @@ pub(crate) fn detach(cx: &mut Context) {
 /// Lays the selected fibres or vertices under the surface.
 pub(crate) fn snap(cx: &mut Context) {
     let sampling = cx.sampling();
-    let surface = cx.active_body().and_then(|body| fibre_ops::surface(body, &cx.document.assets));
+    let surface = cx.active_body().and_then(|body| fibre_ops::surface(body, cx.document.assets()));
     let Some(surface) = surface else {
         cx.say(Severity::Warning, "This body has no surface to snap to");
         return;

@@ -97,7 +97,7 @@ pub(super) fn follows(ui: &Ui, frame: &ViewFrame, cx: &Context) {
                 }
             }
         }
-        for bone in followed_bones(body, &cx.document.assets, published.snapshot.time) {
+        for bone in followed_bones(body, cx.document.assets(), published.snapshot.time) {
             if let [Some(from), Some(to)] = bone.map(|end| frame.screen(end)) {
                 painter.line_segment([from, to], Stroke::new(1.0, ink.gamma_multiply(0.8)));
                 painter.circle_stroke(from, 2.0 * MARK, Stroke::new(1.0, ink.gamma_multiply(0.8)));

@@ -3,7 +3,7 @@
 use crate::edit::fibre_ops::Sampling;
 use crate::scene::{Mismatch, StrokePair, SweptStrokes, ViewStroke};
 use crate::sketch::{
-    Follow, Guides, LiftOptions, Lifted, SketchError, Stroke, Sweep, View, follow, guides, lift, sweep,
+    Guides, LiftOptions, Lifted, PartialLift, SketchError, Stroke, Sweep, View, guides, lift, partial_lift, sweep,
 };
 use glam::DVec2;
 use std::cell::RefCell;
@@ -94,7 +94,7 @@ pub(crate) enum StrokeOutcome {
 pub(crate) struct SketchTool {
     stage: Stage,
     /// What was previewed last.
-    previewed: RefCell<Option<Preview<f64, Follow>>>,
+    previewed: RefCell<Option<Preview<f64, PartialLift>>>,
     swept: RefCell<Option<Preview<Sampling, Sweep>>>,
 }
 
@@ -215,11 +215,11 @@ impl SketchTool {
     }
 
     /// The curve that the strokes make so far, while the second one is being drawn; lifted anew only as that grows.
-    pub(crate) fn preview(&self, model_diagonal: f64) -> Option<Rc<Follow>> {
+    pub(crate) fn preview(&self, model_diagonal: f64) -> Option<Rc<PartialLift>> {
         let Stage::Drawing { stroke, first: Some(first), .. } = &self.stage else { return None };
         let points = stroke.points.len();
         let mut previewed = self.previewed.borrow_mut();
-        let made = || follow(first, stroke, model_diagonal).ok();
+        let made = || partial_lift(first, stroke, model_diagonal).ok();
         remade(&mut previewed, points, model_diagonal, made)
     }
 

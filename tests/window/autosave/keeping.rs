@@ -171,6 +171,19 @@ fn what_was_left_behind_waits_until_it_is_decided() {
 }
 
 #[test]
+fn all_that_was_left_behind_can_be_discarded_at_once() {
+    let (folder, scenes) = (folder(), folder());
+    let paths = ["First", "Second", "Third"].map(|name| file(scenes.path(), name));
+    leave_behind(paths.iter().map(|path| load(path)), folder.path());
+    let mut window = keeping(Document::load(None).expect("the built-in scene"), folder.path());
+    until_shown(&mut window, "Recover unsaved changes?");
+    click(&mut window, "Discard all");
+    window.run_steps(3);
+    assert!(!shows(&window, "Recover unsaved changes?"), "{}", said(&window));
+    assert!(recoverable_documents(folder.path()).is_empty() && kept(folder.path()) == 0);
+}
+
+#[test]
 fn a_folder_that_cannot_be_written_is_said_once() {
     let folder = folder();
     let place = folder.path().join("recovery");

@@ -88,6 +88,21 @@ impl<const N: usize> SkylineRows<N> {
 }
 
 impl<const N: usize> BandMatrix<N> {
+    /// What [`Self::gather`] gives, before the lanes are added up.
+    #[inline(always)]
+    fn sums<S: Simd>(&self, simd: S, point: usize, blocks: &[BlockVectors]) -> [Vec3x<f64x8<S>>; N] {
+        let (columns, weights) = self.points.row(point);
+        let blocks = &blocks[columns];
+        let mut sums = [Vec3x::splat(f64x8::splat(simd, 0.0)); N];
+        for k in 0..weights.len().min(blocks.len()) {
+            for kind in 0..N {
+                let weights = f64x8::load(simd, &weights[k][kind]);
+                sums[kind] = Vec3x::load(simd, &blocks[k]).mul_add(weights, sums[kind]);
+            }
+        }
+        sums
+    }
+
     /// [`Self::gather`] of four points from one on, those that there are, by the components of every kind.
     #[inline(always)]
     pub(super) fn gather_four<S: Simd>(
@@ -100,15 +115,7 @@ impl<const N: usize> BandMatrix<N> {
         let zero = f64x4::splat(simd, 0.0);
         let mut halves = [[[zero; LANES]; 3]; N];
         for lane in 0..LANES.min(self.points.rows.len() - first) {
-            let (columns, weights) = self.points.row(first + lane);
-            let blocks = &blocks[columns];
-            let mut sums = [Vec3x::splat(f64x8::splat(simd, 0.0)); N];
-            for k in 0..weights.len().min(blocks.len()) {
-                for kind in 0..N {
-                    let weights = f64x8::load(simd, &weights[k][kind]);
-                    sums[kind] = Vec3x::load(simd, &blocks[k]).mul_add(weights, sums[kind]);
-                }
-            }
+            let sums = self.sums(simd, first + lane, blocks);
             for kind in 0..N {
                 for c in 0..3 {
                     let (low, high) = simd.split_f64x8(sums[kind][c]);
@@ -126,15 +133,7 @@ impl<const N: usize> BandMatrix<N> {
     /// `sum w x` over the particles around a point, for every kind of weight.
     #[inline(always)]
     pub(super) fn gather<S: Simd>(&self, simd: S, point: usize, blocks: &[BlockVectors]) -> [DVec3; N] {
-        let (columns, weights) = self.points.row(point);
-        let blocks = &blocks[columns];
-        let mut sums = [Vec3x::splat(f64x8::splat(simd, 0.0)); N];
-        for k in 0..weights.len().min(blocks.len()) {
-            for kind in 0..N {
-                let weights = f64x8::load(simd, &weights[k][kind]);
-                sums[kind] = Vec3x::load(simd, &blocks[k]).mul_add(weights, sums[kind]);
-            }
-        }
+        let sums = self.sums(simd, point, blocks);
         let mut gathered = [DVec3::ZERO; N];
         for kind in 0..N {
             gathered[kind] =

@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 /// Where an unfinished second stroke stands.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Follow {
+pub struct PartialLift {
     /// The point of the first stroke that matches the pen, (horizontal, vertical) in the first view [m].
     pub tick: DVec2,
     /// The curve so far, [`SAMPLES`] points uniform in arc length [m].
@@ -25,7 +25,7 @@ pub struct Follow {
 ///
 /// # Errors
 /// One view twice, unusable points, or a stroke without length. Ranges of the shared axis are not compared yet.
-pub fn follow(first: &Stroke, second_so_far: &Stroke, model_diagonal: f64) -> Result<Follow, SketchError> {
+pub fn partial_lift(first: &Stroke, second_so_far: &Stroke, model_diagonal: f64) -> Result<PartialLift, SketchError> {
     let pair = checked_pair(first.view, second_so_far.view, model_diagonal)?;
     let origins = origins(first, second_so_far, pair);
     let first = resample(&clean(first, Which::First, pair, origins[0], model_diagonal)?, SAMPLES);
@@ -43,5 +43,8 @@ pub fn follow(first: &Stroke, second_so_far: &Stroke, model_diagonal: f64) -> Re
     let (first, found) =
         if backward.mean_cost < REVERSE_RATIO * forward.mean_cost { (from_end, backward) } else { (first, forward) };
     let reached = found.pairs.last().map_or(0, |&[i, _]| i);
-    Ok(Follow { tick: pair.swap(0, first[reached] + origins[0]), curve: merge(&first, &second, &found, pair, origins) })
+    Ok(PartialLift {
+        tick: pair.swap(0, first[reached] + origins[0]),
+        curve: merge(&first, &second, &found, pair, origins),
+    })
 }

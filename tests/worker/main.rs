@@ -1,5 +1,9 @@
 //! The simulation thread: requests in, pictures out.
 
+#![allow(clippy::print_stdout, reason = "`--nocapture` shows how much was compared")]
+
+mod replays;
+
 use glam::DVec3;
 use sinew::io::scene_from_json;
 use sinew::scene::{Assets, Scene};

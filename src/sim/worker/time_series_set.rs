@@ -9,14 +9,14 @@ const MOST_ROWS: usize = 36_000;
 /// Energies, momenta and measures of every frame since the start of the scene, or since it has other bodies or
 /// measures.
 #[derive(Clone, Debug, Default)]
-pub struct RecordedSeries {
+pub struct TimeSeriesSet {
     /// Of the world.
     pub world: TimeSeries,
     /// Of the scene that runs in step, since it does; none where there is none.
     pub ghost: Option<TimeSeries>,
 }
 
-impl RecordedSeries {
+impl TimeSeriesSet {
     /// Adds the present frame of the world and of the ghost: again, where nothing has moved since the last time.
     pub(super) fn record(&mut self, world: Option<&World>, ghost: Option<&World>) {
         if let Some(world) = world {

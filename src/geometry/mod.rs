@@ -44,6 +44,7 @@ pub(crate) mod rig;
 pub(crate) mod row_index;
 pub(crate) mod rows;
 pub(crate) mod scanline;
+pub(crate) mod seam;
 pub(crate) mod section;
 pub(crate) mod sheets;
 pub(crate) mod skeleton;

@@ -120,6 +120,7 @@
 //! | what a body of a scene is made of, force by force | `bake::body`, `bake::two_layer` |
 //! | what is taken out of a body | `bake::voids`; `geometry::hollows`, what they leave: `geometry::carve`, the skin: `geometry::clip` |
 //! | regions with a matrix of their own | `bake::region_materials` |
+//! | seams that tear: the bonds, the skin | `solver::forces::matrix` (`seams`), `bake::seams`; `bake::parted_skin`, `geometry::clip` (`parting`) |
 //! | what does not spring back | `solver::forces::matrix` (`inelastic`, `flow_rule`), `solver::forces::fibre::yielding` |
 //! | implicit steps: the matrix, how a stage is solved, what becomes of one that is not | `solver::implicit` |
 //! | what bodies follow: how particles are bound, where they are led, springs | `bake::follows`, `solver::led`, `solver::forces::LedSprings`; `geometry::skeleton`, `geometry::point_cache` |
@@ -166,7 +167,7 @@
 //! - *structure particle*: a vertex of a fibre. It has no mass and no state of its own: material particles carry it.
 //! - *sheet*: a surface in a fibre solid that resists stretch, shear and bending, carried as fibres are. *Membrane*:
 //!   its stretch and shear. *Hinge*: its bending at an edge between two triangles. *Grain*: the direction of its
-//!   threads. *Rim*: where it ends.
+//!   threads. *Rim*: where it ends. *Seam*: one along which the matrix *tears*, *bond* of two neighbours by bond.
 //! - *element*: an energy of a few points that ride on the particles, and of how the material is turned there.
 //!   *Measure* (of one) and *law*: what one without code looks at, and what it does about it. *Majorant*: the most that
 //!   it ever resists a move.
@@ -180,7 +181,7 @@
 //!   places of the lattice in a row along x (eight in f32), computed at once. *Pair list*: the same forces, neighbour
 //!   by neighbour. *Fast*: the stencil in f32, on deviations from the body's rigid motion; *exact*: all else, in f64.
 //! - *void*: what is taken out of a body. *Hollow*: its shape among the particles, across which they feel nothing.
-//! - *yield*: to take another shape at rest, past a limit. *Dissipated*: lost to that and to viscosity.
+//! - *yield*: to take another shape at rest, past a limit. *Dissipated*: lost to that, to tearing and to viscosity.
 //! - *two-layer body*: an outer and an inner *layer* of particles joined by springs, with gas inside (the two-layer
 //!   paper's). It has no matrix and no fibres.
 //! - *skin*: the surface that is drawn, carried by the particles. *Rig*: how it hangs on them. *Arm*: the way to a

@@ -7,15 +7,17 @@ use super::fibres::PlacedFibre;
 use super::integrator::{integrator, stable_steps, step_parameter, stepping};
 use super::limits::{Resistance, Softer, SolidParameter};
 use super::note::Note;
+use super::parted_skin::parted_skin;
 use super::particle_sampling::ParticleSampling;
 use super::pins::{Following, holders, note_pins};
 use super::region_materials::varied;
 use super::sheets::PlacedSheet;
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
+use super::surroundings::Surroundings;
 use super::{drives, fibres, follows, fractions, regime, room, self_contact, sheets, supports};
 use crate::geometry::kernel::Kernel;
-use crate::scene::{AnyBody, Assets, Body, BodyKind, FibreEmbedding, Mass, Material, Precision, Scene};
+use crate::scene::{AnyBody, Assets, Body, BodyKind, Mass, Material, Precision, Scene};
 use crate::solver::body::{BodyParts, RestScale};
 use crate::solver::collider::Collider;
 use crate::solver::embedding::Embedder;
@@ -37,30 +39,6 @@ const STICKING: f64 = 0.5;
 /// Net force below which a particle counts as at rest, in units of E D².
 const REST_FORCE: f64 = 2e-7;
 
-/// Neighbours of the particles, and how fibres hang on them.
-fn surroundings<'a>(
-    body: &Body,
-    sampling: &'a ParticleSampling<'_>,
-    kernel: Kernel,
-    path: &str,
-    progress: &mut Tell<'_>,
-) -> Result<(Arc<Neighbourhood>, Embedder<'a>), BakeError> {
-    let (name, sample, hollows) = (body.title(), &sampling.sample, &sampling.hollows);
-    let volume = body.material.spacing().powi(3);
-    let neighbourhood = unless_stopped(progress, (name, BakeStage::Neighbours), |stop| {
-        Neighbourhood::around(sample, kernel, volume, hollows, stop).transpose()
-    })?
-    .map_err(|source| BakeError::TooThin { path: format!("{path}/material/support_radius"), source })?;
-    let around = unless_stopped(progress, (name, BakeStage::Embedding), |stop| {
-        Embedder::around(&sample.points, kernel, hollows.clone(), stop)
-    })?;
-    let embedder = match body.material.fibre_embedding {
-        FibreEmbedding::Compact => around,
-        FibreEmbedding::All => around.with_all_in_reach(),
-    };
-    Ok((Arc::new(neighbourhood), embedder))
-}
-
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
@@ -75,12 +53,15 @@ pub(super) fn draft(
     let kernel = Kernel::new(material.support_radius);
     let ParticleSampling { sample, volume: shape_volume, size, shares, .. } = sampling;
     let volume = spacing.powi(3) * sample.stretch.element_product();
-    let (neighbourhood, embedder) = surroundings(body, sampling, kernel, path, progress)?;
+    let around = Surroundings::find(body, (sampling, kernel), path, notes, progress)?;
+    let Surroundings { neighbourhood, apart, seams: (seams, bonds), embedder } = around;
     let diagonal = size.length();
     let placed = fibres::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let surfaces = sheets::Placing { body, embedder: &embedder, diagonal, path, notes }.place();
     let elements = elements::Placing { body, embedder: &embedder, path, notes }.place(own)?;
     let skin = sampling.skin(kernel, &mut |done, of| progress(name, BakeStage::Skin { done, of }))?.map(Arc::new);
+    let mut told = |done, of| progress(name, BakeStage::Skin { done, of });
+    let parted_skin = parted_skin(sampling, (&seams, &bonds), kernel, &mut told)?.map(Arc::new);
 
     let mass = match material.mass {
         Mass::Density(density) => density * shape_volume / sampling.whole as f64,
@@ -103,12 +84,13 @@ pub(super) fn draft(
     let thinning = fractions::driven(body, &sample.points, kernel, (&placed, &surfaces))
         .map(|driven| Box::new(matrix.thinning(driven, orientation)) as Box<dyn Force>);
     let inelastic = inelastic(material).map(|law| Box::new(matrix.inelastic(law, orientation)) as Box<dyn Force>);
-    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(in_precision(matrix, material.precision))];
+    let matrix = in_precision(matrix, material.precision).with_seams(bonds, orientation);
+    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(matrix)];
     let lines = elements.iter().map(Structure::drawn).collect();
     let structures = (elements, placed.as_slice(), surfaces.as_slice());
     let (softer, strongest) = add_structures(body, (&embedder, volume, &state), structures, path, &mut forces)?;
     forces.extend(thinning.into_iter().chain(inelastic));
-    forces.extend(weight_and_damping(scene, body, &neighbourhood, varied.damping.as_deref()));
+    forces.extend(weight_and_damping(scene, body, &apart, varied.damping.as_deref()));
     let flow = scene.wind.as_ref().and(skin.as_deref()).and_then(|skin| drives::wind(scene, skin.flow_surface()));
     forces.extend(flow.map(|flow| Box::new(flow) as Box<dyn Force>));
 
@@ -156,6 +138,7 @@ pub(super) fn draft(
         elements: lines,
         layers: None,
         skin,
+        parted_skin,
         reach: material.support_radius,
         rest_scale: RestScale {
             force: REST_FORCE * material.young_modulus * spacing * spacing,

@@ -109,6 +109,21 @@ pub enum BakeError {
         /// Support radius at which one layer becomes two [m].
         support_radius: f64,
     },
+    /// A layer beside a seam that nothing would hold once that is torn.
+    #[error(
+        "{path}: {count} particles, the first at {at:.4?} m, would be a single layer once the seam is torn, which cannot resist \
+         bending; leave {least:.2e} m or more on either side, or give the material a smaller support radius"
+    )]
+    ThinBesideSeam {
+        /// Pointer to the seam.
+        path: String,
+        /// Particles of such layers.
+        count: usize,
+        /// The first of them [m].
+        at: [f64; 3],
+        /// Thickness of two layers [m].
+        least: f64,
+    },
     /// A tube whose strokes make no line.
     #[error("{path}: {source}")]
     VoidUndrawn {

@@ -76,6 +76,7 @@ fn moves_gently(scene: &Scene, body: &Body) -> bool {
         !body.self_contact && scene.all_bodies().count() == 1 && scene.panels.is_empty() && scene.colliders.is_empty();
     let is_struck = !body.impulses.is_empty() || [*velocity, *angular_velocity] != [[0.0; 3]; 2];
     let may_tear = body.fibres.iter().any(|fibre| fibre.break_past.is_some() || fibre.yields.is_some())
+        || body.sheets.iter().any(|sheet| sheet.seam.is_some())
         || body.material.plasticity.is_some();
     let is_moved = body.pins.iter().any(|pin| matches!(pin.motion, Motion::Driven(_)));
     let is_driven = scene.gravity_drive.is_some()

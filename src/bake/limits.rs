@@ -6,7 +6,9 @@
 //! without fibres.
 
 use crate::scene::{Hold, TwoLayer};
-use crate::solver::forces::{ElementForce, FibreForce, Flow, Force, Inelastic, MatrixThinning, SheetForce, StepLimit};
+use crate::solver::forces::{
+    ElementForce, FibreForce, Flow, Force, Inelastic, MatrixForce, MatrixThinning, SheetForce, StepLimit,
+};
 use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
 use crate::solver::stable_step::highest_frequency_squared;
@@ -104,12 +106,13 @@ fn greatest<T>(present: f64, raised: impl Iterator<Item = (T, f64)>) -> Option<T
     noticeable.reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(name, _)| name)
 }
 
-/// Whether a drive changes how stiff a force is.
+/// Whether a drive changes how stiff a force is, or tearing does.
 fn is_driven(force: &dyn Force) -> bool {
     force.downcast_ref().is_some_and(FibreForce::is_driven)
         || force.downcast_ref().is_some_and(SheetForce::is_driven)
         || force.downcast_ref().is_some_and(ElementForce::is_driven)
         || force.downcast_ref::<MatrixThinning>().is_some()
+        || force.downcast_ref::<MatrixForce>().is_some_and(|matrix| !matrix.tears().is_empty())
 }
 
 /// Share of the bound of a damping rate that the stiffest mode is sure to see.

@@ -16,6 +16,7 @@ use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box_unless};
 use crate::geometry::lattice_fit::FittedLattice;
 use crate::geometry::mesh::box_surface;
 use crate::geometry::model::{MeshData, Model};
+use crate::geometry::seam::Seam;
 use crate::geometry::solid::Solid;
 use crate::geometry::thickness::Thickness;
 use crate::scene::{Assets, Body, BoxShape, Rotation, Shape};
@@ -23,6 +24,7 @@ use crate::solver::skin::{Skin, SkinShape};
 use glam::{DMat3, DVec3};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 /// A filled shape.
 pub(super) struct ParticleSampling<'a> {
@@ -241,47 +243,10 @@ impl ParticleSampling<'_> {
         progress: &mut dyn FnMut(usize, usize) -> Result<(), BakeError>,
     ) -> Result<Option<Skin>, BakeError> {
         let particles = &self.sample.points;
-        match &self.source {
-            Source::Box(solid) => {
-                let surface = box_surface(solid, self.sample.spacing);
-                if !self.hollows.is_empty() {
-                    return self.hollow_skin(DrawnSurface::of(surface), kernel, progress);
-                }
-                let point_of: Vec<u32> = (0..surface.positions.len() as u32).collect();
-                let shape = SkinShape {
-                    points: &surface.positions,
-                    point_of: &point_of,
-                    normals: &[],
-                    colours: &[],
-                    triangles: &surface.triangles,
-                };
-                Skin::try_embed(&shape, particles, kernel, &self.hollows, progress)
-            }
-            Source::Mesh(solid) if self.hollows.is_empty() => {
-                Skin::try_embed(&SkinShape::of(solid), particles, kernel, &self.hollows, progress)
-            }
-            Source::Mesh(solid) => {
-                let surface = DrawnSurface {
-                    points: solid.surface.points.clone(),
-                    point_of: solid.surface.point_of.clone(),
-                    normals: solid.model.normals.clone(),
-                    colours: solid.model.colours.clone(),
-                    triangles: solid.model.triangles.clone(),
-                };
-                self.hollow_skin(surface, kernel, progress)
-            }
+        if let (Source::Mesh(solid), true) = (&self.source, self.hollows.is_empty()) {
+            return Skin::try_embed(&SkinShape::of(solid), particles, kernel, &self.hollows, progress);
         }
-    }
-
-    /// The surface with openings where voids come out of it, and their walls.
-    fn hollow_skin(
-        &self,
-        surface: DrawnSurface,
-        kernel: Kernel,
-        progress: &mut dyn FnMut(usize, usize) -> Result<(), BakeError>,
-    ) -> Result<Option<Skin>, BakeError> {
-        let is_solid = |at: DVec3| self.source.contains(at);
-        let surface = surface.hollowed(&self.hollows, self.sample.spacing, &is_solid);
+        let surface = self.drawn_surface();
         let shape = SkinShape {
             points: &surface.points,
             point_of: &surface.point_of,
@@ -289,7 +254,31 @@ impl ParticleSampling<'_> {
             colours: &surface.colours,
             triangles: &surface.triangles,
         };
-        Skin::try_embed(&shape, &self.sample.points, kernel, &self.hollows, progress)
+        Skin::try_embed(&shape, particles, kernel, &self.hollows, progress)
+    }
+
+    /// The surface of the shape, with openings where voids come out of it, and their walls.
+    fn drawn_surface(&self) -> DrawnSurface {
+        let surface = match &self.source {
+            Source::Box(solid) => DrawnSurface::of(box_surface(solid, self.sample.spacing)),
+            Source::Mesh(solid) => DrawnSurface {
+                points: solid.surface.points.clone(),
+                point_of: solid.surface.point_of.clone(),
+                normals: solid.model.normals.clone(),
+                colours: solid.model.colours.clone(),
+                triangles: solid.model.triangles.clone(),
+            },
+        };
+        if self.hollows.is_empty() {
+            return surface;
+        }
+        surface.hollowed(&self.hollows, self.sample.spacing, &|at| self.source.contains(at))
+    }
+
+    /// The same split along seams, and how many of its faces, the first ones, are not of their walls.
+    pub(super) fn parted_surface(&self, seams: &[Arc<Seam>]) -> (DrawnSurface, usize) {
+        let is_solid = |at: DVec3| self.source.contains(at) && !self.hollows.contain(at);
+        self.drawn_surface().parted(seams, self.sample.spacing, &is_solid)
     }
 
     /// Thickness of the thinnest part [m], but for edges and tips.

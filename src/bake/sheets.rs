@@ -77,20 +77,23 @@ impl Placing<'_> {
         self.warn_if_weak(sheet, path);
         let least = LEAST_AREA * spacing * spacing;
         let smallest = shape.areas().fold(f64::INFINITY, f64::min);
-        if smallest < least {
+        // A seam carries nothing: however small its triangles are, it is drawn.
+        if smallest < least && sheet.seam.is_none() {
             let why = format!(
                 "a triangle of it has {smallest:.2e} m², less than the {least:.2e} m² that the particles tell apart; give it \
                  fewer or wider steps"
             );
             return self.leave_out(path, &why);
         }
-        let slid = self.slide(&mut shape);
+        let is_seam = sheet.seam.is_some();
+        let slid = if is_seam { 0 } else { self.slide(&mut shape) };
         let total = shape.triangles.len();
         let inside: Vec<bool> = shape.points.iter().map(|&at| self.weights(at).is_some()).collect();
         let holding: Vec<bool> = shape.points.iter().map(|&at| self.holds(at)).collect();
         let all = |of: &[bool], corners: [u32; 3]| corners.iter().all(|&k| of[k as usize]);
         let areas: Vec<f64> = shape.areas().collect();
-        let active: Vec<bool> = (0..total).map(|k| all(&holding, shape.triangles[k]) && areas[k] >= least).collect();
+        let active: Vec<bool> =
+            (0..total).map(|k| all(&holding, shape.triangles[k]) && (areas[k] >= least || is_seam)).collect();
         let drawn: Vec<usize> = (0..total).filter(|&k| active[k] || all(&inside, shape.triangles[k])).collect();
         let (carrying, idle): (Vec<usize>, Vec<usize>) = drawn.into_iter().partition(|&k| active[k]);
         if carrying.is_empty() {
@@ -98,7 +101,7 @@ impl Placing<'_> {
             return self.leave_out(path, &why);
         }
         let count = carrying.len();
-        if count < total {
+        if count < total && !is_seam {
             let text = format!(
                 "{} of {total} triangles lie outside the material, or too near to it to carry force",
                 total - count
@@ -182,7 +185,7 @@ impl Placing<'_> {
         let thickness: f64 = (0..SUMMED).map(|k| 2.0 * step * curve((f64::from(k) + 0.5) * step)).sum();
         let displaced = material.young_modulus * thickness;
         let et = sheet.stiffness.et;
-        if et < displaced && sheet.volume_fraction > 0.0 {
+        if et < displaced && fraction(sheet) > 0.0 {
             let text = format!(
                 "Et = {et:.3e} N/m is less than the {displaced:.3e} N/m of the material that the sheet displaces, so it \
                  weakens the solid; raise Et or lower the material's Young's modulus"
@@ -209,7 +212,7 @@ impl PlacedSheet {
     /// Volume fraction in its surface and the triangles that carry force, at rest [m].
     pub(super) fn share(&self, body: &Body) -> (f64, Vec<[DVec3; 3]>) {
         let corners = |of: &[u32; 3]| of.map(|k| self.shape.points[k as usize]);
-        (body.sheets[self.sheet].volume_fraction, self.shape.triangles[..self.active].iter().map(corners).collect())
+        (fraction(&body.sheets[self.sheet]), self.shape.triangles[..self.active].iter().map(corners).collect())
     }
 
     fn rest(&self, body: &Body) -> SheetRest {
@@ -238,16 +241,21 @@ impl PlacedSheet {
 
 /// The placed sheets that carry anything, at rest.
 pub(super) fn rests(body: &Body, placed: &[PlacedSheet]) -> Vec<SheetRest> {
-    placed.iter().filter(|of| body.sheets[of.sheet].volume_fraction > 0.0).map(|of| of.rest(body)).collect()
+    placed.iter().filter(|of| fraction(&body.sheets[of.sheet]) > 0.0).map(|of| of.rest(body)).collect()
+}
+
+/// Share of the material that is sheet in its surface; a seam is none.
+fn fraction(sheet: &Sheet) -> f64 {
+    if sheet.seam.is_some() { 0.0 } else { sheet.volume_fraction }
 }
 
 /// Index in the scene of the sheet that resists a move of a vertex most; none without one.
 pub(super) fn strongest(body: &Body, placed: &[PlacedSheet]) -> Option<usize> {
     let area = body.material.spacing().powi(2);
     let stiff = |index: usize| {
-        let Sheet { stiffness: of, volume_fraction, .. } = &body.sheets[index];
+        let (sheet, of) = (&body.sheets[index], &body.sheets[index].stiffness);
         let grain = of.grain.as_ref().map_or(0.0, |grain| grain.et);
-        volume_fraction * (of.et + grain + of.bending / area)
+        fraction(sheet) * (of.et + grain + of.bending / area)
     };
     placed.iter().map(|of| of.sheet).max_by(|&a, &b| stiff(a).total_cmp(&stiff(b)))
 }

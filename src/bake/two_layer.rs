@@ -120,6 +120,7 @@ pub(super) fn draft(
         sheets: Vec::new(),
         elements: Vec::new(),
         skin: model.skin,
+        parted_skin: None,
         reach: model.radius,
         rest_scale: RestScale {
             force: REST_FORCE * body.ks * model.radius,

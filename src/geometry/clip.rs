@@ -1,5 +1,7 @@
 //! A drawn surface with holes cut into it, and the walls that show through them.
 
+mod parting;
+
 use super::hollows::{Hollow, Hollows};
 use super::mesh::TriangleMesh;
 use glam::{DVec3, Vec3};
@@ -141,6 +143,22 @@ impl DrawnSurface {
         self.points[self.point_of[vertex as usize] as usize]
     }
 
+    /// A new vertex on a point a share of the way from one vertex to another.
+    fn vertex_between(&mut self, [one, other]: [u32; 2], share: f64, point: u32) -> u32 {
+        let vertex = self.point_of.len() as u32;
+        self.point_of.push(point);
+        let (one_at, other_at) = (one as usize, other as usize);
+        if !self.normals.is_empty() {
+            let normal = self.normals[one_at].lerp(self.normals[other_at], share as f32);
+            self.normals.push(normal.normalize_or(self.normals[one_at]));
+        }
+        if !self.colours.is_empty() {
+            let (from, to) = (self.colours[one_at], self.colours[other_at]);
+            self.colours.push(std::array::from_fn(|k| from[k] + share as f32 * (to[k] - from[k])));
+        }
+        vertex
+    }
+
     /// An edge by its points.
     fn side(&self, one: u32, other: u32) -> [u32; 2] {
         let [a, b] = [one, other].map(|v| self.point_of[v as usize]);
@@ -217,17 +235,7 @@ impl Between {
             surface.points.push(a.lerp(b, share));
             surface.points.len() as u32 - 1
         });
-        let vertex = surface.point_of.len() as u32;
-        surface.point_of.push(point);
-        let (one_at, other_at) = (one as usize, other as usize);
-        if !surface.normals.is_empty() {
-            let normal = surface.normals[one_at].lerp(surface.normals[other_at], share as f32);
-            surface.normals.push(normal.normalize_or(surface.normals[one_at]));
-        }
-        if !surface.colours.is_empty() {
-            let (from, to) = (surface.colours[one_at], surface.colours[other_at]);
-            surface.colours.push(std::array::from_fn(|k| from[k] + share as f32 * (to[k] - from[k])));
-        }
+        let vertex = surface.vertex_between([one, other], share, point);
         self.vertices.insert([one.min(other), one.max(other)], vertex);
         vertex
     }

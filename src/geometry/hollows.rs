@@ -7,6 +7,7 @@ use super::isosurface::isosurface;
 use super::lattice::Cuboid;
 use super::mesh::{TriangleMesh, box_surface};
 use super::octahedron::sphere;
+use super::seam::Seam;
 use super::solid::Solid;
 use glam::DVec3;
 use std::sync::Arc;
@@ -22,6 +23,8 @@ pub(crate) enum Hollow {
     Tube { line: Vec<DVec3>, radius: f64 },
     /// What a mesh encloses.
     Solid(HollowSolid),
+    /// Nothing, between the two sides of a seam.
+    Seam(Arc<Seam>),
 }
 
 /// A mesh that encloses a hollow, sorted so that it can be asked what crosses it.
@@ -74,7 +77,7 @@ impl Hollow {
                 };
                 line.windows(2).map(near).fold(f64::INFINITY, f64::min) - radius
             }
-            Self::Solid(_) => f64::INFINITY,
+            Self::Solid(_) | Self::Seam(_) => f64::INFINITY,
         }
     }
 
@@ -98,6 +101,7 @@ impl Hollow {
                 let way = (b - a).normalize_or_zero() * slack.min(0.25 * a.distance(b));
                 of.crosses([a + way, b - way])
             }
+            Self::Seam(seam) => seam.crossing([a, b]).is_some(),
         }
     }
 
@@ -111,10 +115,11 @@ impl Hollow {
                 line.iter().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], around)
             }
             Self::Solid(of) => [of.solid.min, of.solid.max],
+            Self::Seam(seam) => seam.bounds(),
         }
     }
 
-    /// Its wall, turned outwards, in triangles with edges of about `edge` [m]; a mesh's as it is.
+    /// Its wall, turned outwards, in triangles with edges of about `edge` [m]; a mesh's as it is, and none of a seam.
     pub(crate) fn wall(&self, edge: f64) -> TriangleMesh {
         match self {
             Self::Ball { center, radius } => {
@@ -134,6 +139,7 @@ impl Hollow {
             Self::Solid(of) => {
                 TriangleMesh { positions: of.solid.surface.points.clone(), triangles: of.solid.surface.faces.clone() }
             }
+            Self::Seam(_) => TriangleMesh::default(),
         }
     }
 }
@@ -172,6 +178,12 @@ impl Hollows {
     pub(crate) fn new(shapes: Vec<Hollow>, spacing: f64) -> Self {
         let shapes = shapes.into_iter().map(|shape| (shape.bounds(), shape)).map(|(bounds, shape)| (shape, bounds));
         Self { shapes: shapes.collect(), slack: GRAZE * spacing }
+    }
+
+    /// These and seams.
+    pub(crate) fn with_seams(&self, seams: &[Arc<Seam>]) -> Self {
+        let seams = seams.iter().map(|seam| (Hollow::Seam(Arc::clone(seam)), seam.bounds()));
+        Self { shapes: self.shapes.iter().cloned().chain(seams).collect(), slack: self.slack }
     }
 
     /// Whether there are none.

@@ -46,6 +46,7 @@ pub(crate) mod rig;
 pub(crate) mod row_index;
 pub(crate) mod scanline;
 pub(crate) mod scanlines;
+pub(crate) mod seam;
 pub(crate) mod section;
 pub(crate) mod sheets;
 pub(crate) mod skeleton;

@@ -82,7 +82,7 @@ pub use room::{Room, Sticking};
 pub use round_shape::{BallShape, CapsuleShape, CylinderShape, TorusShape};
 pub use shape::{BoxShape, MeshShape, Placement, Rotation, Shape};
 pub use sheet::{
-    Grain, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, Sheet, SheetActivation, SheetRestShape, SheetSource,
+    Grain, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, Seam, Sheet, SheetActivation, SheetRestShape, SheetSource,
     SheetStiffness, SheetTriangles, SweptStrokes,
 };
 pub(crate) use size::BYTES_PER_PARTICLE;

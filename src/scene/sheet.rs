@@ -39,6 +39,10 @@ pub struct Sheet {
     /// How it acts by itself; it only resists unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub activation: Option<SheetActivation>,
+    /// What makes it a seam, along which the body tears: it carries nothing then, and its stiffness, volume fraction
+    /// and rest shape do not count.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seam: Option<Seam>,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
@@ -74,6 +78,7 @@ impl Sheet {
             volume_fraction: default_volume_fraction(),
             rest_shape: SheetRestShape::default(),
             activation: None,
+            seam: None,
             extra: Extra::new(),
         }
     }
@@ -107,7 +112,29 @@ impl Sheet {
     pub fn with_activation(self, activation: SheetActivation) -> Self {
         Self { activation: Some(activation), ..self }
     }
+
+    /// A seam, along which the body tears past a stretch: length over that at rest.
+    #[must_use]
+    pub fn tearing_past(self, stretch: f64) -> Self {
+        Self { seam: Some(Seam { stretch, extra: Extra::new() }), ..self }
+    }
 }
+
+/// What a sheet that is a seam stands: the material on one side of it no longer feels that on the other where it is
+/// pulled apart further. A reset mends it. Beside one the material takes no viscosity and no plasticity, and its fibres
+/// no driven volume fraction; two layers of particles must be left on either side. Fibres and sheets across it go on
+/// holding both sides together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Seam {
+    /// Length over that at rest, above 1, past which neighbours across it part.
+    pub stretch: f64,
+    /// Unknown fields, kept.
+    #[serde(flatten)]
+    pub extra: Extra,
+}
+
+/// Least and greatest stretch that a seam may stand.
+pub(crate) const SEAM_STRETCH: [f64; 2] = [1.001, 10.0];
 
 /// Where a sheet lies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

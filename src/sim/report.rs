@@ -108,6 +108,10 @@ pub struct BodyReport {
     pub breaks: usize,
     /// Time of the first of them [s]; null if there is none.
     pub first_break: Option<f64>,
+    /// Pairs of neighbours across its seams that are torn.
+    pub torn: usize,
+    /// When the first of them tore [s]; null if none has.
+    pub first_tear: Option<f64>,
     /// Time steps taken.
     pub steps: u64,
     /// Force evaluations made.
@@ -252,6 +256,8 @@ impl BodyReport {
             limited_by: parts.limited_by.clone(),
             breaks: body.breaks().count(),
             first_break: body.breaks().map(|at| at.time).reduce(f64::min),
+            torn: body.tears().iter().map(|seam| seam.torn).sum(),
+            first_tear: body.tears().iter().filter_map(|seam| seam.first).reduce(f64::min),
             steps: body.steps(),
             evaluations: body.evaluations(),
             halved_steps: body.fallbacks().halved,

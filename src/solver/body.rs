@@ -10,6 +10,7 @@ mod guard;
 mod hands;
 mod parts;
 mod rest;
+mod tearing;
 mod touching;
 
 pub use divergence::Divergence;
@@ -24,6 +25,7 @@ use super::forces::fibre::breaking::FibreBreak;
 use super::forces::{Contact, Force, Grab, Inelastic, Plane};
 use super::integrators::Integrator;
 use super::shared_drive::SharedDrive;
+use super::skin::TornSkin;
 use super::state::ParticleState;
 use glam::DVec3;
 
@@ -55,6 +57,8 @@ pub struct Body {
     last_good: ParticleState,
     divergence: Option<Divergence>,
     shared: Vec<SharedDrive>,
+    /// The skin where seams are torn; none while all are whole.
+    torn_skin: Option<TornSkin>,
 }
 
 impl Body {
@@ -77,6 +81,7 @@ impl Body {
             last_good: parts.state.clone(),
             divergence: None,
             shared: Vec::new(),
+            torn_skin: None,
             parts,
         };
         body.update_net_forces(0.0);
@@ -148,6 +153,7 @@ impl Body {
         self.evaluations = other.evaluations;
         self.fallbacks = other.fallbacks;
         self.current = false;
+        self.see_tears();
         true
     }
 
@@ -164,8 +170,8 @@ impl Body {
         self.parts.forces.iter().map(|force| force.drive_work()).sum()
     }
 
-    /// Energy that its forces say they have lost for good so far [J].
-    pub(super) fn dissipated(&self) -> f64 {
+    /// Energy that its forces say they have lost for good so far, to yielding, viscosity and tearing [J].
+    pub fn dissipated(&self) -> f64 {
         self.parts.forces.iter().map(|force| force.dissipated()).sum()
     }
 

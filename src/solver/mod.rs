@@ -59,7 +59,7 @@ pub use energy::Energies;
 pub use field::FieldKind;
 pub use forces::element::{Change, Element, ElementFault, Local, MOST_POINTS, Slopes, check as check_element};
 pub use forces::springs::SpringKind;
-pub use forces::{Force, Grab, StepLimit};
+pub use forces::{Force, Grab, SeamTear, StepLimit};
 pub use hand::Hand;
 pub use integrators::Integrator;
 pub use measure::MeasureValue;

@@ -4,6 +4,8 @@
 //! at some length is no longer symmetric and loses momentum. On a lattice an offset recurs all over the body, so that
 //! each neighbour is an index and the number of its offset in a small palette (80 entries at D = 0.4 h).
 
+mod cutting;
+
 use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{ASK_EVERY, LatticeSample};

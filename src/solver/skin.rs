@@ -6,6 +6,11 @@
 //! times the greatest displacement of a particle, and by the turn of its arm. Lists are flat: 50 000 vertices are moved
 //! in a few milliseconds.
 
+mod parted;
+
+pub(crate) use parted::PartedSkin;
+pub(super) use parted::TornSkin;
+
 use super::embedding::EmbeddingWeights;
 use super::forces::FlowSurface;
 use super::skin_arms::{Arms, DIRECTIONS};

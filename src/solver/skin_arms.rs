@@ -33,6 +33,15 @@ impl Arms {
         Self { starts: vec![0], terms: Vec::new(), whole }
     }
 
+    /// These arms, and those of another skin over the same particles behind them.
+    pub(super) fn with(&self, others: &Self) -> Self {
+        let mut all = self.clone();
+        let behind = all.terms.len() as u32;
+        all.terms.extend(&others.terms);
+        all.starts.extend(others.starts.iter().skip(1).map(|start| start + behind));
+        all
+    }
+
     /// Number of arms.
     pub(super) fn len(&self) -> usize {
         self.starts.len().saturating_sub(1)

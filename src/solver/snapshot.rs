@@ -327,7 +327,7 @@ impl Snapshot {
             .map(|body| {
                 let positions = positions(body);
                 let parts = body.parts();
-                let skin = parts.skin.as_deref();
+                let skin = body.skin().map(Arc::as_ref);
                 let moved = skin.filter(|_| skins);
                 let vertices = moved.map_or_else(Vec::new, |skin| skin.positions(positions));
                 BodySnapshot {
@@ -348,7 +348,7 @@ impl Snapshot {
                     skin: vertices,
                     triangles: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.triangles())),
                     colours: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.colours())),
-                    embedding: SkinEmbedding(parts.skin.clone()),
+                    embedding: SkinEmbedding(body.skin().cloned()),
                     layers: parts.layers.as_deref().map(LayersSnapshot::of),
                 }
             })

@@ -72,6 +72,7 @@ fn oscillator(integrator: Box<dyn Integrator>, omega: f64, dt: f64) -> Body {
         elements: Vec::new(),
         layers: None,
         skin: None,
+        parted_skin: None,
         reach: 1.0,
         rest_scale: RestScale { force: 0.0, energy: 0.0 },
         mean_neighbours: 0.0,

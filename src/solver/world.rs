@@ -337,6 +337,7 @@ impl World {
         for body in &mut self.bodies {
             body.update_net_forces(time);
         }
+        self.bodies.iter_mut().for_each(Body::see_tears);
         self.work.end(&self.bodies, time);
         self.end_watch();
         for (probe, peak) in self.probes.iter().zip(&mut self.peaks) {

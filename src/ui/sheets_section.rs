@@ -9,9 +9,9 @@ use super::outline_row::{colour, row};
 use super::theme::{self, GRID};
 use crate::edit::sheet_ops::{displaced, stiffness_of};
 use crate::edit::{Command, Item};
-use crate::scene::{Grain, GrainAlong, Material, Sheet, SheetRestShape, SheetSource, SheetStiffness};
+use crate::scene::{Grain, GrainAlong, Material, Seam, Sheet, SheetRestShape, SheetSource, SheetStiffness};
 use crate::solver::snapshot::SheetSnapshot;
-use egui::{RichText, Slider, SliderClamping, Ui};
+use egui::{Checkbox, RichText, Slider, SliderClamping, Ui};
 use std::collections::BTreeMap;
 
 const ET: NumberField = NumberField::new(
@@ -39,6 +39,16 @@ const VOLUME_FRACTION: NumberField = NumberField::new(
     Some(0.5),
     "l_s: share of the material that is sheet in its surface (eq. 18)",
 );
+const STRETCH: NumberField = NumberField::new(
+    "Tears past",
+    "×",
+    1.001..=10.0,
+    Some(FIRST_STRETCH),
+    "Length over that at rest past which neighbours across it part",
+);
+
+/// What a sheet stands that is first made a seam.
+const FIRST_STRETCH: f64 = 1.3;
 
 /// A sheet may be so many times softer or stiffer than what it displaces.
 const TIMES: std::ops::RangeInclusive<f64> = 0.1..=1000.0;
@@ -88,17 +98,12 @@ fn inspector(ui: &mut Ui, cx: &mut Context) {
     let (body, material, sheet) = (body.id.clone(), body.material.clone(), sheet.clone());
     ui.heading(sheet.title().to_owned());
     let mut edited = sheet.clone();
-    stiffness(ui, &mut edited.stiffness, &material);
-    grain(ui, &mut edited);
-    VOLUME_FRACTION.show(ui, &mut edited.volume_fraction);
-    ui.horizontal(|ui| {
-        ui.label("Rest shape");
-        ui.selectable_value(&mut edited.rest_shape, SheetRestShape::AsDrawn, "As drawn")
-            .on_hover_text("Nothing moves by itself");
-        ui.selectable_value(&mut edited.rest_shape, SheetRestShape::Flat, "Flat")
-            .on_hover_text("A sheet drawn curved pulls the solid flat, as far as it resists bending");
-    });
-    sheet_activation_fields(ui, cx, &mut edited, &body);
+    let is_elastic = material.viscosity.is_none() && material.plasticity.is_none();
+    seam(ui, &mut edited, is_elastic);
+    if edited.seam.is_none() {
+        resistance(ui, &mut edited, &material);
+        sheet_activation_fields(ui, cx, &mut edited, &body);
+    }
     if edited != sheet {
         cx.edit(&Command::SetSheet { verb: "Change".to_owned(), body, sheet: edited }, Step::Present);
     }
@@ -106,6 +111,38 @@ fn inspector(ui: &mut Ui, cx: &mut Context) {
     ui.horizontal_wrapped(|ui| {
         button(ui, cx, Action::Duplicate, "Duplicate");
         button(ui, cx, Action::Delete, "Delete sheet");
+    });
+}
+
+/// Whether the sheet is a seam, and what that stands.
+fn seam(ui: &mut Ui, sheet: &mut Sheet, is_elastic: bool) {
+    let mut is_seam = sheet.seam.is_some();
+    let why = match (&sheet.activation, is_elastic) {
+        (Some(_), _) => "A seam carries nothing, and this sheet acts",
+        (None, false) => "A material that flows or yields does not tear",
+        (None, true) => "",
+    };
+    let tooltip = "The body tears along it; it carries nothing itself. Reset mends it";
+    let shown = ui.add_enabled(why.is_empty() || is_seam, Checkbox::new(&mut is_seam, "Seam"));
+    if shown.on_hover_text(tooltip).on_disabled_hover_text(why).changed() {
+        sheet.seam = is_seam.then(|| Seam { stretch: FIRST_STRETCH, extra: BTreeMap::new() });
+    }
+    if let Some(seam) = &mut sheet.seam {
+        STRETCH.show(ui, &mut seam.stretch);
+    }
+}
+
+/// How the sheet resists.
+fn resistance(ui: &mut Ui, edited: &mut Sheet, material: &Material) {
+    stiffness(ui, &mut edited.stiffness, material);
+    grain(ui, edited);
+    VOLUME_FRACTION.show(ui, &mut edited.volume_fraction);
+    ui.horizontal(|ui| {
+        ui.label("Rest shape");
+        ui.selectable_value(&mut edited.rest_shape, SheetRestShape::AsDrawn, "As drawn")
+            .on_hover_text("Nothing moves by itself");
+        ui.selectable_value(&mut edited.rest_shape, SheetRestShape::Flat, "Flat")
+            .on_hover_text("A sheet drawn curved pulls the solid flat, as far as it resists bending");
     });
 }
 

@@ -4,7 +4,8 @@ use crate::common::*;
 use glam::{DMat3, DVec3};
 use sinew::bake::Baked;
 use sinew::scene::{
-    Axis, Body, Fibre, Keyframe, MeasureKind, Motion, Pin, Plasticity, RestShape, Scene, Side, Viscosity, YieldPast,
+    Axis, Body, Fibre, Keyframe, MeasureKind, Motion, Pin, Plasticity, Region, RestShape, Scene, Side, Turn, Viscosity,
+    YieldPast,
 };
 use sinew::sim::Runner;
 use sinew::solver::{FieldKind, World};
@@ -234,4 +235,77 @@ fn an_overpulled_wire_stays_long() {
     println!("{push} N against {elastic} N, {lost} J lost");
     assert!(lost > 0.0 && none == 0.0);
     assert!(push.abs() > 5.0 * elastic.abs(), "{push} N and {elastic} N");
+}
+
+/// A bar of this section whose ends are turned against each other until it is bent by `curvature` [1/m], and let go:
+/// how far it was bent and how far it stays bent [1/m], between layers that are not held.
+fn sprung_back(mut bar: Body, curvature: f64) -> [f64; 2] {
+    const LONG: u32 = 13;
+    bar.material.damping.air = 1500.0;
+    let within = |id: &str, layer: u32| {
+        let [low, high] = [f64::from(layer) * D, f64::from(layer + 1) * D];
+        Region::in_box(id, [-1.0, low, -1.0], [1.0, high, 1.0])
+    };
+    let inner = [within("lower", 3), within("upper", LONG - 4)];
+    bar.regions = vec![layers("bottom", Axis::Y, Side::Min, 1), layers("top", Axis::Y, Side::Max, 1)];
+    bar.regions.extend(inner);
+    let half = 0.5 * (curvature * f64::from(LONG - 1) * D).to_degrees();
+    // Along the bar alone: across it the ends are free, so that nothing but a moment bends it.
+    let turn = |degrees: f64| Motion::from(Turn::new([0.0, 0.0, 1.0], degrees, 0.03));
+    bar.pins = vec![pin("bottom", &[Axis::Y], turn(-half)), pin("top", &[Axis::Y], turn(half))];
+    let mut scene = in_space(bar);
+    scene.time.frames_per_second = 1000.0;
+    scene.measures = vec![
+        measure("bend", MeasureKind::twist("upper", "lower", [0.0, 0.0, 1.0])),
+        measure("lost", MeasureKind::Dissipated),
+    ];
+    let bend = |runner: &Runner| scalar(runner, 0).to_radians() / (f64::from(LONG - 7) * D);
+    let mut held = runner(&scene);
+    (0..45).for_each(|_| held.advance_frame());
+    let before = bend(&held);
+    scene.bodies[0].pins.clear();
+    let mut free = runner(&scene);
+    free.adopt(&held);
+    let lost = scalar(&held, 1);
+    (0..60).for_each(|_| free.advance_frame());
+    assert!(scalar(&free, 1) >= lost, "dissipation is never negative");
+    [before, bend(&free)]
+}
+
+#[test]
+fn a_bent_bar_of_clay_springs_back_by_more_than_theory_has_it() {
+    // Without hardening: 1.5 ky (1 - (ky / k)² / 3), ky = 2 sy / (E H). What holds particles in place does not yield
+    // and springs back, too: 1.34 times as far as theory at 2.3 times the first yield, 1.49 times at 3.4.
+    for times in [2.2, 3.5] {
+        let mut bar = block([5, 13, 3], E);
+        bar.material.poisson_ratio = 0.3;
+        let yield_stress = 0.004 * E;
+        bar.material.plasticity = Some(Plasticity::new(yield_stress));
+        let first = 2.0 * yield_stress / (E * 5.0 * D);
+        let [bent, left] = sprung_back(bar, times * first);
+        let back = (bent - left) / first;
+        let theory = 1.5 * (1.0 - (first / bent).powi(2) / 3.0);
+        println!("bent by {} of the first yield, {back} back, {theory} by theory", bent / first);
+        assert!(left > 0.1 * bent, "it stays bent: {left} of {bent}");
+        assert!((1.2..1.75).contains(&(back / theory)), "{back}, and {theory} by theory");
+    }
+}
+
+#[test]
+fn a_bent_wire_springs_back_as_theory_has_it() {
+    // A wire that carries M = EI k up to My springs back, against the bar around it, to (EI k - My) / (EI_m + EI).
+    let mut bar = block([3, 13, 3], E);
+    let section = E * (3.0 * D).powi(4) / 12.0;
+    let share = 0.25;
+    let vertices = (0..=11).map(|k| [0.0, (0.75 + f64::from(k)) * D, 0.0]).collect();
+    let wire = fibre("wire", vertices, rigidity(0.0, 3.0 * section / share), share, RestShape::Straight);
+    let limit = 2.0_f64;
+    bar.fibres = vec![Fibre { yields: Some(YieldPast::curvature(limit.to_degrees())), ..wire }];
+    let [bent, left] = sprung_back(bar.clone(), 6.0);
+    let theory = 0.75 * (bent - limit);
+    println!("bent by {bent}, {left} left, {theory} 1/m by theory");
+    assert!((left / theory - 1.0).abs() < 0.08, "{left} 1/m, and {theory} by theory");
+    bar.fibres[0].yields = None;
+    let [bent, left] = sprung_back(bar, 6.0);
+    assert!(left.abs() < 0.01 * bent, "{left} of {bent} is left of one that does not yield");
 }

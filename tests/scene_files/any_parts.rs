@@ -52,10 +52,11 @@ pub fn sheet() -> impl Strategy<Value = Sheet> {
     });
     let stiffness = (above_zero(), above_zero(), proptest::option::of(grain), extra())
         .prop_map(|(et, bending, grain, extra)| SheetStiffness { et, poisson_ratio: 1.0 / 3.0, bending, grain, extra });
-    (prop_oneof![rows, triangle], stiffness, 0.0..=1.0, extra()).prop_map(
-        |(source, stiffness, volume_fraction, extra)| {
+    let seam = proptest::option::of((1.001..10.0, extra()).prop_map(|(stretch, extra)| Seam { stretch, extra }));
+    (prop_oneof![rows, triangle], stiffness, 0.0..=1.0, seam, extra()).prop_map(
+        |(source, stiffness, volume_fraction, seam, extra)| {
             let sheet = Sheet::grid("sheet", Vec::new()).with_rest_shape(SheetRestShape::Flat);
-            Sheet { source, stiffness, volume_fraction, extra, ..sheet }
+            Sheet { source, stiffness, volume_fraction, seam, extra, ..sheet }
         },
     )
 }

@@ -123,6 +123,7 @@ fn numbers_out_of_range_are_refused() {
         ("/bodies/0/elements/0/points/1/1", json!(1e16), ["1e16", "m"]),
         ("/bodies/0/elements/0/activation/contract", json!(0.9), ["makes the element smaller", "-0.5 to 0.8"]),
         ("/bodies/0/elements/1/activation/turn_degrees", json!(400), ["is to turn by 200 degrees", "-170 to 170"]),
+        ("/bodies/2/sheets/0/seam/stretch", json!(1), ["1", "from 1.001 to 10"]),
         ("/bodies/0/elements/1/law/spring/stiffness", json!(-1), ["-1", "N m"]),
         ("/bodies/0/elements/2/law/tension_only/stiffness", json!(-1), ["-1", "N/m"]),
         ("/bodies/0/elements/3/law/muscle/width", json!(0), ["is not above zero", "above 0"]),
@@ -184,6 +185,10 @@ fn numbers_out_of_range_are_refused() {
     let weight = "/bodies/0/follows/2/select/skin_weight";
     refused_at("/bodies/0/follows/2/select", &json!({"skin_weight": 0.5}), weight, &["a cache has none"]);
     refused_at("/bodies/0/follows/2/paint", &json!([]), "/bodies/0/follows/2/select", &["nothing is", "dabs"]);
+    let mut seamed = every_field();
+    seamed.bodies[0].sheets[1].seam = seamed.bodies[2].sheets[0].seam.clone();
+    let message = seamed.validate().expect_err("it yields").to_string();
+    assert!(message.starts_with("/bodies/0/sheets/1/seam") && message.contains("flows or yields"), "{message}");
     let mut scene = every_field();
     let dab = scene.bodies[0].paint[0].clone();
     scene.bodies[0].paint = vec![dab; 10_001];

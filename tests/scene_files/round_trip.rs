@@ -294,12 +294,17 @@ fn body() -> impl Strategy<Value = Body> {
             mut material,
             initial,
             select,
-            (fibre, paint, pin, sheet, (element, follow)),
+            (fibre, paint, pin, mut sheet, (element, follow)),
             extra,
         )| {
             // A matrix that flows or yields keeps its share.
             if fibre.activation.as_ref().is_some_and(|acts| acts.volume_fraction.is_some()) {
                 (material.plasticity, material.viscosity) = (None, None);
+                sheet.seam = None;
+            }
+            // One that does does not tear.
+            if material.plasticity.is_some() || material.viscosity.is_some() {
+                sheet.seam = None;
             }
             Body {
                 id: "body \"\\ \u{1F9B4}\n".to_owned(),

@@ -137,6 +137,29 @@ fn what_a_sheet_is_like_is_changed_beside_the_views() {
 }
 
 #[test]
+fn a_sheet_is_made_a_seam_and_says_what_it_stands() {
+    let mut window = still();
+    draw_a_sheet(&mut window);
+    click(&mut window, "Seam");
+    assert_eq!(sheets(window.state())[0].seam.as_ref().map(|seam| seam.stretch), Some(1.3));
+    set(&mut window, "Tears past", "1.6");
+    assert_eq!(sheets(window.state())[0].seam.as_ref().map(|seam| seam.stretch), Some(1.6));
+    // What does not count is not shown.
+    assert!(window.query_by_label("Volume fraction").is_none() && window.query_by_label("Flat").is_none());
+    settle(&mut window);
+    let notes = window.state().published().status.notes.clone();
+    assert!(notes.iter().any(|note| note.contains("pairs of neighbours lie across the seam")), "{notes:?}");
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(sheets(window.state())[0].seam, None);
+    press_key(&mut window, Modifiers::COMMAND, Key::Y);
+    assert!(sheets(window.state())[0].seam.is_some());
+    click(&mut window, "Seam");
+    assert_eq!(sheets(window.state())[0].seam, None);
+    window.get_by_label("Volume fraction");
+}
+
+#[test]
 fn a_sheet_is_chosen_moved_hidden_copied_and_deleted() {
     let mut window = still();
     draw_a_sheet(&mut window);

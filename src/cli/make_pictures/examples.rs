@@ -27,7 +27,7 @@ const fn strip(name: &'static str, at: f64, until: f64) -> ExamplePicture {
 }
 
 /// Every scene that ships.
-pub(super) const EXAMPLES: [ExamplePicture; 87] = [
+pub(super) const EXAMPLES: [ExamplePicture; 91] = [
     strip("alive_ball", 0.5, 5.5),
     strip("alive_character", 0.4, 2.6),
     strip("alive_fish", 1.0, 3.0),
@@ -84,6 +84,10 @@ pub(super) const EXAMPLES: [ExamplePicture; 87] = [
     beside_start("plastic_wire", 2.3),
     beside_start("plastic_wire_without", 2.3),
     at("press_short_bar", 0.01),
+    at("regions_belly", 0.02),
+    at("regions_without", 0.02),
+    at("seam_tear", 0.45),
+    at("seam_without", 0.45),
     at("sheet_fin", 2.1),
     at("sheet_fin_without", 2.1),
     at("sheet_sandwich", 2.0),

@@ -5,16 +5,18 @@ use super::check::{At, Checked, Ids, direction, finite, fraction, not_negative, 
 use super::drives::still;
 use super::lines::stroke;
 use crate::scene::drive::CONTRACTION;
+use crate::scene::sheet::SEAM_STRETCH;
 use crate::scene::{
-    Drive, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, SharedDrive, Sheet, SheetActivation, SheetSource,
-    SheetStiffness, SheetTriangles, SweptStrokes,
+    Body, Drive, Fibre, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, Seam, SharedDrive, Sheet, SheetActivation,
+    SheetSource, SheetStiffness, SheetTriangles, SweptStrokes,
 };
 use std::collections::HashMap;
 
 /// Greatest Poisson's ratio in the surface.
 const MAX_POISSON: f64 = 0.49;
 
-pub(super) fn sheets(at: &At<'_>, sheets: &[Sheet], shared: &[SharedDrive]) -> Checked {
+pub(super) fn sheets(at: &At<'_>, body: &Body) -> Checked {
+    let (sheets, shared) = (&body.sheets, &body.drives);
     require(at, &[(); 0], sheets.len() <= MAX_SHEETS, &format!("has {} sheets", sheets.len()), || {
         format!("give at most {MAX_SHEETS}")
     })?;
@@ -28,8 +30,24 @@ pub(super) fn sheets(at: &At<'_>, sheets: &[Sheet], shared: &[SharedDrive]) -> C
         if let Some(of) = &sheet.activation {
             activation(&at.field("activation"), of, sheet, shared)?;
         }
+        if let Some(of) = &sheet.seam {
+            seam(&at.field("seam"), of, sheet, body)?;
+        }
     }
     Ok(())
+}
+
+fn seam(at: &At<'_>, of: &Seam, sheet: &Sheet, body: &Body) -> Checked {
+    let [least, most] = SEAM_STRETCH;
+    within(&at.field("stretch"), of.stretch, least, most, "")?;
+    let problem = "is of a sheet that acts, and a seam carries nothing";
+    require(at, of, sheet.activation.is_none(), problem, || "leave this or the sheet's activation out")?;
+    let is_elastic = body.material.plasticity.is_none() && body.material.viscosity.is_none();
+    let problem = "is of a body whose material flows or yields";
+    require(at, of, is_elastic, problem, || "leave this or the material's `plasticity` and `viscosity` out")?;
+    let thickens = |fibre: &Fibre| fibre.activation.as_ref().is_some_and(|of| of.volume_fraction.is_some());
+    let problem = "is of a body with a fibre whose volume fraction is driven";
+    require(at, of, !body.fibres.iter().any(thickens), problem, || "leave this or the fibre's `volume_fraction` out")
 }
 
 fn source(at: &At<'_>, source: &SheetSource) -> Checked {

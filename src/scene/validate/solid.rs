@@ -181,7 +181,7 @@ fn parts(at: &At<'_>, body: &Body) -> Checked {
             }
         }
     }
-    sheets(&at.field("sheets"), &body.sheets, &body.drives)?;
+    sheets(&at.field("sheets"), body)?;
     elements(&at.field("elements"), &body.elements, &body.drives)?;
     paint(&at.field("paint"), &body.paint)?;
     voids(&at.field("voids"), &body.voids)?;

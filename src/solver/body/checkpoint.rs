@@ -7,7 +7,7 @@ use crate::solver::forces::{Force, Grab, MatrixForce};
 use crate::solver::hand::Hand;
 use crate::solver::integrators::Integrator;
 use crate::solver::layers::Layers;
-use crate::solver::skin::Skin;
+use crate::solver::skin::{PartedSkin, Skin};
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -111,6 +111,7 @@ impl Body {
         self.divergence.clone_from(&kept.divergence);
         // A stopped body stands in its last good state; another takes its own at the start of the next frame.
         self.last_good.clone_from(&self.parts.state);
+        self.see_tears();
     }
 
     /// Memory that the body takes [bytes], about: its state and rest data.
@@ -123,7 +124,8 @@ impl Body {
         let sheets = self.parts.sheets.iter().flat_map(|sheet| &sheet.vertices);
         let vertices = self.parts.fibres.iter().flat_map(|fibre| &fibre.vertices).chain(sheets);
         let fibres: usize = vertices.map(|vertex| size_of_val(&*vertex.weights)).sum();
-        let skin = self.parts.skin.as_deref().map_or(0, Skin::bytes);
+        let skin = self.parts.skin.as_deref().map_or(0, Skin::bytes)
+            + self.parts.parted_skin.as_deref().map_or(0, PartedSkin::bytes);
         let springs = self.parts.layers.as_deref().map_or(0, Layers::bytes);
         // Twice the state: the last good one is kept, too.
         2 * particles + frames + forces + matrix.map_or(0, MatrixForce::shared_bytes) + fibres + skin + springs

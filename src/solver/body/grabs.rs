@@ -34,7 +34,7 @@ impl Body {
     /// The point of the skin's vertex, or of the particle where there is no skin; none if there is no such vertex. Of a
     /// vertex too far outside for particles to carry it there, the point that they do carry.
     pub fn point(&self, vertex: usize) -> Option<EmbeddingWeights> {
-        match &self.parts.skin {
+        match self.skin() {
             Some(skin) => skin.weights(vertex),
             None => (vertex < self.parts.state.len()).then(|| EmbeddingWeights::of_particle(vertex as u32)),
         }
@@ -42,6 +42,6 @@ impl Body {
 
     /// From [`Body::point`] to the skin's vertex itself [m]; zero where that is carried there, as nearly all are.
     pub(crate) fn arm(&self, vertex: usize) -> DVec3 {
-        self.parts.skin.as_ref().map_or(DVec3::ZERO, |skin| skin.arm(vertex, &self.parts.state.positions))
+        self.skin().map_or(DVec3::ZERO, |skin| skin.arm(vertex, &self.parts.state.positions))
     }
 }

@@ -5,7 +5,7 @@ use crate::solver::embedding::EmbeddingWeights;
 use crate::solver::forces::{ContactLaw, Force};
 use crate::solver::integrators::Integrator;
 use crate::solver::layers::Layers;
-use crate::solver::skin::Skin;
+use crate::solver::skin::{PartedSkin, Skin};
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -49,6 +49,8 @@ pub struct BodyParts {
     pub layers: Option<Arc<Layers>>,
     /// Render surface.
     pub skin: Option<Arc<Skin>>,
+    /// What that becomes where seams tear; none without any.
+    pub parted_skin: Option<Arc<PartedSkin>>,
     /// Distance [m] that no particle may cross in one step against the body's mean motion.
     pub reach: f64,
     /// Force [N] and energy [J] scales below which the body counts as at rest.

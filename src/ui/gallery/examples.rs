@@ -142,6 +142,10 @@ examples! {
     Matter "sheet_sandwich_without", "The bar without sheets", "": "Alone it hangs down.";
     Matter "sheet_fin", "A beating fin", "": "Two sheets carry it and pull in turns: it beats up and down.";
     Matter "sheet_fin_without", "The fin without sheets", "": "Nothing carries it: it hangs down.";
+    Matter "seam_tear", "A strip that tears", "": "It is torn off along a wavy line that was drawn through it.";
+    Matter "seam_without", "The strip without a seam", "": "Bent as far, it stays whole.";
+    Matter "regions_belly", "A soft belly", "": "Under a hard shell: it lands, bulges, and the shell holds.";
+    Matter "regions_without", "A block of one material", "": "It lands as fast and is squeezed evenly.";
     Matter "plastic_dent", "A dent in clay", "": "A stamp leaves a dent that stays.";
     Matter "plastic_dent_without", "No dent in rubber", "": "The same stamp: all of it springs back.";
     Matter "plastic_wire", "A bent wire", "": "The wire in the arm yields: the arm keeps its pose.";

@@ -52,7 +52,8 @@
 //!   body, R_b and its mean place, which stay f64, and forces are summed in its axes. So numbers are as small as the
 //!   deformation, and so are their errors; a body that flies, spins or rests unstrained is exact.
 //! - *pair list*: particle by particle through its neighbours, four to five times slower. It takes any spacing, says in
-//!   few lines what is computed, and is what the stencil is held against.
+//!   few lines what is computed, and is what the stencil is held against. Beside seams it is that of the bonds that are
+//!   left ([`seams`]), whatever the rest is computed by.
 //!
 //! The words of the stencil, on one layer of a lattice:
 //!
@@ -89,6 +90,7 @@ mod mean_rotation;
 mod pair_list;
 mod reference;
 mod regions;
+mod seams;
 mod stencil;
 mod thinning;
 mod von_mises;
@@ -98,4 +100,6 @@ pub use evaluation::EvaluationKind;
 pub(crate) use flow_rule::{Plasticity, Viscosity};
 pub use force::MatrixForce;
 pub(crate) use inelastic::{Inelastic, InelasticLaw};
+pub(crate) use seams::SeamBonds;
+pub use seams::SeamTear;
 pub(crate) use thinning::MatrixThinning;

@@ -41,16 +41,15 @@ impl MatrixForce {
 
     /// Volume of the body as it is now [m³]: of each particle its share of V times det F.
     pub(in crate::solver) fn present_volume(&self, positions: &[DVec3]) -> f64 {
-        let grown = (0..positions.len()).map(|i| {
-            self.reference.volume_share(i) * self.reference.deformation_gradient(i, positions).0.determinant()
-        });
+        let grown = (0..positions.len())
+            .map(|i| self.reference.volume_share(i) * self.deformation_gradient(i, positions).determinant());
         self.reference.volume * grown.sum::<f64>()
     }
 
     /// Mean of a number of the particle, its corotated strain and its rotation.
     fn mean(&self, group: &[u32], positions: &[DVec3], read: impl Fn(usize, DMat3, DMat3) -> f64) -> f64 {
         let each = group.iter().map(|&i| {
-            let (f, _) = self.reference.deformation_gradient(i as usize, positions);
+            let f = self.deformation_gradient(i as usize, positions);
             let rotation = DMat3::from_quat(nearest_rotation(f, self.rotation(i as usize)));
             read(i as usize, corotated_strain(f, rotation), rotation)
         });

@@ -13,7 +13,7 @@ impl MatrixForce {
             .into_par_iter()
             .with_min_len(CHUNK)
             .map(|i| {
-                let (f, _) = self.reference.deformation_gradient(i, positions);
+                let f = self.deformation_gradient(i, positions);
                 let rotation = DMat3::from_quat(nearest_rotation(f, self.rotation(i)));
                 von_mises_strain(corotated_strain(f, rotation))
             })

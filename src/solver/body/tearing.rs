@@ -1,0 +1,34 @@
+//! Seams of a body that tear, and its skin along them.
+
+use super::Body;
+use crate::solver::forces::{MatrixForce, SeamTear};
+use crate::solver::skin::{Skin, TornSkin};
+use std::sync::Arc;
+
+impl Body {
+    /// What has become of the seams of its matrix that lie in it, in the order of the scene.
+    pub fn tears(&self) -> &[SeamTear] {
+        self.matrix().map_or(&[], MatrixForce::tears)
+    }
+
+    /// The matrix of a fibre solid.
+    fn matrix(&self) -> Option<&MatrixForce> {
+        self.parts.forces.iter().find_map(|force| force.downcast_ref())
+    }
+
+    /// The surface that is drawn, as it is torn by now.
+    pub(crate) fn skin(&self) -> Option<&Arc<Skin>> {
+        self.torn_skin.as_ref().map(|of| &of.skin).or(self.parts.skin.as_ref())
+    }
+
+    /// Has the skin show what is torn by now.
+    pub(in crate::solver) fn see_tears(&mut self) {
+        let Some(parted) = self.parts.parted_skin.clone() else { return };
+        let torn = self.matrix().map_or(&[][..], MatrixForce::torn);
+        if !torn.contains(&true) {
+            self.torn_skin = None;
+        } else if self.torn_skin.as_ref().is_none_or(|of| of.torn != torn) {
+            self.torn_skin = Some(TornSkin { torn: torn.to_vec(), skin: Arc::new(parted.at(torn)) });
+        }
+    }
+}

@@ -71,7 +71,7 @@ impl MatrixForce {
             None => all,
             Some(by) => all.iter().zip(by.iter()).map(|(share, by)| share * by).collect(),
         };
-        let matrix_fraction = times(times(matrix_fraction, &stiffening), &volume_shares);
+        let matrix_weight = times(times(matrix_fraction, &stiffening), &volume_shares);
         let positions = rest;
         Self::of(
             ReferenceConfiguration {
@@ -79,7 +79,7 @@ impl MatrixForce {
                 positions,
                 elasticity,
                 volume,
-                matrix_fraction,
+                matrix_weight,
                 stiffening,
                 volume_shares,
             },
@@ -145,14 +145,14 @@ impl MatrixForce {
 
     /// Fibre fraction `l_i` of every particle.
     pub fn fibre_fractions(&self) -> Vec<f64> {
-        let of = |i: usize| 1.0 - self.reference.share(i) / self.reference.volume_share(i);
+        let of = |i: usize| 1.0 - self.reference.matrix_share(i) / self.reference.volume_share(i);
         (0..self.reference.positions.len()).map(of).collect()
     }
 
     /// Memory of the rest data, which copies share [bytes].
     pub(in crate::solver) fn shared_bytes(&self) -> usize {
-        let ReferenceConfiguration { neighbourhood, positions, matrix_fraction, .. } = &self.reference;
-        neighbourhood.bytes() + size_of_val(&**positions) + size_of_val(&**matrix_fraction)
+        let ReferenceConfiguration { neighbourhood, positions, matrix_weight, .. } = &self.reference;
+        neighbourhood.bytes() + size_of_val(&**positions) + size_of_val(&**matrix_weight)
     }
 
     /// Whether it is computed by a stencil, not from the pair list.

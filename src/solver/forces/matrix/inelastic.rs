@@ -127,14 +127,14 @@ impl Inelastic {
         let g = r.transpose() * f;
         let stretch = 0.5 * (g + g.transpose());
         let compliance = turn_compliance(stretch);
-        let share = volume * self.reference.share(i);
+        let volume_of_matrix = volume * self.reference.matrix_share(i);
         let mut sigma = DMat3::ZERO;
         if let Some(plastic) = self.plastic.get(i) {
             sigma -= 2.0 * self.mu(i) * plastic.matrix();
         }
         let Some(viscosity) = self.law.viscosity else {
             let p = r * (sigma + crossing(turning_part(stretch, sigma, compliance)));
-            return Felt { q: share * p * inverse, ..Felt::default() };
+            return Felt { q: volume_of_matrix * p * inverse, ..Felt::default() };
         };
         let turned = r.transpose() * rate;
         let om = compliance * vee(turned);
@@ -159,10 +159,11 @@ impl Inelastic {
         let torque = a * torque + beta * sum.cross(rate_sum);
         let along = compliance * (r.transpose() * torque);
         let p = r * (sigma + crossing(turning_part(stretch, sigma, compliance)) - crossing(along));
-        let al = share * a;
-        let y = share * beta * rate_sum;
-        let q = (share * p - outer(y, rest.weighted_sum[i])) * inverse - al * (rate - crossing(om) * f);
-        let power = share * (double_dot(viscous, of_stretch) + a * square + beta * rate_sum.length_squared());
+        let al = volume_of_matrix * a;
+        let y = volume_of_matrix * beta * rate_sum;
+        let q = (volume_of_matrix * p - outer(y, rest.weighted_sum[i])) * inverse - al * (rate - crossing(om) * f);
+        let power =
+            volume_of_matrix * (double_dot(viscous, of_stretch) + a * square + beta * rate_sum.length_squared());
         Felt { q, turning: al * om, y, al, power }
     }
 
@@ -194,7 +195,7 @@ impl Inelastic {
             .map(|i| {
                 let mut plastic = this.plastic[i];
                 let density = plastic.yields(this.strain(i, positions), this.mu(i), law, dt);
-                (plastic, density * this.reference.volume * this.reference.share(i))
+                (plastic, density * this.reference.volume * this.reference.matrix_share(i))
             })
             .collect();
         let lost = after.iter().map(|(_, lost)| lost).sum();
@@ -237,7 +238,7 @@ impl Force for Inelastic {
         let of = |i: usize| {
             let plastic = self.plastic[i].matrix();
             let density = double_dot(plastic, plastic) - 2.0 * double_dot(self.strain(i, &state.positions), plastic);
-            self.mu(i) * density * self.reference.volume * self.reference.share(i)
+            self.mu(i) * density * self.reference.volume * self.reference.matrix_share(i)
         };
         let each: Vec<f64> = (0..state.len()).into_par_iter().with_min_len(CHUNK).map(of).collect();
         energies.matrix += each.iter().sum::<f64>();

@@ -144,19 +144,19 @@ impl PairListPasses<'_> {
         own: &mut [DVec3],
     ) {
         for (k, rotation) in rotations.iter_mut().enumerate() {
-            let share = self.reference.matrix_fraction[first + k];
-            (stresses[k], own[k]) = self.stress(simd, first + k, share, rotation);
+            let weight = self.reference.matrix_weight[first + k];
+            (stresses[k], own[k]) = self.stress(simd, first + k, weight, rotation);
         }
     }
 
-    /// The same of particle i, where this share of the material is matrix; and the part of its force that is its own
+    /// The same of particle i, of this matrix weight; and the part of its force that is its own
     /// [N].
     #[inline(always)]
     pub(super) fn stress<S: Simd>(
         &self,
         simd: S,
         i: usize,
-        share: f64,
+        matrix_weight: f64,
         rotation: &mut DQuat,
     ) -> (ParticleStress, DVec3) {
         let here = f64x4::simd_from(simd, self.deviations[i]);
@@ -170,7 +170,7 @@ impl PairListPasses<'_> {
             sum = u.mul_add(f64x4::splat(simd, bond.weight), sum);
         }
         let moment = DMat3::from_cols(vec3(c0), vec3(c1), vec3(c2));
-        self.finish((i, share), moment, vec3(sum), rotation)
+        self.finish((i, matrix_weight), moment, vec3(sum), rotation)
     }
 
     /// Deviation of particle i [m].
@@ -183,7 +183,7 @@ impl PairListPasses<'_> {
     #[inline]
     fn finish(
         &self,
-        (i, share): (usize, f64),
+        (i, matrix_weight): (usize, f64),
         moment: DMat3,
         sum: DVec3,
         rotation: &mut DQuat,
@@ -196,7 +196,7 @@ impl PairListPasses<'_> {
         let residual_sum = sum - g * weighted_sum;
         *rotation = nearest_rotation(f, *rotation);
         let (stress, _) = elasticity.stress(f, DMat3::from_quat(*rotation));
-        let scale = share * volume;
+        let scale = matrix_weight * volume;
         let Elasticity { residual_penalty: a, sum_penalty: beta, .. } = *elasticity;
         let q = scale * (stress * inverse - a * g - beta * outer(residual_sum, inverse * weighted_sum));
         let y = scale * beta * residual_sum;

@@ -18,7 +18,7 @@ pub(super) struct ReferenceConfiguration {
     pub(super) volume: f64,
     /// Matrix fraction of every particle, `s_i = 1 - l_i`, times the stiffening there and the share of V that it counts
     /// as.
-    pub(super) matrix_fraction: Arc<[f64]>,
+    pub(super) matrix_weight: Arc<[f64]>,
     /// By how much the matrix is stiffer at every particle than `elasticity`; nowhere unless given.
     pub(super) stiffening: Option<Arc<[f64]>>,
     /// Share of V that every particle counts as; all of it unless given.
@@ -48,22 +48,22 @@ impl ReferenceConfiguration {
         self.volume_shares.as_ref().map_or(1.0, |shares| shares[i])
     }
 
-    /// What the share of matrix at particle i is multiplied by.
+    /// What the matrix fraction at particle i is multiplied by.
     pub(super) fn weight(&self, i: usize) -> f64 {
         self.stiffening(i) * self.volume_share(i)
     }
 
-    /// Share of matrix in the material at particle i, of the V that it counts as.
-    pub(super) fn share(&self, i: usize) -> f64 {
+    /// Matrix fraction at particle i times the share of V that it counts as.
+    pub(super) fn matrix_share(&self, i: usize) -> f64 {
         match &self.stiffening {
-            None => self.matrix_fraction[i],
-            Some(stiffening) => self.matrix_fraction[i] / stiffening[i],
+            None => self.matrix_weight[i],
+            Some(stiffening) => self.matrix_weight[i] / stiffening[i],
         }
     }
 
     /// Elastic and zero-energy energy of particle i [J], whose rotation is near `start`.
     pub(super) fn energy(&self, i: usize, positions: &[DVec3], start: DQuat) -> (f64, f64) {
-        let scale = self.matrix_fraction[i] * self.volume;
+        let scale = self.matrix_weight[i] * self.volume;
         let (elastic, zero_energy) = self.densities(i, positions, start);
         (scale * elastic, scale * zero_energy)
     }

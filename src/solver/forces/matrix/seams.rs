@@ -151,11 +151,11 @@ impl Seams {
 
     /// What is left of a reference configuration without these particles: they have no share in it.
     pub(super) fn others(&self, reference: &ReferenceConfiguration) -> ReferenceConfiguration {
-        let mut shares = reference.matrix_fraction.to_vec();
+        let mut weights = reference.matrix_weight.to_vec();
         for &i in &self.fixed.particles {
-            shares[i as usize] = 0.0;
+            weights[i as usize] = 0.0;
         }
-        ReferenceConfiguration { matrix_fraction: shares.into(), ..reference.clone() }
+        ReferenceConfiguration { matrix_weight: weights.into(), ..reference.clone() }
     }
 
     /// The place of a particle among those beside seams, if it is one.
@@ -213,8 +213,8 @@ impl Seams {
         let passes = PairListPasses { reference, body_turn, deviations };
         let level = self.level;
         let stress_of = |(&i, rotation): (&u32, &mut DQuat)| {
-            let share = reference.matrix_fraction[i as usize];
-            dispatch!(level, simd => passes.stress(simd, i as usize, share, rotation))
+            let weight = reference.matrix_weight[i as usize];
+            dispatch!(level, simd => passes.stress(simd, i as usize, weight, rotation))
         };
         let each = particles.par_iter().zip(rotations.par_iter_mut()).with_min_len(CHUNK);
         each.map(stress_of).collect_into_vec(stresses);

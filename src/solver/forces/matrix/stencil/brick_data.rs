@@ -61,12 +61,12 @@ pub(super) fn rest_data<L: Lanes>(
 
 /// Volumes of matrix of all bricks.
 pub(super) fn matrix_volumes<L: Lanes>(reference: &ReferenceConfiguration, bricks: &Bricks) -> Vec<MatrixVolume<L>> {
-    let ReferenceConfiguration { neighbourhood, matrix_fraction, volume, .. } = reference;
+    let ReferenceConfiguration { neighbourhood, matrix_weight, volume, .. } = reference;
     let of_brick = |brick: usize| {
         let mut matrix = MatrixVolume::<L>::default();
         for (lane, i) in present(bricks.particles(brick)) {
-            let around: f64 = neighbourhood.bonds(i).map(|(j, bond)| bond.weight * matrix_fraction[j]).sum();
-            matrix.own.set(lane, volume * matrix_fraction[i]);
+            let around: f64 = neighbourhood.bonds(i).map(|(j, bond)| bond.weight * matrix_weight[j]).sum();
+            matrix.own.set(lane, volume * matrix_weight[i]);
             matrix.around.set(lane, volume * around);
         }
         matrix

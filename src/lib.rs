@@ -124,7 +124,7 @@
 //! | what does not spring back | `solver::forces::matrix` (`inelastic`, `flow_rule`), `solver::forces::fibre::yielding` |
 //! | implicit steps: the matrix, how a stage is solved, what becomes of one that is not | `solver::implicit` |
 //! | what bodies follow: how particles are bound, where they are led, springs | `bake::follows`, `solver::led`, `solver::forces::LedSprings`; `geometry::skeleton`, `geometry::point_cache` |
-//! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact` |
+//! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact`, by `solver::contact_surface` |
 //! | contact of a body with itself | `solver::forces::SelfContact`; which particles can touch: `bake::self_contact` |
 //! | colliders: how far a point is from one; where they are; how bodies touch them | `geometry::obstacle`; `solver::collider`; `solver::forces::ColliderContact` |
 //! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::easing`; what is said of it: `bake::overlaps` |

@@ -1,5 +1,6 @@
 //! One body of the scene: particles, forces, start, stable step.
 
+use super::contact_surface::contact_surface;
 use super::draft::Draft;
 use super::elements::{self, OwnElements};
 use super::error::BakeError;
@@ -133,6 +134,7 @@ pub(super) fn draft(
         integrator_reason: stepping.reason,
         constraints,
         contact: law,
+        contact_surface: contact_surface(scene, sample, &sampling.hollows, skin.as_deref()),
         fibres: placed.iter().map(PlacedFibre::line).collect(),
         sheets: surfaces.iter().map(|of| of.surface(body)).collect(),
         elements: lines,

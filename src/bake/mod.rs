@@ -3,6 +3,7 @@
 
 mod body;
 mod colliders;
+mod contact_surface;
 mod draft;
 mod drives;
 mod elements;

@@ -116,6 +116,7 @@ pub(super) fn draft(
         integrator_reason: None,
         constraints,
         contact: law,
+        contact_surface: None,
         fibres: Vec::new(),
         sheets: Vec::new(),
         elements: Vec::new(),

@@ -24,6 +24,7 @@ use super::energy::Energies;
 use super::forces::fibre::breaking::FibreBreak;
 use super::forces::{Contact, Force, Grab, Inelastic, Plane};
 use super::integrators::Integrator;
+use super::scratch::Scratch;
 use super::shared_drive::SharedDrive;
 use super::skin::TornSkin;
 use super::state::ParticleState;
@@ -55,6 +56,8 @@ pub struct Body {
     evaluations: u64,
     fallbacks: Fallbacks,
     last_good: ParticleState,
+    /// Where the particles were when the outer step began [m], of a body that meets others by its surface.
+    began: Scratch<Vec<DVec3>>,
     divergence: Option<Divergence>,
     shared: Vec<SharedDrive>,
     /// The skin where seams are torn; none while all are whole.
@@ -79,6 +82,7 @@ impl Body {
             evaluations: 0,
             fallbacks: Fallbacks::default(),
             last_good: parts.state.clone(),
+            began: Scratch::default(),
             divergence: None,
             shared: Vec::new(),
             torn_skin: None,
@@ -268,6 +272,18 @@ impl Body {
         let masses = &self.parts.state.masses;
         let change = self.external_forces.iter().zip(masses).map(|(&force, &mass)| force * (dt / mass)).collect();
         self.given.by_others += self.change_velocities(change);
+    }
+
+    /// Takes note of where the particles are as an outer step begins.
+    pub(super) fn begin_outer_step(&mut self) {
+        if self.parts.contact_surface.is_some() {
+            Vec::clone_from(&mut self.began, &self.parts.state.positions);
+        }
+    }
+
+    /// How far a particle has moved since then [m].
+    pub(super) fn moved(&self, i: usize) -> DVec3 {
+        self.began.get(i).map_or(DVec3::ZERO, |&began| self.parts.state.positions[i] - began)
     }
 
     /// Remembers the present state as good.

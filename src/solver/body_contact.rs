@@ -2,13 +2,25 @@
 //! of an outer step, equal and opposite, and given as impulses by the [`super::world`]. It is no force of either body's
 //! list.
 //!
-//! A fibre solid is a heap of balls, one around each particle. A two-layer body is the surface of its outer layer,
-//! whose particles are points. What is pushed with a normal force keeps both momenta of the pair; friction acts at the
-//! particle's centre, and so with the lever of its radius (zero for points) against the angular one.
+//! Fibre solids meet by their surfaces ([`solids`]). A two-layer body is the surface of its outer layer, whose
+//! particles are points; for it a fibre solid is a heap of balls, one around each particle. What is pushed with a
+//! normal force keeps both momenta of the pair. Friction between solids acts where their surfaces meet, with the moment
+//! that it has about the particles that take it up ([`lever`]), and keeps them, too; that on a heap of balls acts at
+//! the centre of the ball, and so with the lever of its radius (zero for points) against the angular momentum.
 //!
 //! Bodies that overlap at the start are granted an [`Allowance`]: contact is found as if each touch were less deep, or
 //! as if one body stood aside, so far that the two just touch. Standing aside, a push across that way has a lever about
 //! the place aside, and the pair's angular momentum changes by it; its linear momentum never does.
+
+mod lever;
+mod solids;
+mod touch;
+
+pub(super) use touch::{Allowance, Touch};
+
+use lever::Turning;
+use solids::{Solid, balls_on_surface};
+use touch::Aabb;
 
 use super::body::Body;
 use super::forces::pressure::Surface;
@@ -16,45 +28,10 @@ use super::forces::{ContactLaw, Grip};
 use crate::geometry::closest::{closest_on_segment, closest_on_triangle};
 use crate::geometry::neighbours::PointGrid;
 use glam::DVec3;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Points nearer than this share of the distance to two faces count as between them.
 const SAME: f64 = 1e-9;
-
-/// What two bodies that overlapped at the start are still granted.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Allowance {
-    /// How far the first body stands aside of where it is [m], as far as contact is concerned.
-    pub(super) aside: DVec3,
-    /// Rate of that [m/s].
-    pub(super) aside_rate: DVec3,
-    /// Depth [m] that every touch is granted.
-    pub(super) depth: f64,
-    /// Rate of that [m/s].
-    pub(super) depth_rate: f64,
-}
-
-impl Allowance {
-    /// The same, seen from the second body: it stands aside the other way.
-    fn seen_by_second(self) -> Self {
-        Self { aside: -self.aside, aside_rate: -self.aside_rate, ..self }
-    }
-}
-
-/// A particle of one body that touches the other.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Touch {
-    /// Whether the particle is one of the second body.
-    of_second: bool,
-    particle: u32,
-    /// What it touches: particles of the other body and their weights, of which the first `carriers` count.
-    carried_by: [(u32, f64); 3],
-    carriers: usize,
-    /// Distance [m], granted depth included.
-    pub(super) gap: f64,
-    /// Unit vector from what is touched to the particle.
-    pub(super) normal: DVec3,
-    velocity: DVec3,
-}
 
 /// Two particles that touch, or a particle that touches a surface: whether it is one of the second body, its index, and
 /// the other's.
@@ -63,13 +40,17 @@ pub(super) type TouchKey = (bool, u32, Option<u32>);
 /// Adds to the external forces of two bodies what they push on each other with over the next outer step, `dt` [s] after
 /// this was last done. What they hold on to is kept as stretches.
 pub(super) fn add_body_contact(a: &mut Body, b: &mut Body, allowance: &Allowance, grip: &mut Grip<TouchKey>, dt: f64) {
-    let law = together(&a.parts().contact, &b.parts().contact);
-    let heaps = are_heaps(a, b);
+    let mut law = together(&a.parts().contact, &b.parts().contact);
+    if meet_by_surfaces(a, b) {
+        law = of_a_side(law);
+    }
+    let heaps = are_heaps(a, b) && !meet_by_surfaces(a, b);
     let mut held = Vec::new();
     for touch in touches(a, b, &law, allowance) {
         let (one, other) = if touch.of_second { (&mut *b, &mut *a) } else { (&mut *a, &mut *b) };
         let key = (touch.of_second, touch.particle, heaps.then_some(touch.carried_by[0].0));
-        let stretch = grip.of(key).map_or(DVec3::ZERO, |stretch| stretch + dt * touch.velocity);
+        let slid = touch.meeting.map_or(dt * touch.velocity, |of| of.slid);
+        let stretch = grip.of(key).map_or(DVec3::ZERO, |stretch| stretch + slid);
         let stretch = stretch.reject_from_normalized(touch.normal);
         let force = law.force(touch.gap, touch.normal, touch.velocity, stretch);
         let kept = law.dragged(touch.gap, touch.normal, touch.velocity, stretch);
@@ -78,25 +59,74 @@ pub(super) fn add_body_contact(a: &mut Body, b: &mut Body, allowance: &Allowance
         for &(k, w) in &touch.carried_by[..touch.carriers] {
             other.add_external_force(k as usize, -w * force);
         }
+        if let Some(meeting) = touch.meeting {
+            turn(one, other, &touch, meeting.levers, force);
+        }
         share(one, other, law.energy(touch.gap, stretch));
     }
     grip.renew(held);
 }
 
+/// Adds the moments that friction has about the particles that take it up: the force on the one acts where the surfaces
+/// meet, and so does that on the other.
+fn turn(one: &mut Body, other: &mut Body, touch: &Touch, levers: [f64; 2], force: DVec3) {
+    let along = force.reject_from_normalized(touch.normal);
+    if along == DVec3::ZERO {
+        return;
+    }
+    let face = touch.carried_by.map(|(k, _)| k);
+    let around: Vec<u32> =
+        one.parts().contact_surface.iter().flat_map(|of| of.around(touch.particle).to_vec()).collect();
+    let turned = Turning::of(&around, &one.state().positions);
+    let carrying = Turning::of(&face, &other.state().positions);
+    // What cannot be turned leaves the whole moment to the other.
+    let [near, far] = match (&turned, &carrying) {
+        (Some(_), Some(_)) => levers,
+        (Some(_), None) => [levers[0] + levers[1], 0.0],
+        _ => [0.0, levers[0] + levers[1]],
+    };
+    let moments = [-near * touch.normal.cross(along), -far * touch.normal.cross(along)];
+    let forces = [
+        turned.map_or_else(Vec::new, |turning| turning.forces(moments[0], &one.state().positions)),
+        carrying.map_or_else(Vec::new, |turning| turning.forces(moments[1], &other.state().positions)),
+    ];
+    for (body, forces) in [one, other].into_iter().zip(forces) {
+        for (k, force) in forces {
+            body.add_external_force(k as usize, force);
+        }
+    }
+}
+
 /// Where two bodies touch, in a fixed order.
 pub(super) fn touches(a: &Body, b: &Body, law: &ContactLaw, allowance: &Allowance) -> Vec<Touch> {
-    let Some(overlap) = bounds_overlap(a, b, law.radius, allowance.aside) else { return Vec::new() };
+    let solids = solids(a, b);
+    let reach = solids.map_or(law.radius, |[a, b]| law.radius.max(a.surface.largest + b.surface.largest));
+    let Some(overlap) = bounds_overlap(a, b, reach, allowance.aside) else { return Vec::new() };
     let mut found = Vec::new();
-    if are_heaps(a, b) {
+    if are_heaps(a, b) && solids.is_none() {
         balls_on_balls(a, b, law, &overlap, allowance, &mut found);
+        return found;
+    }
+    let beside = Aabb { min: overlap.min - allowance.aside, max: overlap.max - allowance.aside };
+    let second = allowance.seen_by_second();
+    let first = if let Some([a, b]) = solids {
+        balls_on_surface(a, b, law, &overlap, allowance, &mut found);
+        let first = found.len();
+        balls_on_surface(b, a, law, &beside, &second, &mut found);
+        first
     } else {
         points_on_surface(a, b, law, &overlap, allowance, &mut found);
         let first = found.len();
-        let beside = Aabb { min: overlap.min - allowance.aside, max: overlap.max - allowance.aside };
-        points_on_surface(b, a, law, &beside, &allowance.seen_by_second(), &mut found);
-        found[first..].iter_mut().for_each(|touch| touch.of_second = true);
-    }
+        points_on_surface(b, a, law, &beside, &second, &mut found);
+        first
+    };
+    found[first..].iter_mut().for_each(|touch| touch.of_second = true);
     found
+}
+
+/// Two fibre solids that meet by their surfaces; none of other bodies.
+fn solids<'a>(a: &'a Body, b: &'a Body) -> Option<[Solid<'a>; 2]> {
+    Some([Solid::of(a)?, Solid::of(b)?])
 }
 
 /// Whether two bodies touch as heaps of balls, and not by points and surfaces.
@@ -106,6 +136,18 @@ pub(super) fn are_heaps(a: &Body, b: &Body) -> bool {
         (Some(surface), None) | (None, Some(surface)) => !matches!(surface, OuterSurface::Faces(_)),
         _ => false,
     }
+}
+
+/// The law of the particles of one of two bodies that meet by their surfaces, where those of the other push as well.
+/// Along the surface both sides together are as stiff as two balls; across it they are as stiff as one against a wall,
+/// and as near to critical damping as two balls.
+fn of_a_side(law: ContactLaw) -> ContactLaw {
+    ContactLaw { damping: FRAC_1_SQRT_2 * law.damping, sticking: 0.5 * law.sticking, holding: 0.5 * law.holding, ..law }
+}
+
+/// Whether two bodies are fibre solids that meet by their surfaces.
+pub(super) fn meet_by_surfaces(a: &Body, b: &Body) -> bool {
+    solids(a, b).is_some()
 }
 
 /// Stiffness [N/m] with which particles of two bodies push on each other.
@@ -123,18 +165,6 @@ pub(super) fn together(a: &ContactLaw, b: &ContactLaw) -> ContactLaw {
         friction: (a.friction * b.friction).sqrt(),
         sticking: series(a.sticking, b.sticking),
         holding: series(a.holding, b.holding),
-    }
-}
-
-/// A box along the world's axes.
-struct Aabb {
-    min: DVec3,
-    max: DVec3,
-}
-
-impl Aabb {
-    fn contains(&self, x: DVec3) -> bool {
-        x.cmpge(self.min).all() && x.cmple(self.max).all()
     }
 }
 
@@ -204,6 +234,7 @@ fn balls_on_balls(a: &Body, b: &Body, law: &ContactLaw, overlap: &Aabb, allowanc
                 gap: line.length() + allowance.depth,
                 normal,
                 velocity: velocity + allowance.aside_rate + allowance.depth_rate * normal,
+                meeting: None,
             });
         }
     }
@@ -298,6 +329,7 @@ fn touch<const N: usize>(
         gap,
         normal: along,
         velocity: velocity + allowance.aside_rate + allowance.depth_rate * along,
+        meeting: None,
     })
 }
 

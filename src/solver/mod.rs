@@ -10,6 +10,7 @@ pub(crate) mod body;
 pub(crate) mod body_contact;
 pub(crate) mod collider;
 pub(crate) mod constraint;
+pub(crate) mod contact_surface;
 pub(crate) mod drive;
 pub(crate) mod drive_along;
 pub(crate) mod driven;

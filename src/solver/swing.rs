@@ -67,6 +67,7 @@ fn oscillator(integrator: Box<dyn Integrator>, omega: f64, dt: f64) -> Body {
         integrator_reason: None,
         constraints: Vec::new(),
         contact: ContactLaw { radius: 0.0, stiffness: 0.0, damping: 0.0, friction: 0.0, sticking: 0.0, holding: 0.0 },
+        contact_surface: None,
         fibres: Vec::new(),
         sheets: Vec::new(),
         elements: Vec::new(),

@@ -5,7 +5,9 @@
 //! it. The first length that is in none of the stretches is the way out.
 
 use super::body::Body;
-use super::body_contact::{Allowance, OuterSurface, are_heaps, outer_surface, together, touches, touching_count};
+use super::body_contact::{
+    Allowance, OuterSurface, are_heaps, meet_by_surfaces, outer_surface, together, touches, touching_count,
+};
 use crate::geometry::neighbours::PointGrid;
 use glam::{BVec3, DVec3};
 
@@ -46,7 +48,7 @@ pub(super) fn way_out(a: &Body, b: &Body, slack: f64) -> Option<WayOut> {
     let push: DVec3 = found.iter().map(|touch| touch.normal).sum();
     let mut best: Option<(DVec3, f64)> = None;
     for along in directions(a, b, push) {
-        let distance = distance_out(a, b, along, reach, slack);
+        let distance = touching_on(a, b, along, distance_out(a, b, along, reach, slack), slack);
         if distance <= slack {
             return None;
         }
@@ -162,6 +164,26 @@ fn distance_out(a: &Body, b: &Body, along: DVec3, reach: f64, slack: f64) -> f64
         cover_surface(b, a, -along, reach - slack, &mut stretches);
     }
     stretches.first_free()
+}
+
+/// How far the first body has to go along a unit vector, from `distance` [m] on, until it no longer touches the second
+/// [m]: surfaces of fibre solids have no hollows between the balls of their particles.
+fn touching_on(a: &Body, b: &Body, along: DVec3, mut distance: f64, slack: f64) -> f64 {
+    /// Steps by the depth of the deepest touch; one that slants is left after a few.
+    const STEPS: u32 = 8;
+    let law = together(&a.parts().contact, &b.parts().contact);
+    if distance <= 0.0 || !meet_by_surfaces(a, b) {
+        return distance;
+    }
+    for _ in 0..STEPS {
+        let allowance = Allowance { aside: distance * along, ..Allowance::default() };
+        let depth = touches(a, b, &law, &allowance).iter().map(|touch| law.radius - touch.gap).fold(0.0, f64::max);
+        if depth <= slack {
+            break;
+        }
+        distance += depth;
+    }
+    distance
 }
 
 /// Covers the stretches over which a ball of the first overlaps one of the second.

@@ -291,6 +291,7 @@ impl World {
             return true;
         }
         if !self.contact_current {
+            self.bodies.iter_mut().for_each(Body::begin_outer_step);
             self.evaluate_contact(self.time(), 0.0);
         }
         self.work.begin(&self.bodies, (&self.panels, &self.lifts), self.time());
@@ -304,6 +305,7 @@ impl World {
             // Kick, drift, kick around the bodies' own steps: what rests under a load shows no velocity, and the
             // contact takes no energy.
             self.half_kick(time, outer_dt, &asleep);
+            self.bodies.iter_mut().for_each(Body::begin_outer_step);
             for panel in &mut self.panels {
                 panel.drift(time, outer_dt);
             }

@@ -40,6 +40,7 @@ mod stable_step;
 mod starts;
 mod stencil;
 mod step_parameters;
+mod surfaces;
 mod two_layer;
 mod two_layer_forces;
 mod two_layer_limits;

@@ -2,6 +2,7 @@
 
 use super::given::Given;
 use super::{Body, Divergence};
+use crate::solver::contact_surface::ContactSurface;
 use crate::solver::dynamics::Fallbacks;
 use crate::solver::forces::{Force, Grab, MatrixForce};
 use crate::solver::hand::Hand;
@@ -126,8 +127,16 @@ impl Body {
         let fibres: usize = vertices.map(|vertex| size_of_val(&*vertex.weights)).sum();
         let skin = self.parts.skin.as_deref().map_or(0, Skin::bytes)
             + self.parts.parted_skin.as_deref().map_or(0, PartedSkin::bytes);
+        let surface = self.parts.contact_surface.as_deref().map_or(0, ContactSurface::bytes);
         let springs = self.parts.layers.as_deref().map_or(0, Layers::bytes);
         // Twice the state: the last good one is kept, too.
-        2 * particles + frames + forces + matrix.map_or(0, MatrixForce::shared_bytes) + fibres + skin + springs
+        2 * particles
+            + frames
+            + forces
+            + matrix.map_or(0, MatrixForce::shared_bytes)
+            + fibres
+            + skin
+            + surface
+            + springs
     }
 }

@@ -1,6 +1,7 @@
 //! What bodies are put together from.
 
 use crate::solver::constraint::Constraint;
+use crate::solver::contact_surface::ContactSurface;
 use crate::solver::embedding::EmbeddingWeights;
 use crate::solver::forces::{ContactLaw, Force};
 use crate::solver::integrators::Integrator;
@@ -39,6 +40,8 @@ pub struct BodyParts {
     pub(crate) constraints: Vec<Constraint>,
     /// How it pushes on other things.
     pub(crate) contact: ContactLaw,
+    /// By what it meets other fibre solids; none where it does not.
+    pub(crate) contact_surface: Option<Arc<ContactSurface>>,
     /// Centre lines of the fibres, for drawing and counting.
     pub fibres: Vec<FibreLine>,
     /// Sheets, for drawing and counting.

@@ -6,10 +6,13 @@ use super::interruption::Interruption;
 use super::motion::{MotionOptions, told};
 use super::output;
 use super::picture::Look;
-use super::prepare::{Loaded, Sets, Span, Threads, bake_with_notes, frames_to, load, source_name, tell, word};
+use super::prepare::{
+    Loaded, Sets, Span, Threads, bake_with_notes, folder_of, frames_to, load, source_name, tell, word,
+};
 use super::repeat::{Repeated, Run, RunReport};
 use super::summary::summary;
 use super::{CliError, Console, Outcome};
+use crate::io::fingerprint;
 use crate::scene::{Assets, Scene};
 use crate::sim::{Report, Runner, TimeSeries};
 use crate::solver::world::World;
@@ -85,6 +88,8 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     let notes = loaded.notes(&baked);
     let Loaded { scene, assets, .. } = loaded;
     tell(&notes, console);
+    // Now, since files may change while it runs.
+    let scene_hash = fingerprint(&scene, folder_of(args.scene.as_deref()));
     let inputs = output::inputs(args.scene.as_deref(), &scene);
     output::check(&inputs, &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
 
@@ -105,7 +110,7 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     report.complete = !matches!(ran.end, RunEnd::Interrupted(_));
     let mut text = summary(&report, runner.world(), &source);
     let finite = outputs.is_finite(&report, console);
-    let run = Run::new(&scene, args.scene.as_ref(), &args.sets.sets, args.span.fps);
+    let run = Run::new(scene_hash.clone(), args.scene.as_ref(), &args.sets.sets, args.span.fps);
     let whole = RunReport { report: &report, run };
     let written = outputs.finish(args, finite.then_some(&whole), console)?;
     if !written.is_empty() {
@@ -116,7 +121,7 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
         console.warn(&"report and series are not written: they would hold what is no number");
     }
     console.print(&text)?;
-    let differs = repeated.is_some_and(|repeated| !repeated.compare(&scene, &report, console));
+    let differs = repeated.is_some_and(|repeated| !repeated.compare(&scene_hash, &report, console));
     Ok(match ran.end {
         RunEnd::Interrupted(signal) => Outcome::Interrupted(signal),
         _ if differs => Outcome::Differs,

@@ -31,6 +31,7 @@ mod printed;
 mod region_materials;
 mod rods;
 mod round;
+mod section_shapes;
 mod sections;
 mod self_contact;
 mod ship;

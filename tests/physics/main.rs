@@ -11,6 +11,7 @@ mod checkpoints;
 mod common;
 mod compared;
 mod conservation;
+mod counted;
 mod fast;
 mod feynman;
 mod fibres;

@@ -40,6 +40,14 @@ const STICKING: f64 = 0.5;
 /// Net force below which a particle counts as at rest, in units of E D².
 const REST_FORCE: f64 = 2e-7;
 
+/// What counts as at rest of particles so far apart [m], of such a volume [m³].
+fn rest_scale(young_modulus: f64, spacing: f64, volume: f64) -> RestScale {
+    RestScale {
+        force: REST_FORCE * young_modulus * spacing * spacing,
+        energy: REST_FORCE * REST_FORCE * young_modulus * volume,
+    }
+}
+
 pub(super) fn draft(
     scene: &Scene,
     body: &Body,
@@ -142,10 +150,7 @@ pub(super) fn draft(
         skin,
         parted_skin,
         reach: material.support_radius,
-        rest_scale: RestScale {
-            force: REST_FORCE * material.young_modulus * spacing * spacing,
-            energy: REST_FORCE * REST_FORCE * material.young_modulus * volume,
-        },
+        rest_scale: rest_scale(material.young_modulus, spacing, volume),
         mean_neighbours: neighbourhood.mean_neighbours(),
         dt: stable_dt,
         stable_dt,

@@ -3,7 +3,7 @@
 use super::error::BakeError;
 use super::mesh_filling::Meshed;
 use super::note::Note;
-use super::section_notes::{radius_note, section_notes};
+use super::section_notes::{Thinnest, radius_note, section_notes};
 use super::stage::{BakeStage, Tell};
 use super::voids::Hollowing;
 use crate::geometry::askew_box::AskewBox;
@@ -58,6 +58,9 @@ impl Source<'_> {
         }
     }
 }
+
+/// A section that is so much wider than thick is no compact one.
+const WIDE: f64 = 2.0;
 
 /// Share of the matter that lies at edges and tips, which are thinner than what they are at the edge of.
 const EDGES: f64 = 0.1;
@@ -281,11 +284,19 @@ impl ParticleSampling<'_> {
         self.drawn_surface().parted(seams, self.sample.spacing, &is_solid)
     }
 
-    /// Thickness of the thinnest part [m], but for edges and tips.
-    fn thickness(&self) -> f64 {
+    /// The thinnest part, but for edges and tips.
+    fn thinnest(&self) -> Thinnest {
         match &self.source {
-            Source::Box(solid) => solid.size.min_element(),
-            Source::Mesh(solid) => Thickness::of(solid).of_all_but(EDGES).unwrap_or_else(|| solid.size().min_element()),
+            Source::Box(solid) => {
+                let mut sides = solid.size.to_array();
+                sides.sort_by(f64::total_cmp);
+                Thinnest { thickness: sides[0], is_compact: sides[1] < WIDE * sides[0] }
+            }
+            Source::Mesh(solid) => {
+                let thickness = Thickness::of(solid).of_all_but(EDGES);
+                let thickness = thickness.unwrap_or_else(|| solid.size().min_element());
+                Thinnest { thickness, is_compact: false }
+            }
         }
     }
 
@@ -324,8 +335,7 @@ impl ParticleSampling<'_> {
                 warning: true,
             });
         }
-        let thickness = if self.shares.is_some() { self.thickness() } else { 0.0 };
-        notes.extend(section_notes(&self.sample, self.shares.as_ref(), thickness, path));
+        notes.extend(section_notes(&self.sample, self.shares.as_ref(), self.thinnest(), path));
         Ok(())
     }
 }

@@ -11,6 +11,12 @@ use glam::DVec3;
 const BENDING: f64 = 0.5;
 const TORSION: f64 = 0.45;
 
+/// The same of sections that are filled exactly by whole layers. Those about as wide as thick are met from three layers
+/// on.
+const WHOLE_BENDING: f64 = 0.27;
+const WHOLE_TORSION: f64 = 0.48;
+const COMPACT: f64 = 2.5;
+
 /// What is that near to theory, in per cent, is not said.
 const MET: f64 = 5.0;
 
@@ -25,12 +31,20 @@ pub(super) fn radius_note(body: &Body, sample: &LatticeSample, path: &str) -> Op
     (percent != 0.0).then(|| Note { path: format!("{path}/material/support_radius"), text: text(), warning: false })
 }
 
-/// How the lattice was stretched, and how far off a section may be whose particles stand for parts of cells, where the
-/// thinnest part is of this thickness [m].
+/// Where a shape is thinnest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Thinnest {
+    /// How thick it is there [m].
+    pub(super) thickness: f64,
+    /// Whether its section is a whole one, at most twice as wide as thick.
+    pub(super) is_compact: bool,
+}
+
+/// How the lattice was stretched, and how far off theory a section may be that is as thin as the shape ever is.
 pub(super) fn section_notes(
     sample: &LatticeSample,
     shares: Option<&CellShares>,
-    thickness: f64,
+    thinnest: Thinnest,
     path: &str,
 ) -> Vec<Note> {
     let mut notes = Vec::new();
@@ -42,21 +56,29 @@ pub(super) fn section_notes(
         let changed: Vec<String> = changed.map(along).collect();
         note(format!("its layers are made thicker by {}, to fit the shape", changed.join(", ")));
     }
-    if let Some(shares) = shares {
-        let layers = thickness / sample.cell_volume().cbrt();
-        let parts = shares.volumes.iter().filter(|volume| **volume != 1.0).count();
-        let [least, most] = shares.range();
-        let [bending, torsion] = [BENDING, TORSION].map(|of| 100.0 * of / layers);
-        let off = match (bending > MET, torsion > MET) {
+    let layers = thinnest.thickness / sample.cell_volume().cbrt();
+    let off = |of: [f64; 2]| {
+        let [bending, torsion] = of.map(|of| 100.0 * of / layers);
+        match (bending > MET, torsion > MET) {
             (true, _) => format!(", it may bend up to {bending:.0} % and twist up to {torsion:.0} % off theory"),
             (false, true) => format!(", it may twist up to {torsion:.0} % off theory"),
             (false, false) => String::new(),
-        };
+        }
+    };
+    if let Some(shares) = shares {
+        let parts = shares.volumes.iter().filter(|volume| **volume != 1.0).count();
+        let [least, most] = shares.range();
+        let off = off([BENDING, TORSION]);
         note(format!(
             "{parts} of {} particles stand for {least:.2} to {most:.2} of a cell, since its surface lies askew to their \
              lattice: {layers:.1} layers thick where it is thinnest{off}",
             sample.points.len()
         ));
+    } else {
+        let off = off([WHOLE_BENDING, WHOLE_TORSION]);
+        if !off.is_empty() && !(thinnest.is_compact && layers > COMPACT) {
+            note(format!("it is filled by whole layers, {layers:.1} of them where it is thinnest{off}"));
+        }
     }
     notes
 }

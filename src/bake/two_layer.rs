@@ -32,6 +32,11 @@ use std::sync::Arc;
 /// Net force below which a particle counts as at rest, in units of KS times the radius.
 const REST_FORCE: f64 = 1e-7;
 
+/// What counts as at rest of springs of this constant [N/m] on a body of this radius [m].
+fn rest_scale(ks: f64, radius: f64) -> RestScale {
+    RestScale { force: REST_FORCE * ks * radius, energy: REST_FORCE * REST_FORCE * ks * radius * radius }
+}
+
 pub(super) fn draft(
     scene: &Scene,
     body: &TwoLayer,
@@ -123,10 +128,7 @@ pub(super) fn draft(
         skin: model.skin,
         parted_skin: None,
         reach: model.radius,
-        rest_scale: RestScale {
-            force: REST_FORCE * body.ks * model.radius,
-            energy: REST_FORCE * REST_FORCE * body.ks * model.radius * model.radius,
-        },
+        rest_scale: rest_scale(body.ks, model.radius),
         mean_neighbours: 2.0 * layers.springs.ends().len() as f64 / state.len() as f64,
         layers: Some(Arc::new(layers)),
         state,

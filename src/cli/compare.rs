@@ -69,9 +69,9 @@ struct Run {
     dt: f64,
     /// Greatest step that this integrator is estimated to take [s]; null where it takes any.
     stable_dt: Option<f64>,
-    /// Whether it neither blew up nor gained more energy than it was ever given.
+    /// Whether it neither blew up nor gained more energy than it ever handled.
     stable: bool,
-    /// By how much of the energy that it was ever given it gained at the most.
+    /// By how much of the most energy that it handled it gained at the most.
     energy_gained: f64,
     /// When it blew up [s]; null where it did not.
     blew_up_at: Option<f64>,

@@ -33,12 +33,12 @@ pub(super) struct FailedRun {
     /// Time spent stepping, and nothing else [s].
     pub wall_seconds: f64,
     /// Why it could not be kept.
-    pub error: CliError,
+    pub error: Box<CliError>,
 }
 
 impl From<FailedRun> for CliError {
     fn from(run: FailedRun) -> Self {
-        run.error
+        *run.error
     }
 }
 
@@ -71,7 +71,8 @@ pub(super) fn drive(
     each: &mut dyn FnMut(&Runner) -> Result<(), CliError>,
 ) -> Result<Drive, FailedRun> {
     let mut stepping = Duration::ZERO;
-    let failed = |stepping: Duration| move |error| FailedRun { wall_seconds: stepping.as_secs_f64(), error };
+    let failed =
+        |stepping: Duration| move |error| FailedRun { wall_seconds: stepping.as_secs_f64(), error: Box::new(error) };
     each(runner).map_err(failed(stepping))?;
     let mut end = RunEnd::Time;
     // Nothing is known of the first.

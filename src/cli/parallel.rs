@@ -14,18 +14,18 @@ use std::time::Duration;
 /// How often progress is told while no job finishes.
 const PULSE: Duration = Duration::from_millis(250);
 
-/// Results of jobs 0 to `count`, in that order, worked on by `threads` threads; `done` hears how many are finished, at
-/// least once a [`PULSE`], and sees each result once, as soon as it is there.
+/// Results of jobs 0 to `count`, in that order, worked on by `threads` threads, at most `abreast` of them at a time;
+/// `done` hears how many are finished, at least once a [`PULSE`], and sees each result once, as soon as it is there.
 ///
 /// # Errors
 /// That of the first job, by its number, that failed; later jobs are not begun then. The first of `done`.
 pub(super) fn in_parallel<T: Send>(
     count: usize,
-    threads: usize,
+    (threads, abreast): (usize, usize),
     job: impl Fn(usize) -> Result<T, CliError> + Sync,
     mut done: impl FnMut(u64, Option<&T>) -> Result<(), CliError>,
 ) -> Result<Vec<T>, CliError> {
-    let workers = threads.clamp(1, count.max(1));
+    let workers = threads.min(abreast).clamp(1, count.max(1));
     let inner = (threads / workers).max(1);
     let pools = (0..workers).map(|_| ThreadPoolBuilder::new().num_threads(inner).build());
     let pools = pools.collect::<Result<Vec<_>, _>>()?;
@@ -103,7 +103,7 @@ mod tests {
             let mut heard = 0;
             let squares = in_parallel(
                 20,
-                threads,
+                (threads, 3),
                 |k| Ok(k * k),
                 |finished, _| {
                     heard = finished;
@@ -114,14 +114,31 @@ mod tests {
             assert_eq!(squares, (0..20).map(|k| k * k).collect::<Vec<_>>());
             assert_eq!(heard, 20);
         }
-        assert_eq!(in_parallel(0, 4, Ok, |_, _| Ok(())).unwrap(), Vec::<usize>::new());
+        assert_eq!(in_parallel(0, (4, 4), Ok, |_, _| Ok(())).unwrap(), Vec::<usize>::new());
+    }
+
+    #[test]
+    fn no_more_jobs_are_worked_on_at_a_time_than_may_be() {
+        for (threads, abreast, most) in [(4, 1, 1), (4, 2, 2), (2, 8, 2)] {
+            let (now, ever) = (AtomicUsize::new(0), AtomicUsize::new(0));
+            let job = |_| {
+                ever.fetch_max(1 + now.fetch_add(1, Ordering::SeqCst), Ordering::SeqCst);
+                let inner = rayon::current_num_threads();
+                now.fetch_sub(1, Ordering::SeqCst);
+                Ok(inner)
+            };
+            let inner = in_parallel(40, (threads, abreast), job, |_, _| Ok(())).unwrap();
+            assert!(ever.into_inner() <= most, "{threads}, {abreast}");
+            // Threads that no job may take help with the loops of those that run.
+            assert!(inner.iter().all(|inner| *inner == threads / most), "{threads}, {abreast}");
+        }
     }
 
     #[test]
     fn the_first_failure_counts() {
         let job = |k: usize| if k < 3 { Ok(k) } else { Err(CliError::VariedTwice { pointer: k.to_string() }) };
         for threads in [1, 3] {
-            let failed = in_parallel(50, threads, job, |_, _| Ok(()));
+            let failed = in_parallel(50, (threads, threads), job, |_, _| Ok(()));
             assert!(matches!(failed, Err(CliError::VariedTwice { pointer }) if pointer == "3"));
         }
     }

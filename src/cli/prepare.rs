@@ -10,7 +10,6 @@ use crate::scene::{Assets, Scene, TimeStep};
 use crate::sim::Runner;
 use crate::text::number::four_figures;
 use clap::Args;
-use std::hash::{DefaultHasher, Hasher};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -200,13 +199,6 @@ pub(super) fn with_frame_rate(mut scene: Scene, fps: Option<f64>) -> Result<Scen
     scene.time.frames_per_second = fps;
     scene.validate()?;
     Ok(scene)
-}
-
-/// What a scene is, in a few digits: another one has others.
-pub(super) fn digest(scene: &Scene) -> String {
-    let mut hasher = DefaultHasher::new();
-    hasher.write(serde_json::json!(scene).to_string().as_bytes());
-    format!("{:016x}", hasher.finish())
 }
 
 /// The folder that paths in a scene are relative to: that of its file, or the present one.

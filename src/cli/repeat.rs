@@ -1,10 +1,9 @@
 //! What a report says of how its run was made, and making that run again.
 
 use super::error::printable;
-use super::prepare::{Assignment, Span, digest};
+use super::prepare::{Assignment, Span};
 use super::{CliError, Console};
 use crate::io::read_json;
-use crate::scene::Scene;
 use crate::sim::Report;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -17,7 +16,7 @@ pub(super) struct Run {
     version: String,
     /// The scene's file as it was named; null for the built-in scene.
     scene_file: Option<PathBuf>,
-    /// Hash of the scene with all that was set in it.
+    /// Hash of the scene with all that was set in it, and of its models' files.
     scene_hash: String,
     /// What was set, as `--set` takes it.
     sets: Vec<String>,
@@ -30,12 +29,12 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// Of a scene from a file, with these values set in it.
-    pub(super) fn new(scene: &Scene, file: Option<&PathBuf>, sets: &[Assignment], fps: Option<f64>) -> Self {
+    /// Of a scene of this hash from a file, with these values set in it.
+    pub(super) fn new(scene_hash: String, file: Option<&PathBuf>, sets: &[Assignment], fps: Option<f64>) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scene_file: file.cloned(),
-            scene_hash: digest(scene),
+            scene_hash,
             sets: sets.iter().map(|set| format!("{}={}", set.pointer, set.text)).collect(),
             fps,
             threads: rayon::current_num_threads(),
@@ -90,10 +89,10 @@ impl Repeated {
     }
 
     /// Says whether a run came to the same bits as the report's; tells it too.
-    pub(super) fn compare(&self, scene: &Scene, report: &Report, console: &mut Console) -> bool {
+    pub(super) fn compare(&self, scene_hash: &str, report: &Report, console: &mut Console) -> bool {
         let path = printable(&self.path);
-        if digest(scene) != self.run.scene_hash {
-            console.warn(&format!("{path}: the scene is not what it was when the report was made"));
+        if scene_hash != self.run.scene_hash {
+            console.warn(&format!("{path}: the scene or a model of it is not what it was when the report was made"));
         }
         let found: Vec<(&String, &String)> = report.bodies.iter().map(|body| (&body.id, &body.state_hash)).collect();
         let same = found.len() == self.hashes.len();

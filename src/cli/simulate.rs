@@ -6,10 +6,13 @@ use super::interruption::Interruption;
 use super::motion::{MotionOptions, told};
 use super::output;
 use super::picture::Look;
-use super::prepare::{Loaded, Sets, Span, Threads, bake_with_notes, frames_to, load, source_name, tell, word};
+use super::prepare::{
+    Loaded, Sets, Span, Threads, bake_with_notes, folder_of, frames_to, load, source_name, tell, word,
+};
 use super::repeat::{Repeated, Run, RunReport};
 use super::summary::summary;
 use super::{CliError, Console, Outcome};
+use crate::io::fingerprint;
 use crate::scene::{Assets, Scene};
 use crate::sim::{Report, Runner, TimeSeries};
 use crate::solver::world::World;
@@ -85,6 +88,8 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     let notes = loaded.notes(&baked);
     let Loaded { scene, assets, .. } = loaded;
     tell(&notes, console);
+    // Now, since files may change while it runs.
+    let scene_hash = fingerprint(&scene, folder_of(args.scene.as_deref()));
     let inputs = output::inputs(args.scene.as_deref(), &scene);
     output::check(&inputs, &[("--report", args.report.as_ref()), ("--series", args.series.as_ref())])?;
 
@@ -97,14 +102,14 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     let (wall_seconds, end, failed) =
         match watch(args, (&scene, last), &mut runner, interruption, &mut outputs, console) {
             Ok(ran) => (ran.wall_seconds, Some(ran.end), None),
-            Err(FailedRun { wall_seconds, error }) => (wall_seconds, None, Some(error)),
+            Err(FailedRun { wall_seconds, error }) => (wall_seconds, None, Some(*error)),
         };
     let lines = notes.iter().map(|note| format!("{}: {note}", word(note))).collect();
     let mut report = Report::new(&scene, &runner, wall_seconds, lines);
     report.complete = !matches!(end, None | Some(RunEnd::Interrupted(_)));
     let mut text = summary(&report, runner.world(), &source);
     let finite = outputs.is_finite(&report, console);
-    let run = Run::new(&scene, args.scene.as_ref(), &args.sets.sets, args.span.fps);
+    let run = Run::new(scene_hash.clone(), args.scene.as_ref(), &args.sets.sets, args.span.fps);
     let whole = RunReport { report: &report, run };
     let (written, unwritten) = outputs.finish(args, finite.then_some(&whole), console);
     if !written.is_empty() {
@@ -120,7 +125,7 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
         errors.for_each(|error| console.error(&error));
         return Err(first);
     }
-    let differs = repeated.is_some_and(|repeated| !repeated.compare(&scene, &report, console));
+    let differs = repeated.is_some_and(|repeated| !repeated.compare(&scene_hash, &report, console));
     Ok(match end {
         Some(RunEnd::Interrupted(signal)) => Outcome::Interrupted(signal),
         _ if differs => Outcome::Differs,

@@ -30,7 +30,9 @@ impl Seam {
                 normals[*k as usize] += (b - a).cross(c - a);
             }
         }
-        normals.iter_mut().for_each(|normal| *normal = normal.normalize_or(DVec3::Y));
+        for normal in &mut normals {
+            *normal = normal.normalize_or(DVec3::Y);
+        }
         let points: Vec<DVec3> =
             points.iter().zip(&normals).map(|(&at, &normal)| at + MOVED * spacing * normal).collect();
         let bvh = Bvh::new(&points, triangles);

@@ -27,10 +27,10 @@ pub(crate) struct Collected {
 }
 
 /// A file that goes along.
-struct Companion {
+pub(super) struct Companion {
     /// Its path in the folder that it goes into.
     name: PathBuf,
-    source: PathBuf,
+    pub(super) source: PathBuf,
 }
 
 /// Puts a scene of this name into a folder, with its models and the files that these name; nothing that is there is
@@ -70,7 +70,7 @@ pub(crate) fn collect_scene(scene: &Scene, from: &Path, name: &OsStr, into: &Pat
 
 /// A model's own file first, by its name, then those that it names, by their paths from its folder; and the names of
 /// those that are not there.
-fn files_of(source: &Path) -> Result<(Vec<Companion>, Vec<String>), IoError> {
+pub(super) fn files_of(source: &Path) -> Result<(Vec<Companion>, Vec<String>), IoError> {
     let bytes = read_bytes(source, LARGEST).map_err(|error| error.within(source))?;
     let folder = source.parent().unwrap_or(Path::new(""));
     let named = companions(source, &bytes).map_err(|error| error.within(source))?;

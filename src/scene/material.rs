@@ -206,9 +206,9 @@ pub enum Falloff {
 #[serde(rename_all = "snake_case")]
 pub enum FibreEmbedding {
     /// On those whose kernel weight is more than 6 % of the heaviest one: about half of those in reach, and half of
-    /// what a fibre costs. Every linear motion is carried exactly. Of the short bar with four straight fibres the force
-    /// at a press of 2 % is the same to a ten-thousandth; the stable step, which the fibres set, is 3 % shorter than
-    /// with all.
+    /// what a fibre costs. Every linear motion is carried exactly. Of a pressed bar with four straight fibres the
+    /// force is the same to a two-thousandth, so that fibres are hardly stiffer in what moves slowly; the stable step,
+    /// which the fastest motion of fibres sets, is 3 % shorter than with all, as that is stiffer by 6 %.
     #[default]
     Compact,
     /// On all within the support radius, as eq. 17 has it.

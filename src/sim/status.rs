@@ -152,7 +152,7 @@ pub struct ComparedRun {
     pub stable_dt: f64,
     /// When it blew up [s].
     pub blew_up_at: Option<f64>,
-    /// By how much of the energy that it was ever given it gained at the most, where that is more than all of it.
+    /// By how much of the most energy that it handled it gained at the most, where that is more than all of it.
     pub gained: Option<f64>,
     /// Bodies of the snapshot that are its own; the runs follow each other.
     pub bodies: usize,

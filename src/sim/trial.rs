@@ -4,10 +4,11 @@ use crate::scene::Scene;
 use crate::solver::body::Body;
 use crate::solver::energy::Energies;
 use crate::solver::outside::Outside;
+use crate::solver::panel::Panel;
 use crate::solver::world::World;
 use glam::DVec3;
 
-/// A run has blown up once it has gained this many times the energy that it was ever given.
+/// A run has blown up once it has gained this many times the energy that it ever handled.
 const BLOWN_UP: f64 = 100.0;
 
 /// Share of the sizes of all energies that may be rounding.
@@ -16,7 +17,10 @@ const ROUND_OFF: f64 = 1e-9;
 /// Share of the energy of a body that counts as at rest under which it is rounding.
 const NOTHING: f64 = 1e-12;
 
-/// A run that has gained more than this share of the energy that it was ever given is not stable.
+/// Share of a body's weight times half its extent that it is taken to handle at least.
+const WEIGHT: f64 = 0.01;
+
+/// A run that has gained more than this share of the energy that it ever handled is not stable.
 const GAINS: f64 = 1.0;
 
 /// A scene under one integrator with exactly one step: no sub-stepping, no automatic choice, and no guard that stops a
@@ -24,13 +28,17 @@ const GAINS: f64 = 1.0;
 #[derive(Clone)]
 pub struct Trial {
     world: World,
-    /// Energy that may be spent from the start on [J].
-    spendable: f64,
-    /// Sum of all energies at the start [J].
-    first: f64,
+    /// Potentials that count from anywhere, at the start [J]: gravity and gas of every body, and the heights of panels.
+    start: Vec<f64>,
+    /// The least that bodies are taken to handle [J].
+    least: f64,
     outside: Outside,
-    /// What was done from outside so far, and the most that this and drives ever had [J].
-    work: [f64; 2],
+    /// What was done from outside so far [J].
+    work: f64,
+    /// The least that the energy less that work ever was [J].
+    lowest: f64,
+    /// The most energy that was handled so far [J], what was gained left out.
+    handled: f64,
     gained: f64,
     blew_up_at: Option<f64>,
     stable_dt: f64,
@@ -44,11 +52,23 @@ impl Trial {
                 body.set_guarded(false);
             }
         }
-        let outside = Outside::of(&world);
-        let spendable = spendable(scene, &world);
-        let mut trial =
-            Self { world, spendable, first: 0.0, outside, work: [0.0; 2], gained: 0.0, blew_up_at: None, stable_dt };
-        trial.first = trial.balance().0;
+        let gravity = DVec3::from_array(scene.gravity).length();
+        let (outside, least) = (Outside::of(&world), least(gravity, &world));
+        let mut trial = Self {
+            world,
+            start: Vec::new(),
+            least,
+            outside,
+            work: 0.0,
+            lowest: 0.0,
+            handled: 0.0,
+            gained: 0.0,
+            blew_up_at: None,
+            stable_dt,
+        };
+        trial.start = trial.from_anywhere(&trial.energies());
+        let Look { balance, handled, .. } = trial.look();
+        (trial.lowest, trial.handled) = (balance, handled);
         trial
     }
 
@@ -59,50 +79,65 @@ impl Trial {
         }
         self.world.advance_frame();
         let outside = Outside::of(&self.world);
-        self.work[0] += self.outside.work_until(&outside, &self.world);
-        let driven: f64 = -self.energies().map(|energies| energies.activation).sum::<f64>();
-        self.work[1] = self.work[1].max(self.work[0] + driven);
+        self.work += self.outside.work_until(&outside, &self.world);
         self.outside = outside;
-        let (energy, size) = self.balance();
-        // What is lost to rounding is no gain.
-        let gained = (energy - self.first - self.work[0] - ROUND_OFF * size).max(0.0) / self.handled();
-        let fine = gained <= BLOWN_UP && self.world.divergence().is_none();
-        // A comparison with NaN is false, so that a motion that is no number has blown up too.
-        if !fine {
+        let Look { balance, handled, size } = self.look();
+        self.lowest = self.lowest.min(balance);
+        // What is lost to rounding is no gain; a motion that is no number has gained without end.
+        let risen = if balance.is_finite() { balance - self.lowest } else { f64::INFINITY };
+        let gained = (risen - ROUND_OFF * size).max(0.0);
+        self.handled = self.handled.max(handled - gained);
+        let share = gained / self.handled.max(f64::MIN_POSITIVE);
+        if share > BLOWN_UP || self.world.divergence().is_some() {
             self.blew_up_at = Some(self.world.time());
         }
-        self.gained = self.gained.max(gained);
+        self.gained = self.gained.max(share);
     }
 
-    /// The greatest energy that the run was given so far [J]: what there was to be spent, and what was done from
-    /// outside.
-    fn handled(&self) -> f64 {
-        (self.spendable + self.work[1]).max(f64::MIN_POSITIVE)
+    /// Sees the energies as they are now.
+    fn look(&self) -> Look {
+        let moving = |panel: &Panel| 0.5 * panel.mass * panel.velocity * panel.velocity;
+        let panels: f64 = self.falling().map(moving).sum();
+        let all = self.energies();
+        let anywhere = self.from_anywhere(&all);
+        let changes = anywhere.iter().zip(&self.start).map(|(now, start)| (now - start).abs());
+        let mut look =
+            Look { balance: panels - self.work, handled: self.least + panels + changes.sum::<f64>(), size: panels };
+        for energies in all {
+            let own = Energies { gravity: 0.0, pressure: 0.0, activation: 0.0, ..energies };
+            look.balance += energies.total();
+            look.handled += own.values().iter().map(|energy| energy.abs()).sum::<f64>();
+            look.size += energies.values().iter().map(|energy| energy.abs()).sum::<f64>();
+        }
+        let heights = &anywhere[2 * self.world.bodies().len()..];
+        look.balance += heights.iter().sum::<f64>();
+        look.size += heights.iter().map(|energy| energy.abs()).sum::<f64>();
+        look
     }
 
-    /// Sum of all energies and of those of panels that fall [J], and of their sizes.
-    fn balance(&self) -> (f64, f64) {
-        let all = self.energies().flat_map(|energies| energies.values());
-        let panels = self.world.panels().iter().filter(|panel| panel.driven.is_none());
+    /// Potentials that count from anywhere [J]: gravity and gas of every body, then the heights of panels that fall.
+    fn from_anywhere(&self, energies: &[Energies]) -> Vec<f64> {
         let gravity = self.world.gravity().y;
-        let panels = panels.flat_map(|panel| {
-            let moving = 0.5 * panel.mass * panel.velocity * panel.velocity;
-            [moving, -panel.mass * gravity * panel.height]
-        });
-        all.chain(panels).fold((0.0, 0.0), |(sum, size), energy| (sum + energy, size + energy.abs()))
+        let of_bodies = energies.iter().flat_map(|energies| [energies.gravity, energies.pressure]);
+        of_bodies.chain(self.falling().map(|panel| -panel.mass * gravity * panel.height)).collect()
     }
 
-    fn energies(&self) -> impl Iterator<Item = Energies> {
+    fn falling(&self) -> impl Iterator<Item = &Panel> {
+        self.world.panels().iter().filter(|panel| panel.driven.is_none())
+    }
+
+    fn energies(&self) -> Vec<Energies> {
         let time = self.world.time();
-        self.world.bodies().iter().map(move |body| body.energies(time))
+        self.world.bodies().iter().map(|body| body.energies(time)).collect()
     }
 
-    /// By how much of the energy that the run was ever given it gained at the most, where nothing may be gained.
+    /// What the energy less the work from outside has risen by at the most, where nothing may be gained, over the most
+    /// energy that the run had handled until then: that of motion, and by how much potentials had changed.
     pub fn gained(&self) -> f64 {
         self.gained
     }
 
-    /// Whether it neither blew up nor gained more energy than it was ever given.
+    /// Whether it neither blew up nor gained more energy than it ever handled.
     pub fn is_stable(&self) -> bool {
         self.blew_up_at.is_none() && self.gained <= GAINS
     }
@@ -129,16 +164,16 @@ impl Trial {
 
     /// Total energy [J].
     pub fn energy(&self) -> f64 {
-        self.energies().map(|energies| energies.total()).sum()
+        self.energies().iter().map(Energies::total).sum()
     }
 
     fn positions(&self) -> impl Iterator<Item = DVec3> {
         self.world.bodies().iter().flat_map(|body| body.state().positions.iter().copied())
     }
 
-    /// Difference of the energies over the greatest that the reference was given.
+    /// Difference of the energies over the greatest that the reference handled.
     pub fn energy_error(&self, reference: &Self) -> f64 {
-        (self.energy() - reference.energy()).abs() / reference.handled()
+        (self.energy() - reference.energy()).abs() / reference.handled.max(f64::MIN_POSITIVE)
     }
 
     /// Root mean square distance of the particles from those of the reference [m].
@@ -151,24 +186,25 @@ impl Trial {
     }
 }
 
-/// The energy that a scene has to spend at the start [J]: motion, strain, contact, gas (nRT), the height of its bodies
-/// and panels above the floor, or of bodies above themselves where there is none.
-fn spendable(scene: &Scene, world: &World) -> f64 {
-    let gravity = DVec3::from_array(scene.gravity);
-    let gas: f64 = scene.two_layer.iter().filter(|body| body.shape.dimension() > 1).map(|body| body.pressure).sum();
-    let bodies = world.bodies().iter().map(|body| {
+/// What is seen of a run at one time [J].
+struct Look {
+    /// All energies less the work that was done from outside.
+    balance: f64,
+    /// Energy of motion and all potentials, those that count from anywhere by their change since the start.
+    handled: f64,
+    /// Sizes of all energies, of which the balance has its rounding.
+    size: f64,
+}
+
+/// What bodies are taken to handle at least [J], under a pull of so many m/s²: below it, what comes of contact with
+/// what they lie on and of the rounding of their places is nothing.
+fn least(gravity: f64, world: &World) -> f64 {
+    let of = |body: &Body| {
         let state = body.state();
         let center = state.center();
         let extent = state.positions.iter().map(|x| x.distance(center)).fold(0.0, f64::max);
-        let height = scene.room.floor.map_or(extent, |floor| (center.y - floor).max(extent));
-        let energies = body.energies(0.0);
-        let stored = energies.total() - energies.gravity - energies.pressure;
-        // A body at rest of which nothing is asked has nothing but the rounding of its places.
         let nothing = NOTHING * state.len() as f64 * body.parts().rest_scale.energy;
-        stored + state.mass() * gravity.length() * height + nothing
-    });
-    let floor = scene.room.floor.unwrap_or(0.0);
-    let panels = world.panels().iter().filter(|panel| panel.driven.is_none());
-    let panels = panels.map(|panel| panel.mass * gravity.length() * (panel.height - floor).abs());
-    bodies.sum::<f64>() + panels.sum::<f64>() + gas
+        WEIGHT * state.mass() * gravity * extent + nothing
+    };
+    world.bodies().iter().map(of).sum()
 }

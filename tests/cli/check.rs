@@ -1,7 +1,7 @@
 //! Looking a scene over.
 
 use super::{Desk, pressed, two_blocks};
-use serde_json::json;
+use serde_json::{Value, json};
 
 #[test]
 fn what_is_there_is_listed() {
@@ -68,4 +68,71 @@ fn what_sets_the_time_step_is_said_by_check_summary_and_report() {
     let report = desk.json("out.json");
     assert_eq!(report["bodies"][0]["limited_by"], "/two_layer/0/rkd");
     assert_eq!(report["bodies"][1]["limited_by"], json!(null));
+}
+
+/// What is said of how a body of this shape is filled.
+fn said_of(shape: &Value, files: &[(&str, String)]) -> String {
+    let mut scene = pressed();
+    let body = &mut scene["bodies"][0];
+    body["shape"] = shape.clone();
+    for list in ["fibres", "pins", "regions"] {
+        body[list] = json!([]);
+    }
+    scene["measures"] = json!([]);
+    let desk = Desk::new(&scene);
+    for (name, text) in files {
+        std::fs::write(desk.path(name), text).expect("written");
+    }
+    let said = desk.run("check scene.json");
+    assert_eq!(said.code, Some(0), "{said:?}");
+    said.err
+}
+
+/// An L whose arms are 3 x 6 mm thick, as wide again, extruded along x.
+fn angle() -> String {
+    let corners = [[-18, -18], [18, -18], [18, 0], [0, 0], [0, 18], [-18, 18]];
+    let mut lines: Vec<String> = Vec::new();
+    for x in [-45, 45] {
+        lines.extend(
+            corners.map(|[y, z]| format!("v {} {} {}", f64::from(x) / 1e3, f64::from(y) / 1e3, f64::from(z) / 1e3)),
+        );
+    }
+    for k in 0..6 {
+        let next = (k + 1) % 6;
+        lines.push(format!("f {} {} {} {}", k + 1, next + 1, next + 7, k + 7));
+    }
+    lines.extend(["f 1 4 3 2", "f 1 6 5 4", "f 7 8 9 10", "f 7 10 11 12"].map(str::to_owned));
+    lines.join("\n")
+}
+
+#[test]
+fn how_far_off_theory_a_section_may_be_is_said_of_every_kind() {
+    let boxed = |size: [f64; 3]| json!({"box": {"size": size}});
+    let turned = json!({"box": {"size": [0.1, 0.02, 0.02], "lattice_rotation": {"axis": [1, 0, 0], "degrees": 22.5}}});
+    let rod = json!({"cylinder": {"radius": 0.012, "height": 0.08}});
+    let leaf = boxed([0.12, 0.018, 0.072]);
+    let angled = json!({"mesh": {"path": "angle.obj"}});
+    for (shape, starts) in [
+        (&turned, "particles stand for"),
+        (&rod, "particles stand for"),
+        (
+            &leaf,
+            "it is filled by whole layers, 3.0 of them where it is thinnest, it may bend up to 9 % and twist up to 16 %",
+        ),
+        (
+            &angled,
+            "it is filled by whole layers, 3.0 of them where it is thinnest, it may bend up to 9 % and twist up to 16 %",
+        ),
+        (
+            &boxed([0.072, 0.012, 0.012]),
+            "2.0 of them where it is thinnest, it may bend up to 14 % and twist up to 24 % off",
+        ),
+    ] {
+        let said = said_of(shape, &[("angle.obj", angle())]);
+        let line = said.lines().find(|line| line.contains(starts)).unwrap_or_else(|| panic!("{shape}: {said}"));
+        assert!(line.starts_with("note: /bodies/0/shape: ") && line.ends_with("% off theory"), "{line}");
+    }
+    // Within some per cent of theory.
+    assert_eq!(said_of(&boxed([0.072, 0.018, 0.018]), &[]), "");
+    assert_eq!(said_of(&boxed([0.12, 0.06, 0.12]), &[]), "");
 }

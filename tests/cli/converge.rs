@@ -1,7 +1,7 @@
 //! `sinew converge`: a body of fixed size, filled more finely.
 
 use super::{Desk, pressed};
-use serde_json::json;
+use serde_json::{Value, json};
 
 #[test]
 fn a_body_is_filled_more_finely_and_stays_as_large_and_heavy() {
@@ -37,4 +37,34 @@ fn a_body_is_filled_more_finely_and_stays_as_large_and_heavy() {
     assert_eq!(desk.text("p.svg").matches("<polyline").count(), 2);
     let said = desk.refused("converge scene.json --body leaf --report s.json");
     assert!(said.contains("--body leaf") && said.contains("known: block"), "{said}");
+}
+
+#[test]
+fn a_box_that_is_held_by_its_layers_converges_by_an_order_between_one_and_two() {
+    let mut scene = pressed();
+    let body = &mut scene["bodies"][0];
+    // Whole layers at every resolution.
+    body["shape"] = json!({"box": {"center": [0, 0.024, 0], "size": [0.024, 0.048, 0.024]}});
+    body["material"]["mass"] = json!({"density": 1850});
+    body["fibres"] = json!([]);
+    body["pins"][1] = json!({"id": "push", "region": "top", "motion": {"ramp": {
+        "direction": [0, -1, 0], "distance": {"metres": 0.0004}, "duration": 0.05}}});
+    let desk = Desk::new(&scene);
+    desk.done("converge scene.json --layers 3,4,5,6 --until-rest --seconds 1 --report r.json");
+    let report = desk.json("r.json");
+    let of = |run: &Value| (run["spacing"].as_f64().unwrap(), run["values"][0].as_f64().unwrap());
+    let runs: Vec<(f64, f64)> = report["runs"].as_array().unwrap().iter().map(of).collect();
+    assert!(report["runs"].as_array().unwrap().iter().all(|run| run["at_rest"] == true), "{report}");
+    // Particles are held at their centres, half a spacing within the faces: between them it is shorter by a spacing,
+    // and stiffer by that, an error of first order, which is half of all.
+    let order = report["limits"][0]["order"].as_f64().unwrap();
+    assert!((1.2..1.8).contains(&order), "{order}: {runs:?}");
+    let left: Vec<(f64, f64)> = runs.iter().map(|&(spacing, press)| (spacing, press * (0.048 - spacing))).collect();
+    let [first, .., last] = left[..] else { panic!("four runs") };
+    let found = (first.1 / last.1 - 1.0) / (runs[0].1 / runs[3].1 - 1.0);
+    assert!((0.3..0.7).contains(&found), "{found} of the difference is left: {left:?}");
+    // EA over the height, and more where both ends keep their width.
+    let hooke = 1e4 * 0.024 * 0.024 * 0.0004 / 0.048;
+    let limit = report["limits"][0]["value"].as_f64().unwrap() / hooke;
+    assert!((1.0..1.15).contains(&limit), "{limit}");
 }

@@ -16,6 +16,7 @@ mod lines;
 mod models;
 mod opened_models;
 mod pictures;
+mod regime;
 mod repeated;
 mod replay;
 mod simulate;

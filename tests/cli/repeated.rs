@@ -2,6 +2,8 @@
 
 use super::{Desk, pressed, two_blocks};
 use serde_json::{Value, json};
+use std::fmt::Write;
+use std::fs;
 
 /// A bar that acts, with wind and a panel: what changes in time has to begin where it began.
 fn driven() -> Value {
@@ -49,4 +51,43 @@ fn twenty_reports_are_repeated_to_the_same_bits() {
         }
     }
     assert_eq!(made, 20);
+}
+
+#[test]
+fn a_model_that_is_not_what_it_was_is_told_of() {
+    let cube = |top: f64| {
+        let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(|side| side as f64 * 0.03);
+        let mut text = String::new();
+        for k in 0..8 {
+            let [x, y, z] = corner(k);
+            writeln!(text, "v {x} {} {z}", if y > 0.0 { top } else { y }).expect("text");
+        }
+        for face in ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"] {
+            writeln!(text, "f {face}").expect("text");
+        }
+        text
+    };
+    let mut scene = pressed();
+    scene["bodies"][0]["shape"] = json!({"mesh": {"path": "cube.obj"}});
+    for list in ["fibres", "pins", "regions"] {
+        scene["bodies"][0][list] = json!([]);
+    }
+    scene["measures"] = json!([]);
+    scene["bodies"][0]["initial"] = json!({"angular_velocity": [0, 90, 0]});
+    let desk = Desk::new(&scene);
+    fs::write(desk.path("cube.obj"), cube(0.03)).expect("written");
+    desk.ran("simulate scene.json --seconds 0.02 --report r.json");
+    let hash = desk.json("r.json")["run"]["scene_hash"].clone();
+    let again = desk.run("simulate --from r.json --report s.json");
+    assert!(again.code == Some(0) && !again.err.contains("is not what it was"), "{again:?}");
+    assert_eq!(desk.json("s.json")["run"]["scene_hash"], hash);
+    // Nothing of it moves otherwise: it is told by the file.
+    fs::write(desk.path("cube.obj"), format!("# as before\n{}", cube(0.03))).expect("written");
+    let again = desk.run("simulate --from r.json");
+    assert!(again.code == Some(0) && again.err.contains("or a model of it is not what it was"), "{again:?}");
+    assert!(again.err.contains("the same bits as in r.json"), "{again:?}");
+    fs::write(desk.path("cube.obj"), cube(0.036)).expect("written");
+    let again = desk.run("simulate --from r.json");
+    assert_eq!(again.code, Some(1), "{again:?}");
+    assert!(again.err.contains("or a model of it is not what it was"), "{again:?}");
 }

@@ -89,6 +89,18 @@ fn rows_are_written_as_csv_series_and_a_plot() {
 }
 
 #[test]
+fn rows_that_would_take_too_much_memory_side_by_side_run_one_after_the_other() {
+    let desk = Desk::new(&pressed());
+    let sweep = format!("sweep scene.json --vary {AIR}=100..900/4 --seconds 0.02 --threads 4");
+    desk.done(&format!("{sweep} --memory 1000000 --report many.json"));
+    let said = desk.run(&format!("{sweep} --memory 1 --report one.json"));
+    assert_eq!(said.code, Some(0), "{said:?}");
+    assert!(said.err.starts_with("note: one row at a time runs, since each takes up to "), "{}", said.err);
+    assert!(said.err.ends_with(" MiB and 1.000 MiB may be taken\n") && said.err.lines().count() == 1, "{}", said.err);
+    assert_eq!(rows(&desk, "one.json"), rows(&desk, "many.json"));
+}
+
+#[test]
 fn a_report_is_gone_on_from_where_it_stops() {
     let desk = Desk::new(&pressed());
     let sweep = format!("sweep scene.json --vary {AIR}=100..900/5 --seconds 0.03");
@@ -116,22 +128,51 @@ fn a_report_is_gone_on_from_where_it_stops() {
     }
 }
 
+#[test]
+fn a_report_that_is_gone_on_from_gives_the_table_that_it_would_have_given() {
+    let desk = Desk::new(&pressed());
+    let sweep = format!("sweep scene.json --vary {AIR}=100..900/5 --seconds 0.03");
+    let whole = desk.done(&format!("{sweep} --report whole.json --csv whole.csv"));
+    let mut part = desk.json("whole.json");
+    part["rows"].as_array_mut().expect("rows").truncate(2);
+    std::fs::write(desk.path("part.json"), part.to_string()).expect("written");
+    let resumed = desk.ran(&format!("{sweep} --report part.json --csv part.csv --resume"));
+    assert_eq!(desk.text("part.csv"), desk.text("whole.csv"), "columns in the order of the scene's measures, too");
+    assert_eq!(resumed.replace("part.", "whole."), whole);
+}
+
 #[cfg(unix)]
 #[test]
 fn a_sweep_that_is_killed_leaves_its_rows_and_ends_as_if_it_had_not_been() {
     let desk = Desk::new(&pressed());
-    let sweep = format!("sweep scene.json --vary {AIR}=100..900/100 --seconds 0.3 --threads 1");
-    let child = super::interrupting::started(&desk, &format!("{sweep} --report r.json"));
-    // Half of the rows are there, or it was too fast to be killed.
-    super::interrupting::wait_until(|| desk.path("r.json").exists() && rows(&desk, "r.json").len() >= 50);
-    super::interrupting::send("KILL", &child);
-    drop(child.wait_with_output());
-    let before = rows(&desk, "r.json").len();
-    let said = desk.run(&format!("{sweep} --report r.json --resume"));
+    // Longer runs where a machine is too fast to be killed in between.
+    let cut_off = [0.1, 1.0, 10.0].into_iter().find_map(|seconds| {
+        let sweep = format!("sweep scene.json --vary {AIR}=100..900/100 --seconds {seconds}");
+        std::fs::remove_file(desk.path("r.json")).ok();
+        let child = super::interrupting::started(&desk, &format!("{sweep} --threads 1 --report r.json --csv r.csv"));
+        super::interrupting::wait_until(|| desk.path("r.json").exists() && rows(&desk, "r.json").len() >= 40);
+        super::interrupting::send("KILL", &child);
+        drop(child.wait_with_output());
+        (rows(&desk, "r.json").len() < 100).then_some(sweep)
+    });
+    let sweep = cut_off.expect("a sweep that takes a while");
+    let (before, part) = (rows(&desk, "r.json"), desk.json("r.json"));
+    assert!((40..100).contains(&before.len()) && part["complete"] == false, "{} rows", before.len());
+    assert_eq!(desk.files(), ["r.json", "scene.json"], "nothing but whole files");
+    let said = desk.run(&format!("{sweep} --threads 1 --report r.json --csv r.csv --resume"));
     assert_eq!(said.code, Some(0), "{said:?}");
-    desk.done(&format!("{sweep} --report whole.json --threads 2").replace("--threads 1 ", ""));
-    assert!(before >= 50, "rows are written as they come");
+    assert!(said.err.contains(&format!("{} of 100 rows", before.len())), "{said:?}");
+    desk.done(&format!("{sweep} --threads 2 --report whole.json --csv whole.csv"));
     assert_eq!(rows(&desk, "whole.json").len(), 100);
     assert_eq!(rows(&desk, "r.json"), rows(&desk, "whole.json"));
-    assert_eq!(desk.files(), ["r.json", "scene.json", "whole.json"]);
+    // The same bytes: wall times stand in the report alone.
+    assert_eq!(desk.text("r.csv"), desk.text("whole.csv"));
+    assert_eq!(desk.text("r.csv").lines().count(), 101);
+    // But for them, the reports are the same, too.
+    let without_times = |name: &str| {
+        let mut report = desk.json(name);
+        report["rows"] = rows(&desk, name).into();
+        report
+    };
+    assert_eq!(without_times("r.json"), without_times("whole.json"));
 }

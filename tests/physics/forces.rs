@@ -1,6 +1,7 @@
 //! Forces against the energies they come from, and against what must leave them at zero.
 
 use crate::common::*;
+use crate::conservation::weighted;
 use glam::{DMat3, DQuat, DVec3};
 use sinew::scene::{Fibre, RestShape, Scene};
 use sinew::solver::Body;
@@ -77,6 +78,22 @@ fn the_matrix_force_is_the_gradient_of_its_energy() {
     let error = gradient_error(&in_space(short_bar(5e7)), deformation(), 0.1);
     println!("{error:e}");
     assert!(error < 1e-8, "{error:e}");
+}
+
+#[test]
+fn forces_on_particles_that_stand_for_parts_of_cells_are_the_gradient_of_their_energy() {
+    for body in weighted(5e7) {
+        for (fast, most) in [(false, 1e-8), (true, 1e-6)] {
+            let mut body = body.clone();
+            if fast {
+                body.material = body.material.in_fast_precision();
+            }
+            let shape = body.shape.clone();
+            let error = gradient_error(&in_space(body), deformation(), 0.1);
+            println!("{error:e}");
+            assert!(error < most, "{shape:?}, fast {fast}: {error:e}");
+        }
+    }
 }
 
 #[test]

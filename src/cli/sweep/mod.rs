@@ -1,9 +1,11 @@
 //! `sinew sweep`: a scene once for every combination of some values.
 
+mod memory;
 mod plot;
 mod results;
 mod vary;
 
+use self::memory::Memory;
 use self::plot::{Against, plot};
 use self::results::{Plan as SweepPlan, Results, Row, measured, names_of, to_csv};
 use self::vary::{Product, Samples, Vary};
@@ -13,13 +15,11 @@ use super::finite::NotFinite;
 use super::interruption::{Interruption, Signal};
 use super::output;
 use super::parallel::in_parallel;
-use super::prepare::{
-    Loaded, Sets, Span, Threads, digest, folder_of, load, notes, tell, with_frame_rate, with_sets, word,
-};
+use super::prepare::{Loaded, Sets, Span, Threads, folder_of, load, notes, tell, with_frame_rate, with_sets, word};
 use super::table::{Align, Table, readable};
 use super::{CliError, Console, Outcome};
 use crate::bake::{Baked, Note, bake};
-use crate::io::{complete_assets, make_folder};
+use crate::io::{complete_assets, fingerprint, make_folder};
 use crate::scene::{Assets, Scene, one_line};
 use crate::sim::{Report, Runner, TimeSeries};
 use crate::text::number::four_figures;
@@ -49,6 +49,9 @@ pub struct Sweep {
     sets: Sets,
     #[command(flatten)]
     threads: Threads,
+    /// Memory that rows which run side by side may take [MiB]; most of what is free unless given
+    #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u32).range(1..))]
+    memory: Option<u32>,
     /// Write all rows as JSON, those that are done while others run too
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -96,10 +99,14 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
     let threads = args.threads.count();
     let all = product.rows() as u64;
 
+    let memory = Memory::new(args.memory);
+    let first = if product.rows() > 1 && threads > 1 { plan.check(0)?.bytes } else { 0 };
+    // Nothing is said of this: rows that run take longer, and it is said of them.
+    let abreast = memory.abreast(threads, first, None);
     console.begin();
     let checked = in_parallel(
         product.rows(),
-        threads,
+        (threads, abreast),
         |row| plan.check(row),
         |done, _| {
             console.progress(done, all, "checked");
@@ -114,21 +121,23 @@ pub(super) fn run(args: &Sweep, interruption: &Interruption, console: &mut Conso
 
     let scene = if base.name.is_empty() { &*printable(&args.scene) } else { &base.name };
     let Span { seconds, fps, until_rest } = args.span;
-    let of = json!({"scene": digest(&base), "seconds": seconds, "fps": fps, "until_rest": until_rest});
+    let of = json!({"scene": fingerprint(&base, folder_of(Some(&args.scene))), "seconds": seconds, "fps": fps, "until_rest": until_rest});
     let mut results =
         Results::new(SweepPlan { scene, vary: &args.vary, samples, of }, args.report.as_deref(), product.rows());
-    let kept = if args.resume { results.resume(&product)? } else { 0 };
+    let kept = if args.resume { results.resume(&product, &base.measures)? } else { 0 };
     let missing = results.missing();
 
     // Before the first word: whoever reads one may count on the rest.
     interruption.wait_for_end();
     tell_all(&checked, console);
+    let largest = checked.iter().map(|row| row.bytes).max().unwrap_or_default();
+    let abreast = memory.abreast(threads.min(missing.len()), largest, Some(console));
     if kept > 0 {
         console.say("resumed", &format!("{kept} of {all} rows are in the report already and are kept"));
     }
     console.begin();
     let run = |k: usize| plan.run(missing[k], series.as_ref(), interruption);
-    let ran = in_parallel(missing.len(), threads, run, |done, row: Option<&Option<Row>>| {
+    let ran = in_parallel(missing.len(), (threads, abreast), run, |done, row: Option<&Option<Row>>| {
         console.progress(kept as u64 + done, all, "rows");
         row.and_then(Option::as_ref).map_or(Ok(()), |row| results.push(row.clone()))
     });
@@ -225,11 +234,11 @@ impl Plan<'_> {
         attempt().map_err(|error| CliError::Row { values: self.product.line(row), source: Box::new(error) })
     }
 
-    /// What is worth saying about a row. Putting it together costs little beside running it, so it is done twice
-    /// rather than kept.
-    fn check(&self, row: usize) -> Result<Vec<Note>, CliError> {
+    /// What is worth saying about a row, and what it takes. Putting it together costs little beside running it, so it
+    /// is done twice rather than kept.
+    fn check(&self, row: usize) -> Result<Checked, CliError> {
         let (scene, baked) = self.prepare(row)?;
-        Ok(notes(&scene, &baked))
+        Ok(Checked { notes: notes(&scene, &baked), bytes: baked.world.bytes() })
     }
 
     /// What a row shows; none where it was interrupted.
@@ -276,10 +285,17 @@ impl Plan<'_> {
     }
 }
 
+/// What was seen of a row before it is run.
+struct Checked {
+    notes: Vec<Note>,
+    /// Memory that its world takes [bytes].
+    bytes: usize,
+}
+
 /// Says every note once, and in how many rows it holds where that is not all.
-fn tell_all(rows: &[Vec<Note>], console: &mut Console) {
+fn tell_all(rows: &[Checked], console: &mut Console) {
     let mut seen: Vec<(&Note, usize)> = Vec::new();
-    for note in rows.iter().flatten() {
+    for note in rows.iter().flat_map(|row| &row.notes) {
         match seen.iter_mut().find(|(other, _)| *other == note) {
             Some((_, count)) => *count += 1,
             None => seen.push((note, 1)),

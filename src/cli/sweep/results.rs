@@ -4,6 +4,7 @@ use super::super::error::printable;
 use super::super::{CliError, output};
 use super::vary::{Product, Samples, Vary};
 use crate::io::{is_there, read_json};
+use crate::scene::Measure;
 use crate::sim::MeasureReport;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -125,11 +126,11 @@ impl<'a> Results<'a> {
         Self { plan, path, rows: (0..count).map(|_| None).collect(), written: Instant::now() }
     }
 
-    /// Takes over the rows in the file, if there is one; tells how many.
+    /// Takes over the rows in the file, if there is one, with their measures in the order of these; tells how many.
     ///
     /// # Errors
     /// A file that is no report of the same sweep.
-    pub(super) fn resume(&mut self, product: &Product<'_>) -> Result<usize, CliError> {
+    pub(super) fn resume(&mut self, product: &Product<'_>, measures: &[Measure]) -> Result<usize, CliError> {
         let Some(path) = self.path.filter(|path| is_there(path)) else { return Ok(0) };
         let refused = |what: String| CliError::CannotResume { path: printable(path), what };
         let before = read_json(path)?;
@@ -144,8 +145,10 @@ impl<'a> Results<'a> {
         let rows: Vec<Row> =
             serde_json::from_value(rows).map_err(|error| refused(format!("its rows cannot be read: {error}")))?;
         let units = before.get("units").and_then(Value::as_object).into_iter().flatten();
-        let units: Vec<(String, String)> =
+        let mut units: Vec<(String, String)> =
             units.map(|(name, unit)| (name.clone(), unit.as_str().unwrap_or_default().to_owned())).collect();
+        // JSON has them by name.
+        units.sort_by_key(|(name, _)| measures.iter().position(|measure| measure.name == *name));
         let mut found = 0;
         let mut rows = rows.into_iter().peekable();
         for index in 0..self.rows.len() {

@@ -55,8 +55,8 @@ mod tests {
 
     #[test]
     fn the_forces_have_the_moment_and_the_power_of_the_turn() {
-        let positions = vec![DVec3::X, DVec3::new(0.1, 1.0, 0.2), DVec3::new(0.3, 0.2, 2.0), DVec3::ONE];
-        let velocities = vec![DVec3::Y, DVec3::new(0.3, -0.4, 1.0), DVec3::new(-0.2, 0.0, 0.7), DVec3::NEG_Z];
+        let positions = [DVec3::X, DVec3::new(0.1, 1.0, 0.2), DVec3::new(0.3, 0.2, 2.0), DVec3::ONE];
+        let velocities = [DVec3::Y, DVec3::new(0.3, -0.4, 1.0), DVec3::new(-0.2, 0.0, 0.7), DVec3::NEG_Z];
         for particles in [&[0, 1, 2][..], &[0, 1, 2, 3]] {
             let turning = Turning::of(particles, &positions).expect("they span a plane");
             let moment = DVec3::new(0.3, -0.2, 0.5);

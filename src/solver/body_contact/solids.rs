@@ -55,7 +55,7 @@ struct Nearest {
 /// Faces of a solid that are worth a look.
 struct Faces<'a> {
     solid: Solid<'a>,
-    faces: Vec<[u32; 3]>,
+    near: Vec<[u32; 3]>,
     bvh: Bvh,
 }
 
@@ -68,7 +68,7 @@ impl<'a> Faces<'a> {
         };
         let faces: Vec<[u32; 3]> = solid.surface.faces.iter().filter(meets).copied().collect();
         let bvh = Bvh::new(&solid.body.state().positions, &faces);
-        Self { solid, faces, bvh }
+        Self { solid, near: faces, bvh }
     }
 
     /// The place whose ball is nearest to `x`, if it is nearer than `reach` [m].
@@ -89,7 +89,7 @@ impl<'a> Faces<'a> {
         let enter = |node: &Node| (x - x.clamp(node.min, node.max)).length() < least.get() + largest + slack;
         let mut best: Option<Least> = None;
         self.bvh.visit(enter, |index| {
-            let face = self.faces[index as usize];
+            let face = self.near[index as usize];
             let corners = face.map(|i| self.solid.place(i));
             let radii = face.map(&radius);
             let weights = nearest_on_swollen(x, corners, radii);

@@ -114,6 +114,7 @@ impl Chord {
             for force in &mut forces {
                 force.add_forces(time, &at, &mut unmoved);
             }
+            *dynamics.evaluations += 1;
             let matrix = forces.iter().find_map(|force| force.downcast_ref::<MatrixForce>());
             matrix.map_or_else(Vec::new, |matrix| turns_of(matrix, at.len()))
         });

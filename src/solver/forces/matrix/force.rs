@@ -149,6 +149,12 @@ impl MatrixForce {
         (0..self.reference.positions.len()).map(of).collect()
     }
 
+    /// Volume that every particle counts as [m³].
+    pub fn volumes(&self) -> Vec<f64> {
+        let of = |i: usize| self.reference.volume * self.reference.volume_share(i);
+        (0..self.reference.positions.len()).map(of).collect()
+    }
+
     /// Memory of the rest data, which copies share [bytes].
     pub(in crate::solver) fn shared_bytes(&self) -> usize {
         let ReferenceConfiguration { neighbourhood, positions, matrix_weight, .. } = &self.reference;

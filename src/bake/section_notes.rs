@@ -76,7 +76,7 @@ pub(super) fn section_notes(
         ));
     } else {
         let off = off([WHOLE_BENDING, WHOLE_TORSION]);
-        if !off.is_empty() && !(thinnest.is_compact && layers > COMPACT) {
+        if !off.is_empty() && (!thinnest.is_compact || layers <= COMPACT) {
             note(format!("it is filled by whole layers, {layers:.1} of them where it is thinnest{off}"));
         }
     }

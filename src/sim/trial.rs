@@ -66,7 +66,7 @@ impl Trial {
             blew_up_at: None,
             stable_dt,
         };
-        trial.start = trial.from_anywhere(&trial.energies());
+        trial.start = trial.loose_potentials(&trial.energies());
         let Look { balance, handled, .. } = trial.look();
         (trial.lowest, trial.handled) = (balance, handled);
         trial
@@ -99,7 +99,7 @@ impl Trial {
         let moving = |panel: &Panel| 0.5 * panel.mass * panel.velocity * panel.velocity;
         let panels: f64 = self.falling().map(moving).sum();
         let all = self.energies();
-        let anywhere = self.from_anywhere(&all);
+        let anywhere = self.loose_potentials(&all);
         let changes = anywhere.iter().zip(&self.start).map(|(now, start)| (now - start).abs());
         let mut look =
             Look { balance: panels - self.work, handled: self.least + panels + changes.sum::<f64>(), size: panels };
@@ -116,7 +116,7 @@ impl Trial {
     }
 
     /// Potentials that count from anywhere [J]: gravity and gas of every body, then the heights of panels that fall.
-    fn from_anywhere(&self, energies: &[Energies]) -> Vec<f64> {
+    fn loose_potentials(&self, energies: &[Energies]) -> Vec<f64> {
         let gravity = self.world.gravity().y;
         let of_bodies = energies.iter().flat_map(|energies| [energies.gravity, energies.pressure]);
         of_bodies.chain(self.falling().map(|panel| -panel.mass * gravity * panel.height)).collect()

@@ -6,9 +6,10 @@ use super::{Desk, pressed};
 /// 1852 kg/m³ and 1e4 Pa, with these values set.
 fn said(sets: &[&str]) -> Vec<String> {
     let desk = Desk::new(&pressed());
-    let sets: String = sets.iter().map(|set| format!(" --set {set}")).collect();
-    let said = desk.run(&format!("check scene.json{sets}"));
-    assert_eq!(said.code, Some(0), "{sets}: {said:?}");
+    let sets: Vec<&str> =
+        ["check", "scene.json"].into_iter().chain(sets.iter().flat_map(|set| ["--set", set])).collect();
+    let said = desk.run(&sets.join(" "));
+    assert_eq!(said.code, Some(0), "{sets:?}: {said:?}");
     let of_material = |line: &&str| line.starts_with("warning: /bodies/0/material/");
     said.err.lines().filter(of_material).map(str::to_owned).collect()
 }

@@ -211,8 +211,8 @@
 //!
 //! The motion:
 //! - *bake*: to put a scene together into a world. *Note*: what was noticed on the way ([`bake::Baked::notes`]).
-//!   [`scene`] and [`solver`] call a thing by one name: a `Body`, `Panel`, `Collider`, `Drive`, `Element` or `Measure` is
-//!   said in the one and is made of it in the other.
+//!   [`scene`] and [`solver`] call a thing by one name: a `Body`, `Panel`, `Collider`, `Drive`, `Element` or `Measure`
+//!   of the one is what the other makes of it.
 //! - *world*: bodies and panels at one time. *State*: positions, velocities and masses of a body.
 //! - *frame*: the time from one picture to the next. *Outer step*: a part of it for which contact between bodies and
 //!   with panels is evaluated once. *Sub-step*: one of a body's own steps in that.

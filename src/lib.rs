@@ -229,8 +229,8 @@
 //!   matrix that stays. *Fallback*: a step that was halved, or handed over to leap-frog, because a stage was not
 //!   solved.
 //! - *divergence*: a motion that can no longer be computed; the body is stopped. *Break*: of a fibre, past its limits.
-//! - *grab*: a point of a body that is held by hand, with the spring from there to where the hand is. *Lead*: of a shared
-//!   drive that is led by hand, what it is told to be.
+//! - *grab*: a point of a body that is held by hand, with the spring from there to where the hand is. *Lead*: of a
+//!   shared drive that is led by hand, what it is told to be.
 //! - *von Mises stress*: the size of a stress that changes shape; it is shown, measured and yielded by.
 //! - *snapshot*: what can be seen of a world at one time, as plain data.
 //! - *recording*: the states of the last frames, as many as fit its memory, to go back to. *Time series*: the numbers

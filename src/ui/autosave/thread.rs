@@ -353,7 +353,7 @@ mod tests {
     fn a_newer_document_outlives_that_an_older_one_is_forgotten() {
         let folder = tempfile::tempdir().expect("a folder");
         let (mut autosaver, _reports) = autosaver(folder.path());
-        // Asked for in this order by the window: keep 5 now, it is saved; meanwhile the next change was put in the slot.
+        // Asked for in this order by the window: keep 5 now, it is saved; meanwhile the next was put in the slot.
         put(&autosaver, 6);
         autosaver.go(AutosaveRequest::KeepNow);
         autosaver.go(AutosaveRequest::Forget(5));

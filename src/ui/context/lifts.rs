@@ -60,8 +60,8 @@ impl Lifts {
         lift
     }
 
-    /// The vertices of a sheet in the model frame [m], none where its strokes sweep no surface: swept anew where they or
-    /// the body have changed since the last time.
+    /// The vertices of a sheet in the model frame [m], none where its strokes sweep no surface: swept anew where they
+    /// or the body have changed since the last time.
     pub(crate) fn of_sheet(&self, sheet: &Sheet, sampling: Sampling) -> Rc<[DVec3]> {
         let mut known = self.sheet.borrow_mut();
         match &*known {

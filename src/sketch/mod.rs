@@ -7,7 +7,7 @@
 //! Why not otherwise. Pairing by arc length alone drifts, because a curve is foreshortened differently in each view.
 //! Sorting by the shared coordinate breaks any stroke that turns back.
 //!
-//! The steps: [`guides()`] after the first stroke, [`partial_lift()`] of what there is of the second, [`lift()`] for the
+//! The steps: [`guides()`] after the first stroke, [`partial_lift()`] while the second is drawn, [`lift()`] for the
 //! pair, [`structure_particles`] to sample the curve, [`trim()`] to keep what lies in the solid. All of them are pure.
 //! Beside strokes there are [`pattern`]s to start from. A pair can also be taken another way: [`sweep()`] carries the
 //! first along the second, which gives a surface.

@@ -39,6 +39,7 @@ pub struct Trial {
     lowest: f64,
     /// The most energy that was handled so far [J], what was gained left out.
     handled: f64,
+    /// The most that was gained so far [J].
     gained: f64,
     blew_up_at: Option<f64>,
     stable_dt: f64,
@@ -87,11 +88,10 @@ impl Trial {
         let risen = if balance.is_finite() { balance - self.lowest } else { f64::INFINITY };
         let gained = (risen - ROUND_OFF * size).max(0.0);
         self.handled = self.handled.max(handled - gained);
-        let share = gained / self.handled.max(f64::MIN_POSITIVE);
-        if share > BLOWN_UP || self.world.divergence().is_some() {
+        self.gained = self.gained.max(gained);
+        if self.gained() > BLOWN_UP || self.world.divergence().is_some() {
             self.blew_up_at = Some(self.world.time());
         }
-        self.gained = self.gained.max(share);
     }
 
     /// Sees the energies as they are now.
@@ -132,14 +132,14 @@ impl Trial {
     }
 
     /// What the energy less the work from outside has risen by at the most, where nothing may be gained, over the most
-    /// energy that the run had handled until then: that of motion, and by how much potentials had changed.
+    /// energy that the run ever handled: that of motion, and by how much potentials have changed.
     pub fn gained(&self) -> f64 {
-        self.gained
+        self.gained / self.handled.max(f64::MIN_POSITIVE)
     }
 
     /// Whether it neither blew up nor gained more energy than it ever handled.
     pub fn is_stable(&self) -> bool {
-        self.blew_up_at.is_none() && self.gained <= GAINS
+        self.blew_up_at.is_none() && self.gained() <= GAINS
     }
 
     /// The world as it stands.

@@ -59,6 +59,12 @@ fn a_drive_is_put_anywhere_and_taken_away_again() {
             assert!(refused.starts_with("/bodies/0/fibres/2/yield: "), "{refused}");
             continue;
         }
+        if of == (Drivable::Sheet { body: "stamp".into(), sheet: "perforation".into() }) {
+            // A seam carries nothing.
+            let refused = editor.apply(&set(&of, drive)).expect_err("it is a seam").to_string();
+            assert!(refused.starts_with("/bodies/2/sheets/0/seam: "), "{refused}");
+            continue;
+        }
         editor.apply(&set(&of, drive.clone())).unwrap_or_else(|error| panic!("{of:?}: {error}"));
         assert_eq!(of.drive(editor.scene()), Some(&drive), "{of:?}");
         assert_eq!(editor.undo_name(), Some("Change drive"));

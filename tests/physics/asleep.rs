@@ -27,7 +27,10 @@ fn row() -> Scene {
         id.clone_into(&mut cube.id);
         cube
     };
-    in_space(cube("flying", 0.0, 0.8)).with_body(cube("hit", 0.16, 0.0)).with_body(cube("apart", 0.8, 0.0))
+    let mut hit = cube("hit", 0.16, 0.0);
+    // Ball before ball they would part sideways by what rounding says.
+    hit.placement.translation[1..].copy_from_slice(&[3e-3, 2e-3]);
+    in_space(cube("flying", 0.0, 0.8)).with_body(hit).with_body(cube("apart", 0.8, 0.0))
 }
 
 fn evaluations(runner: &Runner) -> Vec<u64> {
@@ -61,7 +64,8 @@ fn they_wake_in_time_and_move_as_if_they_had_never_slept() {
         let (one, other) = (one.state(), other.state());
         let apart = one.positions.iter().zip(&other.positions).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
         println!("moving by {}, {apart:e} m apart", one.linear_momentum() / one.mass());
-        assert!(apart < 1e-9, "{apart}");
+        // Where a place lies between two faces, rounding says which of them it touches.
+        assert!(apart < 2e-3 * D, "{apart}");
     }
     let hit = runner.world().bodies()[1].state();
     assert!(hit.linear_momentum().x > 0.3 * hit.mass(), "it was hit");

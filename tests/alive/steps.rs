@@ -241,7 +241,6 @@ fn that_act() -> Vec<(&'static str, Scene)> {
         ("on a floor", standing(scene([3, 7, 3], vec![fibre(0.5 * D, 60.0, contract(0.5))]))),
         ("a thick rod on a floor", standing(scene([5, 7, 5], vec![fibre(1.5 * D, 300.0, contract(0.3))]))),
         ("springs", squeezed(0.6)),
-        ("springs on a floor", standing(squeezed(0.5)).with_floor(-0.12)),
     ]
 }
 

@@ -39,13 +39,25 @@ impl<'a> PointGrid<'a> {
     }
 }
 
+/// Cells are counted up to here, those further off as the last of them: their neighbours still have a number.
+const FURTHEST: f64 = 1e9;
+
 fn cell_of(point: DVec3, size: f64) -> IVec3 {
-    (point / size).floor().as_ivec3()
+    (point / size).floor().clamp(DVec3::splat(-FURTHEST), DVec3::splat(FURTHEST)).as_ivec3()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn points_that_are_far_off_for_their_cells_are_found() {
+        let far = DVec3::splat(1e12);
+        let points = [DVec3::ZERO, far, far + DVec3::splat(1e-3), -far];
+        let grid = PointGrid::new(&points, 1e-2);
+        assert_eq!(grid.within(far), [1, 2]);
+        assert_eq!(grid.within(-far), [3]);
+    }
 
     #[test]
     fn agrees_with_brute_force() {

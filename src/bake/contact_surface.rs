@@ -7,7 +7,7 @@ use crate::geometry::nearest::SurfaceIndex;
 use crate::scene::Scene;
 use crate::solver::contact_surface::ContactSurface;
 use crate::solver::skin::Skin;
-use glam::{DVec3, IVec3};
+use glam::IVec3;
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -47,10 +47,10 @@ pub(super) fn contact_surface(
 /// Those of some points and of their six neighbours that are there, of each.
 fn around(cells: &[IVec3], of: &[u32]) -> Vec<Vec<u32>> {
     let at: HashMap<IVec3, u32> = cells.iter().zip(0..).map(|(&cell, i)| (cell, i)).collect();
-    let steps = [DVec3::ZERO, DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
+    let steps = [IVec3::ZERO, IVec3::X, IVec3::NEG_X, IVec3::Y, IVec3::NEG_Y, IVec3::Z, IVec3::NEG_Z];
     let near = |&i: &u32| {
         let cell = cells[i as usize];
-        steps.iter().filter_map(|step| at.get(&(cell + step.as_ivec3())).copied()).collect()
+        steps.iter().filter_map(|&step| at.get(&(cell + step)).copied()).collect()
     };
     of.iter().map(near).collect()
 }

@@ -31,13 +31,7 @@ pub(super) fn parted_skin(
     }
     let particles = &sampling.sample.points;
     let (surface, outer) = sampling.parted_surface(&seams.surfaces);
-    let shape = SkinShape {
-        points: &surface.points,
-        point_of: &surface.point_of,
-        normals: &surface.normals,
-        colours: &surface.colours,
-        triangles: &surface.triangles,
-    };
+    let shape = SkinShape::of_drawn(&surface);
     let hollows = [sampling.hollows.clone(), seams.hollows(sampling)];
     let mut skins = Vec::new();
     for hollows in &hollows {

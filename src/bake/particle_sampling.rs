@@ -250,14 +250,7 @@ impl ParticleSampling<'_> {
             return Skin::try_embed(&SkinShape::of(solid), particles, kernel, &self.hollows, progress);
         }
         let surface = self.drawn_surface();
-        let shape = SkinShape {
-            points: &surface.points,
-            point_of: &surface.point_of,
-            normals: &surface.normals,
-            colours: &surface.colours,
-            triangles: &surface.triangles,
-        };
-        Skin::try_embed(&shape, particles, kernel, &self.hollows, progress)
+        Skin::try_embed(&SkinShape::of_drawn(&surface), particles, kernel, &self.hollows, progress)
     }
 
     /// The surface of the shape, with openings where voids come out of it, and their walls.

@@ -52,7 +52,12 @@ pub(crate) fn closest_on_triangle(x: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
         let [s, t] = closest_on_segment(x, [p, q]);
         (x.distance_squared(s * p + t * q), s, t)
     };
-    let (ab, bc, ca) = (at([a, b]), at([b, c]), at([c, a]));
+    on_nearest_edge([at([a, b]), at([b, c]), at([c, a])])
+}
+
+/// Weights of a triangle's corners a, b, c on the nearest of the edges ab, bc, ca, each given by how far it is and by
+/// the weights of its ends; the first of equal ones.
+pub(crate) fn on_nearest_edge([ab, bc, ca]: [(f64, f64, f64); 3]) -> [f64; 3] {
     if ab.0 <= bc.0 && ab.0 <= ca.0 {
         [ab.1, ab.2, 0.0]
     } else if bc.0 <= ca.0 {

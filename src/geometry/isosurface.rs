@@ -3,6 +3,7 @@
 //! Naive surface nets: one vertex a cell that the surface passes through, one quad an edge that it cuts. Vertices are
 //! then brought onto the surface and spread evenly over it, so that the mesh shows nothing of the grid.
 
+use super::lattice::CORNERS;
 use super::model::{MeshData, Model};
 use glam::{DVec3, IVec3};
 use rayon::prelude::*;
@@ -141,18 +142,6 @@ impl Net {
             .collect()
     }
 }
-
-/// The corners of a cell.
-const CORNERS: [IVec3; 8] = [
-    IVec3::new(0, 0, 0),
-    IVec3::new(1, 0, 0),
-    IVec3::new(0, 1, 0),
-    IVec3::new(1, 1, 0),
-    IVec3::new(0, 0, 1),
-    IVec3::new(1, 0, 1),
-    IVec3::new(0, 1, 1),
-    IVec3::new(1, 1, 1),
-];
 
 /// The corners at the ends of an edge of a cell: four edges along each axis, the side given by the two bits of the
 /// other axes in turn.

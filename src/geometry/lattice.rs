@@ -6,6 +6,18 @@ use std::array::from_fn;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
+/// The corners of a cell.
+pub(crate) const CORNERS: [IVec3; 8] = [
+    IVec3::new(0, 0, 0),
+    IVec3::new(1, 0, 0),
+    IVec3::new(0, 1, 0),
+    IVec3::new(1, 1, 0),
+    IVec3::new(0, 0, 1),
+    IVec3::new(1, 0, 1),
+    IVec3::new(0, 1, 1),
+    IVec3::new(1, 1, 1),
+];
+
 /// Points of a cubic lattice inside a shape, ordered by z, then y, then x of the lattice (rows along x are contiguous).
 #[derive(Clone, Debug, PartialEq)]
 pub struct LatticeSample {

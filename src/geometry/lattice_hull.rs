@@ -1,6 +1,7 @@
 //! The surface through the outermost points of a lattice: the faces of all of its cubes whose eight corners are there,
 //! but for those that two cubes share.
 
+use super::lattice::CORNERS;
 use glam::{DVec3, IVec3};
 use std::collections::{HashMap, HashSet};
 
@@ -12,18 +13,6 @@ pub(crate) struct LatticeHull {
     /// Faces, counter-clockwise seen from outside.
     pub(crate) faces: Vec<[u32; 3]>,
 }
-
-/// Corners of a cube.
-const CORNERS: [IVec3; 8] = [
-    IVec3::new(0, 0, 0),
-    IVec3::new(1, 0, 0),
-    IVec3::new(0, 1, 0),
-    IVec3::new(1, 1, 0),
-    IVec3::new(0, 0, 1),
-    IVec3::new(1, 0, 1),
-    IVec3::new(0, 1, 1),
-    IVec3::new(1, 1, 1),
-];
 
 impl LatticeHull {
     /// Of points at `cells` of a lattice. Cubes between points of which some are not `joined` do not count.

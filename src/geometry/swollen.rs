@@ -5,7 +5,7 @@
 //! convex in p: where the least one of the whole plane lies outside, it lies on an edge. In the plane, with the foot f
 //! of x at a distance h and g the slope of r, it is at `f + g h / sqrt(1 - g²)`: x is seen under the slope's angle.
 
-use super::closest::{closest_on_segment, closest_on_triangle};
+use super::closest::{closest_on_segment, closest_on_triangle, on_nearest_edge};
 use glam::DVec3;
 
 /// Slopes of the radius count as no steeper than this: one ball would hold the next.
@@ -44,14 +44,7 @@ pub(crate) fn nearest_on_swollen(x: DVec3, corners: [DVec3; 3], radii: [f64; 3])
         let s = 1.0 - t;
         (x.distance(s * p + t * q) - (s * rp + t * rq), s, t)
     };
-    let (ab, bc, ca) = (at([a, b], [ra, rb]), at([b, c], [rb, rc]), at([c, a], [rc, ra]));
-    if ab.0 <= bc.0 && ab.0 <= ca.0 {
-        [ab.1, ab.2, 0.0]
-    } else if bc.0 <= ca.0 {
-        [0.0, bc.1, bc.2]
-    } else {
-        [ca.2, 0.0, ca.1]
-    }
+    on_nearest_edge([at([a, b], [ra, rb]), at([b, c], [rb, rc]), at([c, a], [rc, ra])])
 }
 
 /// How far beside the foot of what is `height` above it the least one lies, where the radius has this slope.

@@ -15,6 +15,7 @@ use super::embedding::EmbeddingWeights;
 use super::forces::FlowSurface;
 use super::skin_arms::{Arms, DIRECTIONS};
 use super::skin_weights::{Carried, FARTHEST, SkinEmbedder};
+use crate::geometry::clip::DrawnSurface;
 use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::linear_map::LinearMap;
@@ -74,6 +75,12 @@ impl<'a> SkinShape<'a> {
             colours: &solid.model.colours,
             triangles: &solid.model.triangles,
         }
+    }
+
+    /// A surface as it was made to be drawn.
+    pub(crate) fn of_drawn(surface: &'a DrawnSurface) -> Self {
+        let DrawnSurface { points, point_of, normals, colours, triangles } = surface;
+        Self { points, point_of, normals, colours, triangles }
     }
 }
 

@@ -81,18 +81,7 @@ impl AutosaveThread {
         let (requests, asked) = channel();
         let (told, reports) = channel();
         let slot = LatestSlot::default();
-        let autosaver = Autosaver {
-            slot: Arc::clone(&slot),
-            folder: None,
-            place: None,
-            kept: 0,
-            recovered: Vec::new(),
-            due: None,
-            watched: None,
-            has_failed: false,
-            reports: told,
-            wake: Box::new(wake),
-        };
+        let autosaver = Autosaver::new(Arc::clone(&slot), told, wake);
         let thread = std::thread::Builder::new().name("autosave".into()).spawn(move || autosaver.run(&asked)).ok();
         Self { requests, reports, slot, number: 0, thread }
     }
@@ -180,6 +169,21 @@ struct Autosaver {
 }
 
 impl Autosaver {
+    fn new(slot: LatestSlot, reports: Sender<AutosaveReport>, wake: impl Fn() + Send + 'static) -> Self {
+        Self {
+            slot,
+            folder: None,
+            place: None,
+            kept: 0,
+            recovered: Vec::new(),
+            due: None,
+            watched: None,
+            has_failed: false,
+            reports,
+            wake: Box::new(wake),
+        }
+    }
+
     fn run(mut self, requests: &Receiver<AutosaveRequest>) {
         loop {
             match self.wait(requests) {
@@ -319,18 +323,8 @@ mod tests {
     /// One that keeps in this folder, and what it tells.
     fn autosaver(folder: &Path) -> (Autosaver, Receiver<AutosaveReport>) {
         let (told, reports) = channel();
-        let autosaver = Autosaver {
-            slot: LatestSlot::default(),
-            folder: Some(folder.to_owned()),
-            place: None,
-            kept: 0,
-            recovered: Vec::new(),
-            due: None,
-            watched: None,
-            has_failed: false,
-            reports: told,
-            wake: Box::new(|| ()),
-        };
+        let mut autosaver = Autosaver::new(LatestSlot::default(), told, || ());
+        autosaver.folder = Some(folder.to_owned());
         (autosaver, reports)
     }
 

@@ -88,6 +88,7 @@ mod force;
 mod inelastic;
 mod mean_rotation;
 mod pair_list;
+mod partial;
 mod reference;
 mod regions;
 mod seams;

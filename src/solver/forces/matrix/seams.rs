@@ -16,13 +16,10 @@
 //! Neighbourhoods with all bonds across the seams cut are looked at before the body is put together. Those with fewer
 //! cut span space all the more: A is a sum over bonds.
 
-use super::mean_rotation::mean_rotation;
-use super::pair_list::{CHUNK, PairListPasses, ParticleStress};
+use super::partial::PartialMatrix;
 use super::reference::ReferenceConfiguration;
-use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
-use fearless_simd::{Level, dispatch};
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -58,9 +55,8 @@ pub(super) struct Seams {
     tears: Vec<SeamTear>,
     /// Energy that was released [J].
     pub(super) released: f64,
-    rotations: Vec<DQuat>,
-    level: Level,
-    buffers: Scratch<Buffers>,
+    /// Of the particles that feel others across a seam.
+    matrix: PartialMatrix,
 }
 
 /// Share of the energy around bonds under which what they would take is rounding.
@@ -68,21 +64,9 @@ const NOTHING: f64 = 1e-12;
 
 /// What never changes.
 struct Beside {
-    /// Particles that feel others across a seam, in ascending order.
-    particles: Vec<u32>,
-    felt: Vec<Receiver>,
     seams: Vec<SeamBonds>,
     /// Bonds of all seams, one after another.
     bonds: Vec<Bond>,
-}
-
-/// A particle that feels some of those.
-struct Receiver {
-    particle: u32,
-    /// Its own place among them, if it is one.
-    own: Option<u32>,
-    /// Their places, each with that of the bond from there to here in its list.
-    from: Vec<(u32, u32)>,
 }
 
 /// A bond across a seam.
@@ -95,13 +79,6 @@ struct Bond {
     seam: usize,
 }
 
-#[derive(Default)]
-struct Buffers {
-    deviations: Vec<[f64; 4]>,
-    stresses: Vec<(ParticleStress, DVec3)>,
-    forces: Vec<DVec3>,
-}
-
 impl Seams {
     /// Those of a matrix over `reference`, of a body that starts turned by `orientation`.
     pub(super) fn new(reference: &ReferenceConfiguration, seams: Vec<SeamBonds>, orientation: DQuat) -> Self {
@@ -109,22 +86,6 @@ impl Seams {
         particles.sort_unstable();
         particles.dedup();
         let neighbourhood = reference.neighbourhood.only(&particles);
-        let mut felt: Vec<Receiver> = Vec::new();
-        let mut index: Vec<Option<u32>> = vec![None; reference.positions.len()];
-        let mut receiver = |felt: &mut Vec<Receiver>, particle: u32| {
-            *index[particle as usize].get_or_insert_with(|| {
-                felt.push(Receiver { particle, own: None, from: Vec::new() });
-                felt.len() as u32 - 1
-            }) as usize
-        };
-        for (place, &i) in (0..).zip(&particles) {
-            let own = receiver(&mut felt, i);
-            felt[own].own = Some(place);
-            for (bond, (j, _)) in neighbourhood.range(i as usize).zip(neighbourhood.bonds(i as usize)) {
-                let other = receiver(&mut felt, j as u32);
-                felt[other].from.push((place, bond as u32));
-            }
-        }
         let bond = |seam: usize, stretch: f64, [i, j]: [u32; 2]| {
             let place = |i: u32, j: u32| neighbourhood.place(i as usize, j as usize);
             let length = reference.positions[i as usize].distance(reference.positions[j as usize]);
@@ -138,21 +99,19 @@ impl Seams {
             .collect();
         let tears = seams.iter().map(|seam| SeamTear { bonds: seam.pairs.len(), torn: 0, first: None }).collect();
         Self {
+            matrix: PartialMatrix::new(&neighbourhood, &particles, orientation),
             left: ReferenceConfiguration { neighbourhood: Arc::new(neighbourhood), ..reference.clone() },
             torn: Arc::new(vec![false; bonds.len()]),
             tears,
             released: 0.0,
-            rotations: vec![orientation; particles.len()],
-            fixed: Arc::new(Beside { particles, felt, seams, bonds }),
-            level: Level::new(),
-            buffers: Scratch::default(),
+            fixed: Arc::new(Beside { seams, bonds }),
         }
     }
 
     /// What is left of a reference configuration without these particles: they have no share in it.
     pub(super) fn others(&self, reference: &ReferenceConfiguration) -> ReferenceConfiguration {
         let mut weights = reference.matrix_weight.to_vec();
-        for &i in &self.fixed.particles {
+        for &i in self.matrix.particles() {
             weights[i as usize] = 0.0;
         }
         ReferenceConfiguration { matrix_weight: weights.into(), ..reference.clone() }
@@ -160,7 +119,7 @@ impl Seams {
 
     /// The place of a particle among those beside seams, if it is one.
     fn place(&self, i: usize) -> Option<usize> {
-        self.fixed.particles.binary_search(&(i as u32)).ok()
+        self.matrix.particles().binary_search(&(i as u32)).ok()
     }
 
     /// The material by which a particle is computed, if it is one of these.
@@ -170,7 +129,7 @@ impl Seams {
 
     /// Rotation of a particle at the last evaluation, if it is one of these.
     pub(super) fn rotation(&self, i: usize) -> Option<DQuat> {
-        self.place(i).map(|place| self.rotations[place])
+        self.place(i).map(|place| self.matrix.rotations[place])
     }
 
     /// What has become of each seam.
@@ -187,7 +146,7 @@ impl Seams {
     pub(super) fn bytes(&self) -> usize {
         let is_torn = self.tears.iter().any(|tear| tear.torn > 0);
         let own = if is_torn { self.left.neighbourhood.bytes() + size_of_val(&**self.torn) } else { 0 };
-        size_of_val(self) + size_of_val(&*self.rotations) + own
+        size_of_val(self) + size_of_val(&*self.matrix.rotations) + own
     }
 
     /// The same with every bond torn.
@@ -198,46 +157,13 @@ impl Seams {
     }
 
     pub(super) fn add_forces(&mut self, positions: &[DVec3], forces: &mut [DVec3]) {
-        let (mut rotations, mut buffers) = (std::mem::take(&mut self.rotations), std::mem::take(&mut *self.buffers));
-        let Buffers { deviations, stresses, forces: sums } = &mut buffers;
-        let Beside { particles, felt, .. } = &*self.fixed;
-        let reference = &self.left;
-        let body_turn = DMat3::from_quat(mean_rotation(rotations.iter().copied()));
-        deviations.resize(positions.len(), [0.0; 4]);
-        for i in felt.iter().map(|of| of.particle as usize) {
-            // Differences to particle 0 first: they are exact far from the origin, too.
-            let rest = reference.positions[i] - reference.positions[0];
-            let u = (positions[i] - positions[0]) - body_turn * rest;
-            deviations[i] = [u.x, u.y, u.z, 0.0];
-        }
-        let passes = PairListPasses { reference, body_turn, deviations };
-        let level = self.level;
-        let stress_of = |(&i, rotation): (&u32, &mut DQuat)| {
-            let weight = reference.matrix_weight[i as usize];
-            dispatch!(level, simd => passes.stress(simd, i as usize, weight, rotation))
-        };
-        let each = particles.par_iter().zip(rotations.par_iter_mut()).with_min_len(CHUNK);
-        each.map(stress_of).collect_into_vec(stresses);
-        let on = |of: &Receiver| {
-            let here = passes.deviation(of.particle as usize);
-            let own = of.own.map_or(DVec3::ZERO, |place| stresses[place as usize].1);
-            of.from.iter().fold(own, |sum, &(place, bond)| {
-                let there = passes.deviation(particles[place as usize] as usize);
-                let bond = reference.neighbourhood.bond(bond as usize);
-                sum - stresses[place as usize].0.pull(bond.weight, bond.weighted_offset, here - there)
-            })
-        };
-        felt.par_iter().with_min_len(CHUNK).map(on).collect_into_vec(sums);
-        for (of, sum) in felt.iter().zip(sums) {
-            forces[of.particle as usize] += *sum;
-        }
-        self.rotations = rotations;
-        *self.buffers = buffers;
+        let weights = &self.left.matrix_weight;
+        self.matrix.add_forces(&self.left, |_, i| weights[i as usize], positions, forces);
     }
 
     /// Elastic and zero-energy energy [J] of a particle, if it is one of these.
     pub(super) fn energy(&self, i: usize, positions: &[DVec3]) -> Option<(f64, f64)> {
-        self.place(i).map(|place| self.left.energy(i, positions, self.rotations[place]))
+        self.place(i).map(|place| self.left.energy(i, positions, self.matrix.rotations[place]))
     }
 
     /// Tears the bonds that are too long at the end of a step at `time` [s]; true if there are any.

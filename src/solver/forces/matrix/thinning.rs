@@ -7,17 +7,15 @@
 //! What drives do to the shares is work: of a step half of what the change adds to the energy where the step began, and
 //! half of what it adds where it ended.
 
-use super::mean_rotation::mean_rotation;
-use super::pair_list::{CHUNK, PairListPasses, ParticleStress};
+use super::pair_list::CHUNK;
+use super::partial::PartialMatrix;
 use super::reference::ReferenceConfiguration;
 use crate::solver::driven_fractions::DrivenFractions;
 use crate::solver::energy::Energies;
 use crate::solver::forces::force::Force;
 use crate::solver::hand::Hand;
-use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
-use fearless_simd::{Level, dispatch};
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -28,23 +26,10 @@ pub(crate) struct MatrixThinning {
     fractions: Arc<DrivenFractions>,
     /// Fractions where all drives are 0, which the matrix force itself has.
     drawn: Arc<[f64]>,
-    felt: Arc<[Receiver]>,
-    level: Level,
-    /// Last rotations of the particles, the warm starts of the next.
-    rotations: Vec<DQuat>,
+    matrix: PartialMatrix,
     /// Work done up to the last booking [J].
     work: f64,
     booked: Option<Booked>,
-    buffers: Scratch<Buffers>,
-}
-
-/// A particle that feels some whose share of matrix changes.
-struct Receiver {
-    particle: u32,
-    /// Its own place among these, if it is one of them.
-    own: Option<u32>,
-    /// Their places, with the weight [1/m²] and the weighted offset [1/m] from there to here.
-    from: Vec<(u32, f64, DVec3)>,
 }
 
 /// What there was at the last booking.
@@ -57,41 +42,15 @@ struct Booked {
     energies: Vec<f64>,
 }
 
-#[derive(Default)]
-struct Buffers {
-    deviations: Vec<[f64; 4]>,
-    stresses: Vec<(ParticleStress, DVec3)>,
-    forces: Vec<DVec3>,
-}
-
 impl MatrixThinning {
     pub(super) fn new(reference: ReferenceConfiguration, fractions: DrivenFractions, orientation: DQuat) -> Self {
-        let mut felt: Vec<Receiver> = Vec::new();
-        let mut index: Vec<Option<u32>> = vec![None; reference.positions.len()];
-        let mut receiver = |felt: &mut Vec<Receiver>, particle: u32| {
-            *index[particle as usize].get_or_insert_with(|| {
-                felt.push(Receiver { particle, own: None, from: Vec::new() });
-                felt.len() as u32 - 1
-            }) as usize
-        };
-        for (place, &i) in (0..).zip(&fractions.particles) {
-            let own = receiver(&mut felt, i);
-            felt[own].own = Some(place);
-            for (j, bond) in reference.neighbourhood.bonds(i as usize) {
-                let other = receiver(&mut felt, j as u32);
-                felt[other].from.push((place, bond.weight, bond.weighted_offset));
-            }
-        }
         Self {
             drawn: fractions.at(None).into(),
-            rotations: vec![orientation; fractions.particles.len()],
+            matrix: PartialMatrix::new(&reference.neighbourhood, &fractions.particles, orientation),
             fractions: Arc::new(fractions),
-            felt: felt.into(),
             reference,
-            level: Level::new(),
             work: 0.0,
             booked: None,
-            buffers: Scratch::default(),
         }
     }
 
@@ -108,7 +67,7 @@ impl MatrixThinning {
             let (elastic, zero_energy) = self.reference.densities(i as usize, positions, rotation);
             (self.reference.volume * elastic, self.reference.volume * zero_energy)
         };
-        self.fractions.particles.par_iter().zip(&self.rotations).with_min_len(CHUNK).map(of).collect()
+        self.fractions.particles.par_iter().zip(&self.matrix.rotations).with_min_len(CHUNK).map(of).collect()
     }
 
     fn now(&self, time: f64, positions: &[DVec3]) -> Booked {
@@ -132,41 +91,7 @@ impl Force for MatrixThinning {
             self.booked = Some(self.now(time, positions));
         }
         let gains = self.gains(&self.fractions.at(Some(time)));
-        let (mut rotations, mut buffers) = (std::mem::take(&mut self.rotations), std::mem::take(&mut *self.buffers));
-        let Buffers { deviations, stresses, forces: sums } = &mut buffers;
-        let body_turn = DMat3::from_quat(mean_rotation(rotations.iter().copied()));
-        deviations.resize(positions.len(), [0.0; 4]);
-        let rest = &self.reference.positions;
-        for i in self.felt.iter().map(|of| of.particle as usize) {
-            // Differences to particle 0 first: they are exact far from the origin, too.
-            let u = (positions[i] - positions[0]) - body_turn * (rest[i] - rest[0]);
-            deviations[i] = [u.x, u.y, u.z, 0.0];
-        }
-        let passes = PairListPasses { reference: &self.reference, body_turn, deviations };
-        let level = self.level;
-        let stress_of = |(place, (&i, rotation)): (usize, (&u32, &mut DQuat))| dispatch!(level, simd => passes.stress(simd, i as usize, gains[place], rotation));
-        let particles = &self.fractions.particles;
-        particles
-            .par_iter()
-            .zip(rotations.par_iter_mut())
-            .enumerate()
-            .with_min_len(CHUNK)
-            .map(stress_of)
-            .collect_into_vec(stresses);
-        let on = |of: &Receiver| {
-            let here = passes.deviation(of.particle as usize);
-            let own = of.own.map_or(DVec3::ZERO, |place| stresses[place as usize].1);
-            of.from.iter().fold(own, |sum, &(place, weight, offset)| {
-                let there = passes.deviation(particles[place as usize] as usize);
-                sum - stresses[place as usize].0.pull(weight, offset, here - there)
-            })
-        };
-        self.felt.par_iter().with_min_len(CHUNK).map(on).collect_into_vec(sums);
-        for (of, sum) in self.felt.iter().zip(sums) {
-            forces[of.particle as usize] += *sum;
-        }
-        self.rotations = rotations;
-        *self.buffers = buffers;
+        self.matrix.add_forces(&self.reference, |place, _| gains[place], positions, forces);
     }
 
     fn add_energy(&self, time: f64, state: &ParticleState, energies: &mut Energies) {
@@ -231,7 +156,7 @@ impl Force for MatrixThinning {
 
     fn bytes(&self) -> usize {
         let booked = self.booked.as_ref().map_or(0, |of| size_of_val(&*of.fractions) + size_of_val(&*of.energies));
-        size_of_val(self) + size_of_val(&*self.rotations) + booked
+        size_of_val(self) + size_of_val(&*self.matrix.rotations) + booked
     }
 
     fn clone_at_extreme(&self, greatest: bool) -> Box<dyn Force> {

@@ -81,6 +81,7 @@ pub use region_material::RegionMaterial;
 pub use room::{Room, Sticking};
 pub use round_shape::{BallShape, CapsuleShape, CylinderShape, TorusShape};
 pub use shape::{BoxShape, MeshShape, Placement, Rotation, Shape};
+pub(crate) use sheet::SEAM_STRETCH;
 pub use sheet::{
     Grain, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, Seam, Sheet, SheetActivation, SheetRestShape, SheetSource,
     SheetStiffness, SheetTriangles, SweptStrokes,

@@ -9,7 +9,9 @@ use super::outline_row::{colour, row};
 use super::theme::{self, GRID};
 use crate::edit::sheet_ops::{displaced, stiffness_of};
 use crate::edit::{Command, Item};
-use crate::scene::{Grain, GrainAlong, Material, Seam, Sheet, SheetRestShape, SheetSource, SheetStiffness};
+use crate::scene::{
+    Grain, GrainAlong, Material, SEAM_STRETCH, Seam, Sheet, SheetRestShape, SheetSource, SheetStiffness,
+};
 use crate::solver::snapshot::SheetSnapshot;
 use egui::{Checkbox, RichText, Slider, SliderClamping, Ui};
 use std::collections::BTreeMap;
@@ -42,7 +44,7 @@ const VOLUME_FRACTION: NumberField = NumberField::new(
 const STRETCH: NumberField = NumberField::new(
     "Tears past",
     "×",
-    1.001..=10.0,
+    SEAM_STRETCH[0]..=SEAM_STRETCH[1],
     Some(FIRST_STRETCH),
     "Length over that at rest past which neighbours across it part",
 );

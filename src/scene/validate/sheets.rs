@@ -5,10 +5,9 @@ use super::check::{At, Checked, Ids, direction, finite, fraction, not_negative, 
 use super::drives::still;
 use super::lines::stroke;
 use crate::scene::drive::CONTRACTION;
-use crate::scene::sheet::SEAM_STRETCH;
 use crate::scene::{
-    Body, Drive, Fibre, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, Seam, SharedDrive, Sheet, SheetActivation,
-    SheetSource, SheetStiffness, SheetTriangles, SweptStrokes,
+    Body, Drive, Fibre, GrainAlong, MAX_SHEET_VERTICES, MAX_SHEETS, SEAM_STRETCH, Seam, SharedDrive, Sheet,
+    SheetActivation, SheetSource, SheetStiffness, SheetTriangles, SweptStrokes,
 };
 use std::collections::HashMap;
 

@@ -57,7 +57,7 @@
 //!
 //! # Modules
 //!
-//! - `text`: how numbers are written for people.
+//! - `text`: how numbers are written for people, and how a content is told by one.
 //! - [`geometry`]: shapes and distances. Kernel, lattice sampling, neighbour search, curves, models and how they are
 //!   checked, filled and moved inwards, rigs of skins. Knows nothing of scenes or physics.
 //! - [`sketch`]: a pair of strokes in two views becomes one curve in space, or a message that says why not
@@ -127,7 +127,7 @@
 //! | contact with the room, with panels, between bodies | `solver::forces::Contact`; `solver::panel`; `solver::body_contact`, by `solver::contact_surface` |
 //! | contact of a body with itself | `solver::forces::SelfContact`; which particles can touch: `bake::self_contact` |
 //! | colliders: how far a point is from one; where they are; how bodies touch them | `geometry::obstacle`; `solver::collider`; `solver::forces::ColliderContact` |
-//! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::easing`; what is said of it: `bake::overlaps` |
+//! | what overlaps at the start, and how it is eased apart | `solver::overlap`, `solver::eased_overlap`; what is said of it: `bake::overlaps` |
 //! | pins that cannot be meant | `bake::pins` |
 //! | the recording, and what asks for it | `sim::recording`; [`sim::SimCommand`] |
 //! | what ends a frame or a bake on the way | `sim::worker::stop`, asked by [`sim::Runner::advance_frame_unless`] |
@@ -223,7 +223,7 @@
 //! - *grip*: what touching particles hold on to below Coulomb's limit: springs along the surface.
 //! - *body contact*: the push between two bodies. *Grab*: the pull at a point of a body. *Strike*: an impulse on one.
 //! - *overlap*: of bodies that start inside one another, the room or a panel. *Allowance*: the depth that contact
-//!   grants such a one. *Easing*: an allowance that fades.
+//!   grants such a one. *Eased overlap*: one whose allowance fades. *Easing* of a ramp: how its speed sets in and ends.
 //! - *asleep*: a body at rest that nothing comes near; it takes no steps.
 //! - *stage*: an implicit equation for the end, or a point, of a step. *Chord step*: one towards its solution, by a
 //!   matrix that stays. *Fallback*: a step that was halved, or handed over to leap-frog, because a stage was not

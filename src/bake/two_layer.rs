@@ -173,14 +173,14 @@ fn own_forces(
     }
     let led = follows::springs(followed, &body.follows, start);
     forces.extend(led.into_iter().map(|springs| Box::new(springs) as Box<dyn Force>));
-    for drag in &body.drags {
-        let target = DVec3::from_array(drag.target);
+    for grab in &body.grabs {
+        let target = DVec3::from_array(grab.target);
         forces.push(Box::new(Grab {
             point: EmbeddingWeights::of_particle(nearest(&start.positions[..model.outer], target)),
             target,
             stiffness: body.mks,
             damping: body.mkd,
-            until: drag.until.unwrap_or(f64::INFINITY),
+            until: grab.until.unwrap_or(f64::INFINITY),
         }));
     }
     forces

@@ -90,7 +90,7 @@ pub(crate) use size::BYTES_PER_PARTICLE;
 pub use spring_act::{ActiveSprings, SpringChoice};
 pub use start::{Impulse, Initial};
 pub use time::{Automatic, Manual, Time, TimeStep};
-pub use two_layer::{ContactKind, Drag, PressureIn, RegionMass, TwoLayer, TwoLayerContact};
+pub use two_layer::{ContactKind, Grab, PressureIn, RegionMass, TwoLayer, TwoLayerContact};
 pub use validate::SceneError;
 pub(crate) use validate::{brief, one_line};
 pub use void::{MAX_VOIDS, Void, VoidMesh, VoidShape};

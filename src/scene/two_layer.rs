@@ -44,10 +44,10 @@ pub struct TwoLayer {
     /// RKD: damping of radius and shear springs [N s/m].
     #[serde(default = "default_rkd")]
     pub rkd: f64,
-    /// MKS: stiffness of the spring by which the body is dragged [N/m].
+    /// MKS: stiffness of the spring by which the body is grabbed [N/m].
     #[serde(default = "default_mks")]
     pub mks: f64,
-    /// MKD: damping of the spring by which the body is dragged [N s/m].
+    /// MKD: damping of the spring by which the body is grabbed [N s/m].
     #[serde(default = "default_mkd")]
     pub mkd: f64,
     /// PRESSURE: nRT of the enclosed gas [J], in 2D for each metre of depth; P = nRT / V.
@@ -101,9 +101,9 @@ pub struct TwoLayer {
     /// Motions made elsewhere that its particles follow.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub follows: Vec<Follow>,
-    /// Points to which its nearest outer particle is dragged.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub drags: Vec<Drag>,
+    /// Grabs of its nearest outer particle; the paper and the file say drags.
+    #[serde(default, rename = "drags", skip_serializing_if = "Vec::is_empty")]
+    pub grabs: Vec<Grab>,
     /// Unknown fields, kept.
     #[serde(flatten)]
     pub extra: Extra,
@@ -146,7 +146,7 @@ impl TwoLayer {
             regions: Vec::new(),
             pins: Vec::new(),
             follows: Vec::new(),
-            drags: Vec::new(),
+            grabs: Vec::new(),
             extra: Extra::new(),
         }
     }
@@ -172,10 +172,10 @@ impl TwoLayer {
         Self::new(id, mesh.into())
     }
 
-    /// Dragged by its nearest outer particle as well.
+    /// Grabbed by its nearest outer particle as well.
     #[must_use]
-    pub fn with_drag(mut self, drag: Drag) -> Self {
-        self.drags.push(drag);
+    pub fn with_grab(mut self, grab: Grab) -> Self {
+        self.grabs.push(grab);
         self
     }
 }
@@ -250,9 +250,9 @@ pub enum ContactKind {
     PaperReset,
 }
 
-/// A drag of the nearest outer particle by a spring of stiffness `mks` and damping `mkd`.
+/// A grab of the nearest outer particle by a spring of stiffness `mks` and damping `mkd`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Drag {
+pub struct Grab {
     /// Where the particle is pulled to [m], world.
     pub target: [f64; 3],
     /// When it is let go [s]; never unless given.
@@ -263,8 +263,8 @@ pub struct Drag {
     pub extra: Extra,
 }
 
-impl Drag {
-    /// Drags to a point [m, world] and never lets go.
+impl Grab {
+    /// Pulls to a point [m, world] and never lets go.
     pub fn to(target: impl Into<[f64; 3]>) -> Self {
         Self { target: target.into(), until: None, extra: Extra::new() }
     }

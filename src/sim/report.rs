@@ -7,8 +7,8 @@ use crate::solver::collider::Collider;
 use crate::solver::energy::Energies;
 use crate::solver::measure::MeasureValue;
 use crate::solver::world::{Accuracy, World};
+use crate::text::fnv::Fnv;
 use serde::Serialize;
-use std::hash::{DefaultHasher, Hasher};
 
 /// Result of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -272,22 +272,22 @@ impl BodyReport {
     }
 }
 
-/// Hash of a state of bodies, equal only for equal bits: of positions, velocities and what forces remember of the
-/// motion so far.
+/// Hash (FNV-1a) of a state of bodies, equal only for equal bits: of positions, velocities and what forces remember of
+/// the motion so far.
 pub(super) fn state_hash<'a>(bodies: impl IntoIterator<Item = &'a Body>) -> String {
-    let mut hasher = DefaultHasher::new();
-    bodies.into_iter().for_each(|body| add_state(body, &mut hasher));
-    format!("{:016x}", hasher.finish())
+    let mut hash = Fnv::START;
+    bodies.into_iter().for_each(|body| add_state(body, &mut hash));
+    hash.hex()
 }
 
-fn add_state(body: &Body, hasher: &mut DefaultHasher) {
+fn add_state(body: &Body, hash: &mut Fnv) {
     for v in body.state().positions.iter().chain(&body.state().velocities) {
         for component in v.to_array() {
-            hasher.write_u64(component.to_bits());
+            hash.add(&component.to_bits().to_le_bytes());
         }
     }
     for force in &body.parts().forces {
-        force.remembered(&mut |number| hasher.write_u64(number.to_bits()));
+        force.remembered(&mut |number| hash.add(&number.to_bits().to_le_bytes()));
     }
 }
 

@@ -175,7 +175,7 @@ pub struct ComparedSample {
     pub pressure: Option<f64>,
 }
 
-/// A point that a drag has left pinned.
+/// A point at which a grab stays pinned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PinnedPoint {
     /// Index of its body.
@@ -205,7 +205,7 @@ pub struct Published {
     /// Particles that each constraint of each body holds, its pins last; the same ones until the scene is put together
     /// again.
     pub held: Arc<[Vec<Vec<u32>>]>,
-    /// Points that drags have left pinned, as they are shown.
+    /// Points at which grabs stay pinned, as they are shown.
     pub pinned: Vec<PinnedPoint>,
     /// The rest.
     pub status: Status,

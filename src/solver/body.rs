@@ -19,7 +19,7 @@ pub use parts::{BodyParts, ElementLines, FibreLine, RestScale, SheetSurface, Sur
 use given::Given;
 
 use super::dynamics::{Dynamics, Fallbacks, energies};
-use super::easing::Easing;
+use super::eased_overlap::EasedOverlap;
 use super::energy::Energies;
 use super::forces::fibre::breaking::FibreBreak;
 use super::forces::{Contact, Force, Grab, Inelastic, Plane};
@@ -191,12 +191,12 @@ impl Body {
     }
 
     /// How it is eased out of a plane of the room, if it is.
-    pub(super) fn easing(&self, plane: usize) -> Option<&Easing> {
+    pub(super) fn easing(&self, plane: usize) -> Option<&EasedOverlap> {
         room_contact(&self.parts.forces)?.easing(plane)
     }
 
     /// Eases it out of planes of the room, by their index, from a time [s].
-    pub(super) fn ease_out(&mut self, eased: &[(usize, Easing)], time: f64) {
+    pub(super) fn ease_out(&mut self, eased: &[(usize, EasedOverlap)], time: f64) {
         let contacts = self.parts.forces.iter_mut().filter_map(|force| force.downcast_mut::<Contact>());
         for contact in contacts {
             if contact.eased[..] != *eased {

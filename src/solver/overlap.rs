@@ -6,7 +6,7 @@
 
 use super::body::Body;
 use super::body_contact::{Allowance, stiffness_between, together, touches};
-use super::easing::{Easing, GENTLE};
+use super::eased_overlap::{EasedOverlap, GENTLE};
 use super::forces::Plane;
 use super::panel::Panel;
 use super::way_out::way_out;
@@ -39,7 +39,7 @@ pub struct Overlap {
     /// Middle of these [m].
     pub at: DVec3,
     /// How it is eased apart; none where contact is too soft to throw anything.
-    pub easing: Option<Easing>,
+    pub easing: Option<EasedOverlap>,
 }
 
 /// How two bodies are eased apart.
@@ -49,7 +49,7 @@ pub(super) struct EasedPair {
     pub(super) second: usize,
     /// Unit vector along which the first stands aside; none where each touch is granted its depth.
     pub(super) along: Option<DVec3>,
-    pub(super) easing: Easing,
+    pub(super) easing: EasedOverlap,
 }
 
 impl EasedPair {
@@ -90,9 +90,9 @@ fn extent(body: &Body, along: DVec3) -> f64 {
 
 /// The easing of an overlap of `depth` [m] that holds `energy` [J], and whether the overlap is worth a word. A contact
 /// that holds less than the work of easing out `mass` [kg] does not throw it.
-fn eased(depth: f64, energy: f64, mass: f64, gravity: DVec3, extent: f64, time: f64) -> (Option<Easing>, bool) {
+fn eased(depth: f64, energy: f64, mass: f64, gravity: DVec3, extent: f64, time: f64) -> (Option<EasedOverlap>, bool) {
     let payable = energy > mass * (gravity.length() + GENTLE) * depth;
-    (payable.then(|| Easing::new(depth, energy, time)), payable || depth > DEEP * extent)
+    (payable.then(|| EasedOverlap::new(depth, energy, time)), payable || depth > DEEP * extent)
 }
 
 /// A body behind something flat: `depth_of` gives how far a particle's centre is behind it [m], where it is before it
@@ -103,7 +103,7 @@ fn behind(
     depth_of: impl Fn(DVec3) -> Option<f64>,
     gravity: DVec3,
     time: f64,
-) -> Option<(f64, usize, DVec3, Option<Easing>)> {
+) -> Option<(f64, usize, DVec3, Option<EasedOverlap>)> {
     let law = &body.parts().contact;
     let (mut depth, mut energy, mut inside, mut sum) = (0.0_f64, 0.0, 0, DVec3::ZERO);
     let movable = movable(body, out);

@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::drive::Drive;
-use super::easing::Easing;
+use super::eased_overlap::EasedOverlap;
 use super::forces::{ContactLaw, Grip};
 use glam::{DVec2, DVec3};
 
@@ -54,7 +54,13 @@ impl Panel {
     /// Adds the panel's push at `time` [s] to the external forces of a body; returns the vertical force on the panel
     /// [N]. Where the body is eased out of it, the underside counts as that much higher. Where its particles hold on to
     /// the panel is kept as places.
-    pub(super) fn add_contact(&self, body: &mut Body, eased: Option<&Easing>, grip: &mut Grip<u32>, time: f64) -> f64 {
+    pub(super) fn add_contact(
+        &self,
+        body: &mut Body,
+        eased: Option<&EasedOverlap>,
+        grip: &mut Grip<u32>,
+        time: f64,
+    ) -> f64 {
         let law = ContactLaw { friction: self.friction, ..body.parts().contact };
         let reach = body.parts().reach;
         let (left, rate) = eased.map_or((0.0, 0.0), |easing| easing.at(time));

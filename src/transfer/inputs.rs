@@ -2,7 +2,7 @@
 
 use super::TransferError;
 use crate::io::resolved;
-use crate::scene::{AnyBody, Scene};
+use crate::scene::Scene;
 use std::path::{Path, PathBuf};
 
 /// Files that are read, whole, and what a message calls them: nothing is to be written over them.
@@ -10,11 +10,13 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Inputs(Vec<(&'static str, PathBuf)>);
 
 impl Inputs {
-    /// The scene's file, and the models that it names from `folder`.
+    /// The scene's file, and all models and motions that it names from `folder`.
     pub(crate) fn of(file: Option<&Path>, folder: &Path, scene: &Scene) -> Self {
-        let models = scene.all_bodies().filter_map(AnyBody::model).map(|model| folder.join(model.path));
-        let scene = Self::default().and("the scene", file);
-        models.fold(scene, |inputs, model| inputs.and("a model of the scene", Some(&model)))
+        let inputs = Self::default().and("the scene", file);
+        let mut scene = scene.clone();
+        scene
+            .model_paths_mut()
+            .fold(inputs, |inputs, path| inputs.and("a model of the scene", Some(&folder.join(path))))
     }
 
     /// And another file.

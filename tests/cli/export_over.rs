@@ -31,6 +31,10 @@ fn nothing_is_written_over_what_is_read() {
     ] {
         fs::write(desk.path(scene), prism_from(model, body).to_string()).unwrap();
     }
+    let mut with_collider = falling();
+    with_collider["colliders"] = json!([{"id": "slab", "shape": {"mesh": {"path": "slab.obj"}}}]);
+    fs::write(desk.path("slab.obj"), PRISM).unwrap();
+    fs::write(desk.path("on_slab.json"), with_collider.to_string()).unwrap();
     fs::write(desk.path("lines.csv"), "x,y,z\n0,0,0\n0,0.01,0\n0,0.02,0\n").unwrap();
     let mut cases = vec![
         ("simulate frame_000001.obj --out .", "the scene and --out"),
@@ -39,6 +43,7 @@ fn nothing_is_written_over_what_is_read() {
         ("simulate of_rest.json --format pc2 --out .", "block_rest.obj: a model of the scene and --out"),
         ("simulate of_rest.json --format csv,mdd --out .", "block_rest.obj: a model of the scene and --out"),
         ("simulate scene.json --report prism.obj", "a model of the scene and --report"),
+        ("simulate on_slab.json --report slab.obj", "a model of the scene and --report"),
         ("fibres scene.json --to prism.obj", "a model of the scene and --to"),
         ("fibres scene.json --from lines.csv --out scene.json", "the scene and --out"),
         ("fibres scene.json --from lines.csv --out lines.csv", "--from and --out"),

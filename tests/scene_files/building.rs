@@ -3,7 +3,7 @@
 use crate::every_field;
 use sinew::io::scene_from_json;
 use sinew::scene::{
-    AnyBody, AnyBodyMut, Axis, Body, Dab, Distance, Drag, Fibre, Impulse, IntegratorKind, Keyframe, Material, Measure,
+    AnyBody, AnyBodyMut, Axis, Body, Dab, Distance, Fibre, Grab, Impulse, IntegratorKind, Keyframe, Material, Measure,
     MeasureKind, MeshShape, Motion, Panel, PaperStiffness, Pin, Ramp, Region, RegionMass, RestShape, Rotation, Scene,
     Selector, Side, StrokePair, TimeStep, Turn, TwoLayer, ViewStroke,
 };
@@ -137,7 +137,7 @@ fn what_calls_build_is_what_a_file_says() {
         .with_body(mesh)
         .with_two_layer(TwoLayer::segment("segment"))
         .with_two_layer(ring)
-        .with_two_layer(TwoLayer::ball("ball").with_translation([0.0, 5.0, 0.0]).with_drag(Drag::to([0.0, 9.0, 0.0])))
+        .with_two_layer(TwoLayer::ball("ball").with_translation([0.0, 5.0, 0.0]).with_grab(Grab::to([0.0, 9.0, 0.0])))
         .with_two_layer(TwoLayer::from_mesh("tube", "tube.obj"))
         .with_measure(measure("a", MeasureKind::mean_displacement("top")))
         .with_measure(measure("b", MeasureKind::tip_displacement("top")).at_peak())

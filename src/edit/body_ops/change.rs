@@ -60,7 +60,7 @@ pub fn placed(placement: &Placement, point: DVec3) -> DVec3 {
 fn carried(body: &OwnedBody, by: &Rigid) -> OwnedBody {
     let mut body = body.clone();
     if let OwnedBody::TwoLayer(body) = &mut body {
-        body.drags.iter_mut().for_each(|drag| drag.target = by.apply(drag.target));
+        body.grabs.iter_mut().for_each(|grab| grab.target = by.apply(grab.target));
     }
     let mut view = body.view_mut();
     carried_pins(view.pins_mut(), by);

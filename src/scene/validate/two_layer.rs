@@ -51,11 +51,11 @@ fn rest(at: &At<'_>, body: &TwoLayer) -> Checked {
     }
     pins(at, &body.pins, &known, &body.drives)?;
     follows(&at.field("follows"), &body.follows, &known)?;
-    for (index, drag) in body.drags.iter().enumerate() {
+    for (index, grab) in body.grabs.iter().enumerate() {
         let at = at.field("drags");
         let at = at.item(index);
-        vector(&at.field("target"), &drag.target, "m")?;
-        drag.until.map_or(Ok(()), |until| finite(&at.field("until"), until, "s"))?;
+        vector(&at.field("target"), &grab.target, "m")?;
+        grab.until.map_or(Ok(()), |until| finite(&at.field("until"), until, "s"))?;
     }
     Ok(())
 }

@@ -66,7 +66,7 @@ impl PointerGrab {
     }
 }
 
-/// The points that drags have left pinned; `pointer` is the body whose last grab follows the pointer.
+/// The points at which grabs stay pinned; `pointer` is the body whose last grab follows the pointer.
 pub(super) fn pinned_points(runner: &Runner, pointer: Option<usize>) -> Vec<PinnedPoint> {
     let bodies = runner.world().bodies().iter().enumerate();
     let of = |(body, held): (usize, &Body)| {

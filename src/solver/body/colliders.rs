@@ -2,7 +2,7 @@
 
 use super::Body;
 use crate::solver::constraint::held;
-use crate::solver::easing::Easing;
+use crate::solver::eased_overlap::EasedOverlap;
 use crate::solver::forces::{ColliderContact, Force};
 
 fn contact_among(forces: &mut [Box<dyn Force>]) -> Option<&mut ColliderContact> {
@@ -16,7 +16,7 @@ impl Body {
     }
 
     /// Eases it out of colliders, one of each or none, from a time [s].
-    pub(in crate::solver) fn ease_out_of_colliders(&mut self, eased: Vec<Option<Easing>>, time: f64) {
+    pub(in crate::solver) fn ease_out_of_colliders(&mut self, eased: Vec<Option<EasedOverlap>>, time: f64) {
         if contact_among(&mut self.parts.forces).is_some_and(|contact| contact.ease_out(eased)) {
             self.current = false;
         }

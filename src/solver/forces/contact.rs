@@ -3,7 +3,7 @@
 
 use super::force::{Force, StepLimit};
 use super::grip::Grip;
-use crate::solver::easing::Easing;
+use crate::solver::eased_overlap::EasedOverlap;
 use crate::solver::energy::Energies;
 use crate::solver::neighbourhood::outer;
 use crate::solver::state::ParticleState;
@@ -114,7 +114,7 @@ pub(crate) struct Contact {
     /// How they push.
     pub law: ContactLaw,
     /// Planes, by their index, that the body is eased out of.
-    pub(crate) eased: Vec<(usize, Easing)>,
+    pub(crate) eased: Vec<(usize, EasedOverlap)>,
     /// Where particles hold on to each plane [m].
     grips: Vec<Grip<u32>>,
 }
@@ -126,7 +126,7 @@ impl Contact {
     }
 
     /// How the body is eased out of a plane, if it is.
-    pub(crate) fn easing(&self, plane: usize) -> Option<&Easing> {
+    pub(crate) fn easing(&self, plane: usize) -> Option<&EasedOverlap> {
         self.eased.iter().find(|(index, _)| *index == plane).map(|(_, easing)| easing)
     }
 

@@ -1,6 +1,6 @@
 //! What a world is easing apart.
 
-use crate::solver::easing::Easing;
+use crate::solver::eased_overlap::EasedOverlap;
 use crate::solver::overlap::EasedPair;
 
 /// What is being eased apart, from its start on.
@@ -8,7 +8,7 @@ use crate::solver::overlap::EasedPair;
 pub(super) struct Eased {
     pub(super) pairs: Vec<EasedPair>,
     /// Bodies and panels by their indices.
-    pub(super) panels: Vec<(usize, usize, Easing)>,
+    pub(super) panels: Vec<(usize, usize, EasedOverlap)>,
 }
 
 impl Eased {
@@ -18,7 +18,7 @@ impl Eased {
     }
 
     /// How a body is eased out of a panel, if it is.
-    pub(super) fn panel(&self, body: usize, panel: usize) -> Option<&Easing> {
+    pub(super) fn panel(&self, body: usize, panel: usize) -> Option<&EasedOverlap> {
         self.panels.iter().find(|eased| (eased.0, eased.1) == (body, panel)).map(|(.., easing)| easing)
     }
 

@@ -10,7 +10,7 @@ use super::force::{Force, StepLimit};
 use super::grip::Grip;
 use crate::geometry::obstacle_mesh::Foot;
 use crate::solver::collider::{Collider, Pose};
-use crate::solver::easing::Easing;
+use crate::solver::eased_overlap::EasedOverlap;
 use crate::solver::energy::Energies;
 use crate::solver::scratch::Scratch;
 use crate::solver::state::ParticleState;
@@ -40,7 +40,7 @@ struct Touched {
     /// Where particles hold on to it [m], in its own frame.
     grip: Grip<u32>,
     /// How the body is eased out of it, if it is.
-    easing: Option<Easing>,
+    easing: Option<EasedOverlap>,
     /// What it pushes the body with at the end of the last step; not known before the first.
     pushes: Option<Wrench>,
     /// By what it struck the body in the present step [N s].
@@ -94,12 +94,12 @@ impl ColliderContact {
     }
 
     /// How the body is eased out of one of them, if it is.
-    pub(crate) fn easing(&self, index: usize) -> Option<&Easing> {
+    pub(crate) fn easing(&self, index: usize) -> Option<&EasedOverlap> {
         self.touched[index].easing.as_ref()
     }
 
     /// Eases the body out of them, one of each or none.
-    pub(crate) fn ease_out(&mut self, eased: Vec<Option<Easing>>) -> bool {
+    pub(crate) fn ease_out(&mut self, eased: Vec<Option<EasedOverlap>>) -> bool {
         let changed = self.touched.iter().zip(&eased).any(|(touched, easing)| touched.easing != *easing);
         for (touched, easing) in self.touched.iter_mut().zip(eased) {
             touched.easing = easing;
@@ -126,7 +126,7 @@ impl ColliderContact {
     /// When the body has been eased out of all of them [s].
     pub(crate) fn end(&self) -> f64 {
         let easings = self.touched.iter().filter_map(|touched| touched.easing.as_ref());
-        easings.map(Easing::end).fold(f64::NEG_INFINITY, f64::max)
+        easings.map(EasedOverlap::end).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// When the last of them stands still [s].

@@ -19,7 +19,7 @@ pub(crate) const GENTLE: f64 = 2.5;
 
 /// An allowance that fades.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Easing {
+pub struct EasedOverlap {
     /// Allowance at the start [m].
     pub distance: f64,
     /// Energy that the overlap holds at the start [J].
@@ -27,7 +27,7 @@ pub struct Easing {
     course: Course,
 }
 
-impl Easing {
+impl EasedOverlap {
     /// Eases over a distance [m] from a time [s] on an overlap that holds an energy [J].
     pub(crate) fn new(distance: f64, energy: f64, start: f64) -> Self {
         // The course 3 s² - 2 s³ accelerates by at most 6 over the square of its duration.
@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn an_allowance_fades_within_its_acceleration_and_speed() {
-        let easing = Easing::new(0.3, 2.0, 1.0);
+        let easing = EasedOverlap::new(0.3, 2.0, 1.0);
         assert_eq!(easing.at(1.0), (0.3, -0.0));
         assert_eq!(easing.at(easing.end()).0, 0.0);
         let (mut last, dt) = (0.0, 1e-4);

@@ -4,11 +4,11 @@ use super::drive::{RunEnd, drive, warn_unbalanced};
 use super::error::printable;
 use super::interruption::Interruption;
 use super::output;
-use super::prepare::{Sets, Span, Threads, bake_with_notes, load, tell};
+use super::prepare::{Sets, Span, Threads, bake_with_notes, load, load_models, tell};
 use super::svg::{Canvas, Scale};
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome};
-use crate::scene::{Body, Mass, Scene, Shape, one_line};
+use crate::scene::{Assets, Body, Mass, MeshShape, Scene, Shape, one_line};
 use crate::sim::{MeasureReport, Report, Runner};
 use crate::text::number::four_figures;
 use clap::Args;
@@ -21,10 +21,12 @@ use std::path::PathBuf;
 pub struct Converge {
     /// Scene file
     scene: PathBuf,
-    /// Layers of particles through the body's least extent, one run each
+    /// Layers of particles through the body where it is thinnest, of a mesh through its least extent, one run each. Of
+    /// boxes they are what fills it; the lattice of another shape is fitted to that, and its spacing differs by up to a
+    /// fifth
     #[arg(long, value_name = "a,b,c", value_delimiter = ',', default_value = "3,5,7,9", value_parser = clap::value_parser!(u32).range(2..=100))]
     layers: Vec<u32>,
-    /// Identifier of the body; the first that is a box unless given
+    /// Identifier of the fibre solid; the first one unless given
     #[arg(long, value_name = "ID")]
     body: Option<String>,
     #[command(flatten)]
@@ -56,7 +58,7 @@ struct Study {
 #[derive(Debug, Serialize)]
 struct Run {
     layers: u32,
-    /// Spacing of the particles [m].
+    /// Spacing of the particles that was asked for [m].
     spacing: f64,
     particles: usize,
     at_rest: bool,
@@ -88,6 +90,8 @@ fn converge(args: &Converge, interruption: &Interruption, console: &mut Console)
     tell(loaded.made(), console);
     let base = loaded.scene.clone();
     let index = chosen(args, &base)?;
+    load_models(&mut loaded, Some(&args.scene), console)?;
+    let thickness = thickness(&base.bodies[index].shape, &loaded.assets);
     let inputs = output::inputs(Some(&args.scene), &base);
     output::check(&inputs, &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
     if base.measures.is_empty() {
@@ -107,7 +111,7 @@ fn converge(args: &Converge, interruption: &Interruption, console: &mut Console)
     let (mut diverged, mut interrupted) = (false, None);
     for (done, &layers) in layers.iter().enumerate() {
         console.progress(done as u64, args.layers.len() as u64, "runs");
-        loaded.scene = refined(&base, index, layers);
+        loaded.scene = refined(&base, index, &loaded.assets, thickness / f64::from(layers));
         let spacing = loaded.scene.bodies[index].material.spacing();
         let baked = bake_with_notes(&mut loaded, Some(&args.scene), console)?;
         let mut runner = Runner::new(baked);
@@ -148,31 +152,31 @@ fn converge(args: &Converge, interruption: &Interruption, console: &mut Console)
 
 /// The body that is refined.
 fn chosen(args: &Converge, scene: &Scene) -> Result<usize, CliError> {
-    let is_box = |body: &Body| matches!(body.shape, Shape::Box(_));
-    let known = || {
-        let ids: Vec<&str> = scene.bodies.iter().filter(|body| is_box(body)).map(|body| &*body.id).collect();
-        ids.join(", ")
-    };
-    let wanted = |body: &Body| is_box(body) && args.body.as_ref().is_none_or(|id| *id == body.id);
-    scene
-        .bodies
-        .iter()
-        .position(wanted)
-        .ok_or_else(|| CliError::NotRefined { given: args.body.clone().unwrap_or_default(), known: known() })
+    let wanted = |body: &Body| args.body.as_ref().is_none_or(|id| *id == body.id);
+    scene.bodies.iter().position(wanted).ok_or_else(|| CliError::NotRefined {
+        given: args.body.clone().unwrap_or_default(),
+        known: scene.bodies.iter().map(|body| &*body.id).collect::<Vec<_>>().join(", "),
+    })
 }
 
-/// The scene with so many layers through the least extent of a body, which stays as large and as heavy as it is.
-fn refined(scene: &Scene, index: usize, layers: u32) -> Scene {
+/// Thickness [m] of a shape where it is thinnest, of a mesh its least extent.
+fn thickness(shape: &Shape, assets: &Assets) -> f64 {
+    let of_mesh = |mesh: &MeshShape| assets.solid(mesh).map(|solid| solid.size().min_element());
+    let found = if let Shape::Mesh(mesh) = shape { of_mesh(mesh) } else { shape.thickness() };
+    found.expect("models are loaded, and other shapes have one")
+}
+
+/// The scene with a body at another spacing [m] of its particles; it stays as large and as heavy as it is.
+fn refined(scene: &Scene, index: usize, assets: &Assets, spacing: f64) -> Scene {
     let mut scene = scene.clone();
-    let body = &mut scene.bodies[index];
-    let material = &mut body.material;
+    let Body { material, shape, .. } = &mut scene.bodies[index];
+    // A count of particles sets the spacing in place of the radius.
+    let counted = if let Shape::Mesh(mesh) = shape { assets.solid(&*mesh).zip(mesh.particles.take()) } else { None };
     if let Mass::PerParticle(mass) = material.mass {
-        material.mass = Mass::Density(mass / material.spacing().powi(3));
+        let volume = counted.map_or_else(|| material.spacing().powi(3), |(solid, n)| solid.volume / f64::from(n));
+        material.mass = Mass::Density(mass / volume);
     }
-    if let Shape::Box(shape) = &body.shape {
-        let least = shape.size.into_iter().fold(f64::INFINITY, f64::min);
-        material.support_radius = least / f64::from(layers) / material.spacing_ratio;
-    }
+    material.support_radius = spacing / material.spacing_ratio;
     scene
 }
 

@@ -160,12 +160,12 @@ pub enum CliError {
         /// The file.
         path: String,
     },
-    /// A body that cannot be filled in layers.
-    #[error("--body {given}: there is no such box to fill in layers; known: {known}")]
+    /// A body that is not there to be filled in layers.
+    #[error("--body {given}: there is no such fibre solid to fill in layers; known: {known}")]
     NotRefined {
         /// What was asked for.
         given: String,
-        /// The boxes that there are.
+        /// The fibre solids that there are.
         known: String,
     },
     /// A scene without a measure.

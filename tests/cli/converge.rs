@@ -68,3 +68,53 @@ fn a_box_that_is_held_by_its_layers_converges_by_an_order_between_one_and_two() 
     let limit = report["limits"][0]["value"].as_f64().unwrap() / hooke;
     assert!((1.0..1.15).contains(&limit), "{limit}");
 }
+
+/// Whatever fills a lattice, one that is round or a mesh too, by its thickness and at the same mass.
+#[test]
+fn shapes_that_are_no_boxes_are_filled_more_finely_too() {
+    let mut scene = pressed();
+    // Held altogether, it weighs on what holds it.
+    scene["gravity"] = json!([0, -10, 0]);
+    let all = json!({"id": "all", "select": {"box": {"min": [-1, -1, -1], "max": [1, 1, 1]}}});
+    let weight = json!({"reaction_force": {"region": "all", "along": [0, 1, 0]}});
+    scene["measures"] = json!([{"name": "weight", "body": "block", "kind": weight}]);
+    let body = &mut scene["bodies"][0];
+    body["regions"] = json!([all]);
+    body["pins"] = json!([{"id": "hold", "region": "all"}]);
+    body["fibres"] = json!([]);
+    body["material"]["mass"] = json!({"density": 1000});
+    let round = json!({"torus": {"radius": 0.03, "tube_radius": 0.01}});
+    let mesh = json!({"mesh": {"path": "prism.obj", "particles": 300}});
+    let prism_volume = 0.5 * 0.03 * 0.03 * 0.05;
+    for (shape, thickness, volume) in
+        [(round, 0.02, 2.0 * std::f64::consts::PI.powi(2) * 0.03 * 1e-4), (mesh, 0.03, prism_volume)]
+    {
+        scene["bodies"][0]["shape"] = shape.clone();
+        let desk = Desk::new(&scene);
+        std::fs::write(desk.path("prism.obj"), PRISM).unwrap();
+        desk.done("converge scene.json --layers 3,5 --fps 50 --seconds 0.02 --report r.json");
+        let runs = desk.json("r.json")["runs"].clone();
+        for (run, layers) in runs.as_array().unwrap().iter().zip([3.0, 5.0]) {
+            let spacing = run["spacing"].as_f64().unwrap();
+            assert!((spacing * layers / thickness - 1.0).abs() < 1e-9, "{shape} {run}");
+            let mass = 0.1 * run["values"][0].as_f64().unwrap().abs();
+            assert!((mass / (1000.0 * volume) - 1.0).abs() < 0.02, "{shape} {run}: {volume}");
+        }
+        assert!(runs[1]["particles"].as_u64() > runs[0]["particles"].as_u64(), "{runs}");
+    }
+}
+
+/// A prism over a right-angled triangle of 30 by 30 mm, 50 mm high.
+const PRISM: &str = "\
+v 0 0 0
+v 0.03 0 0
+v 0 0 0.03
+v 0 0.05 0
+v 0.03 0.05 0
+v 0 0.05 0.03
+f 1 2 3
+f 4 6 5
+f 1 4 5 2
+f 2 5 6 3
+f 3 6 4 1
+";

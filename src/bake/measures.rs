@@ -72,6 +72,7 @@ pub(super) fn probes(scene: &Scene, drafts: &[Draft]) -> Result<Vec<Probe>, Bake
                 MeasureKind::ActivationWork => Quantity::ActivationWork,
                 MeasureKind::Dissipated => Quantity::Dissipated,
                 MeasureKind::PlasticStrain => Quantity::PlasticStrain,
+                MeasureKind::Torn => Quantity::Torn,
                 MeasureKind::Stress(of) => Quantity::Stress(group(&of.region)?, of.along.map(unit)),
                 MeasureKind::Strain(of) => Quantity::Strain(group(&of.region)?, of.along.map(unit)),
                 MeasureKind::Speed(of) => Quantity::Speed(group(&of.region)?),

@@ -70,12 +70,14 @@ pub enum MeasureKind {
     /// Work that the drives of the body's fibres, of gravity and of its gas have done on it [J]; not that of pins,
     /// panels and wind.
     ActivationWork,
-    /// Energy that the body has lost for good to yielding and to viscosity of its matrix [J]; not to damping, contact
-    /// or drag.
+    /// Energy that the body has lost for good to yielding, tearing and viscosity of its matrix [J]; not to damping,
+    /// contact or drag.
     Dissipated,
     /// Greatest equivalent plastic strain of the body's matrix [fraction]: all that a particle has yielded, there and
     /// back.
     PlasticStrain,
+    /// Pairs of neighbours across the seams of a fibre solid that are torn, of all across them [fraction].
+    Torn,
     /// Mean stress of the matrix in a region of a fibre solid [Pa]: along a direction, or the equivalent one.
     Stress(Strained),
     /// Mean strain of the matrix in a region of a fibre solid [fraction]: along a direction, or the equivalent one.

@@ -1,6 +1,7 @@
 //! The last minutes of a motion, frame by frame, in bounded memory: to be looked at again and gone on from.
 
 use super::runner::{RunCheckpoint, Runner};
+use crate::solver::body::Body;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -65,7 +66,7 @@ pub(super) struct RecordedFrame {
     grabbed: Option<usize>,
     /// Frames that had been computed by then, this one among them.
     pub(super) number: u64,
-    /// Fibres broken so far.
+    /// Breaks of fibres so far, and seams that have begun to tear.
     breaks: usize,
     bytes: usize,
 }
@@ -84,7 +85,7 @@ impl RecordedFrame {
             time: runner.world().time(),
             world_number: runner.world().number(),
             bytes: size_of::<Self>() + size_of_val(&world) + bytes(&world) + ghost.as_ref().map_or(0, bytes),
-            breaks: runner.world().bodies().iter().map(|body| body.breaks().count()).sum(),
+            breaks: runner.world().bodies().iter().map(broken).sum(),
             world,
             ghost,
             grabbed,
@@ -105,7 +106,8 @@ impl RecordedFrame {
 /// Frames in the order of time. The oldest are dropped for new ones.
 pub(super) struct Recording {
     frames: VecDeque<RecordedFrame>,
-    /// Times [s] of the last frames before the scene was put together anew, and of frames in which fibres broke.
+    /// Times [s] of the last frames before the scene was put together anew, and of frames in which fibres broke
+    /// or seams began to tear.
     marks: [VecDeque<f64>; 2],
     /// Memory of all frames, and of what they were put together as [bytes].
     bytes: usize,
@@ -234,11 +236,16 @@ impl Recording {
         Some([self.frames.front()?.time, self.frames.back()?.time])
     }
 
-    /// Times [s] at which the scene was put together anew, and at which fibres broke.
+    /// Times [s] at which the scene was put together anew, and at which fibres broke or seams began to tear.
     pub(super) fn marks(&self) -> [Vec<f64>; 2] {
         let [edits, breaks] = &self.marks;
         [edits, breaks].map(|marks| marks.iter().copied().collect())
     }
+}
+
+/// Breaks of a body's fibres, and its seams that have begun to tear.
+fn broken(body: &Body) -> usize {
+    body.breaks().count() + body.tears().iter().filter(|seam| seam.first.is_some()).count()
 }
 
 /// Memory of what a frame was put together as and its neighbour was not [bytes].

@@ -257,7 +257,7 @@ impl BodyReport {
             breaks: body.breaks().count(),
             first_break: body.breaks().map(|at| at.time).reduce(f64::min),
             torn: body.tears().iter().map(|seam| seam.torn).sum(),
-            first_tear: body.tears().iter().filter_map(|seam| seam.first).reduce(f64::min),
+            first_tear: body.first_tear(),
             steps: body.steps(),
             evaluations: body.evaluations(),
             halved_steps: body.fallbacks().halved,

@@ -118,7 +118,7 @@ pub struct RecordingStatus {
     pub limit: usize,
     /// Times of the last frames before the scene was put together anew [s].
     pub edits: Vec<f64>,
-    /// Times of frames in which fibres broke [s].
+    /// Times of frames in which fibres broke or seams began to tear [s].
     pub breaks: Vec<f64>,
     /// How often the simulation continued from an earlier frame, and what is to be said of the last time.
     pub continued: (u64, String),

@@ -63,6 +63,8 @@ pub(crate) enum Quantity {
     Dissipated,
     /// Greatest equivalent plastic strain of the matrix.
     PlasticStrain,
+    /// Share of the pairs across all seams that is torn.
+    Torn,
     /// Mean stress of the matrix [Pa] along a unit direction, or its equivalent.
     Stress(Group, Option<DVec3>),
     /// Mean strain of the matrix along a unit direction, or its equivalent.
@@ -101,6 +103,7 @@ impl Quantity {
             Self::ActivationWork => "activation_work",
             Self::Dissipated => "dissipated",
             Self::PlasticStrain => "plastic_strain",
+            Self::Torn => "torn",
             Self::Stress(..) => "stress",
             Self::Strain(..) => "strain",
             Self::Speed(_) => "speed",
@@ -114,7 +117,9 @@ impl Quantity {
     pub(crate) fn unit(&self) -> &'static str {
         match self {
             Self::MeanDisplacement(..) | Self::Advance(..) | Self::TipDisplacement(..) | Self::Shear(..) => "mm",
-            Self::HeightLoss(..) | Self::InertiaRatio | Self::PlasticStrain | Self::Strain(..) => "fraction",
+            Self::HeightLoss(..) | Self::InertiaRatio | Self::PlasticStrain | Self::Torn | Self::Strain(..) => {
+                "fraction"
+            }
             Self::Size(_) | Self::LayerOffset => "m",
             Self::Volume(unit) => unit,
             Self::Twist(..) => "degrees",
@@ -208,6 +213,7 @@ impl Quantity {
             Self::ActivationWork => MeasureValue::Scalar(body.drive_work()),
             Self::Dissipated => MeasureValue::Scalar(body.dissipated()),
             Self::PlasticStrain => MeasureValue::Scalar(body.plastic_strain()),
+            Self::Torn => MeasureValue::Scalar(body.torn()),
             Self::Stress(group, along) => {
                 let yielded = body.parts().forces.iter().find_map(|force| force.downcast_ref::<Inelastic>());
                 of_matrix(body, |matrix| matrix.mean_stress(group, *along, now, yielded))

@@ -137,6 +137,8 @@ pub struct BodySnapshot {
     pub elements: Vec<ElementSnapshot>,
     /// Where fibres are broken: indices into `fibres` and their vertices.
     pub breaks: Vec<FibreBreak>,
+    /// When the first pair of neighbours across its seams tore [s].
+    pub first_tear: Option<f64>,
     /// Vertices of the skin [m]; empty where only the particles were taken, see [`BodySnapshot::surface`].
     pub skin: Vec<DVec3>,
     /// Unit normals of the skin's vertices; empty where only the particles were taken.
@@ -344,6 +346,7 @@ impl Snapshot {
                     sheets: parts.sheets.iter().map(|sheet| SheetSnapshot::of(sheet, positions)).collect(),
                     elements: parts.elements.iter().map(|of| ElementSnapshot::of(of, positions)).collect(),
                     breaks: body.breaks().copied().collect(),
+                    first_tear: body.first_tear(),
                     normals: moved.map_or_else(Vec::new, |skin| skin.normals(&vertices)),
                     skin: vertices,
                     triangles: skin.map_or_else(Arc::default, |skin| Arc::clone(skin.triangles())),

@@ -1,4 +1,4 @@
-//! Fibres that break are said when they do.
+//! Fibres that break and bodies that tear are said when they do.
 
 use super::context::{Context, Severity};
 use crate::scene::Scene;
@@ -21,28 +21,45 @@ impl BreakWatch {
         if !next.compared.is_empty() || !before.compared.is_empty() {
             return;
         }
-        let bodies = next.snapshot.bodies.iter().enumerate();
-        let all: Vec<(usize, &FibreBreak)> =
-            bodies.flat_map(|(index, body)| body.breaks.iter().map(move |at| (index, at))).collect();
-        let newest = all.iter().max_by(|a, b| a.1.time.total_cmp(&b.1.time));
+        let bodies = || next.snapshot.bodies.iter().enumerate();
+        let all: Vec<(f64, Failure<'_>)> = bodies()
+            .flat_map(|(index, body)| {
+                let fibres = body.breaks.iter().map(move |at| (at.time, Failure::Fibre(index, at)));
+                fibres.chain(body.first_tear.map(|time| (time, Failure::Seam(&body.name))))
+            })
+            .collect();
+        let newest = all.iter().max_by(|a, b| a.0.total_cmp(&b.0));
         // By its time alone: an edit may have renumbered bodies and fibres.
         let said = self.broke.take();
         let last = said.as_ref().map_or(f64::NEG_INFINITY, |(time, _)| *time);
         match (newest, said) {
-            (Some(&(body, at)), _) if at.time > last => {
-                let in_all = if all.len() > 1 { format!(", {} breaks in all", all.len()) } else { String::new() };
-                let fibre = fibre_name(cx.scene(), &next, body, at.fibre);
-                let text = format!("Fibre {fibre} broke at {:.3} s{in_all}", at.time);
-                self.broke = Some((at.time, text.clone()));
+            (Some((time, of)), _) if *time > last => {
+                let text = match of {
+                    Failure::Fibre(body, at) => {
+                        let breaks = bodies().map(|(_, body)| body.breaks.len()).sum::<usize>();
+                        let in_all = if breaks > 1 { format!(", {breaks} breaks in all") } else { String::new() };
+                        format!("Fibre {} broke at {time:.3} s{in_all}", fibre_name(cx.scene(), &next, *body, at.fibre))
+                    }
+                    Failure::Seam(body) => format!("{body} began to tear at {time:.3} s"),
+                };
+                self.broke = Some((*time, text.clone()));
                 cx.say(Severity::Note, text);
             }
-            (Some((_, at)), Some((_, text))) => self.broke = Some((at.time, text)),
+            (Some((time, _)), Some((_, text))) => self.broke = Some((*time, text)),
             (None, Some((_, text))) if cx.status.message.as_ref().map(|(_, said)| said) == Some(&text) => {
                 cx.status.message = None;
             }
             _ => {}
         }
     }
+}
+
+/// What has given way.
+enum Failure<'a> {
+    /// A fibre of a body by its index.
+    Fibre(usize, &'a FibreBreak),
+    /// A seam of a body of this name.
+    Seam(&'a str),
 }
 
 /// What a person calls a fibre of a published state.

@@ -319,7 +319,7 @@ fn words_at(cx: &Context, scale: &TimeScale, x: f32, time: f64) -> String {
         words.push_str("\nThe scene was changed");
     }
     if near(&recording.breaks) {
-        words.push_str("\nA fibre broke");
+        words.push_str("\nA fibre broke, or a seam began to tear");
     }
     words
 }

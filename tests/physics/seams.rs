@@ -68,7 +68,10 @@ fn a_seam_that_holds_is_as_if_it_were_not_there() {
 
 #[test]
 fn a_bar_drawn_apart_tears_along_its_seam_into_two_equal_halves() {
-    let mut runner = runner(&drawn([4, 12, 5], seam(6.0 * D, -9.0 * D, 1.3), 0.5, 0.2));
+    let mut scene = drawn([4, 12, 5], seam(6.0 * D, -9.0 * D, 1.3), 0.5, 0.2);
+    scene.measures = vec![measure("torn", MeasureKind::Torn)];
+    let mut runner = runner(&scene);
+    assert_eq!(scalar(&runner, 0), 0.0);
     let mut frames = 0;
     let (mut least, mut before) = (0.0_f64, 0.0);
     while tear(runner.world()).torn < tear(runner.world()).bonds {
@@ -81,6 +84,7 @@ fn a_bar_drawn_apart_tears_along_its_seam_into_two_equal_halves() {
     }
     println!("{frames} frames, {:?}, {before} J released, least change {least}", tear(runner.world()));
     let body = &runner.world().bodies()[0];
+    assert_eq!(scalar(&runner, 0), 1.0, "all of it is torn");
     // It was whole for a while: the ends have drawn it by what the seam stands, about.
     assert!(tear(runner.world()).first.expect("a time") > 0.05);
     // Every particle has its mirror image in the other half, and has moved as that has.

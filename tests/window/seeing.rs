@@ -141,3 +141,20 @@ fn a_break_is_said_with_its_time_and_a_reset_takes_it_back() {
     until(&mut window, |app| breaks(app).is_empty());
     assert!(window.state().message().is_none_or(|text| !text.contains("broke")), "{:?}", window.state().message());
 }
+
+#[test]
+fn a_tear_is_said_with_its_time_and_marked_on_the_timeline() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/seam_tear.json");
+    let mut window = super::open(sinew::ui::Document::load(Some(path)).expect("the scene"));
+    let first = |app: &App| app.published().snapshot.bodies.iter().filter_map(|body| body.first_tear).reduce(f64::min);
+    until(&mut window, |app| first(app).is_some());
+    let app = window.state();
+    let (time, said) = (first(app).expect("a tear"), app.message().unwrap_or_default().to_owned());
+    assert!(said.ends_with(&format!(" began to tear at {time:.3} s")), "{said}");
+    let marks = app.published().status.recording.breaks.clone();
+    assert!(marks.first().is_some_and(|mark| *mark >= time && mark - time < 0.05), "{marks:?}, torn at {time} s");
+    press_key(&mut window, Modifiers::NONE, Key::Space);
+    press_key(&mut window, Modifiers::COMMAND, Key::R);
+    until(&mut window, |app| first(app).is_none());
+    assert!(window.state().message().is_none_or(|text| !text.contains("tear")), "{:?}", window.state().message());
+}

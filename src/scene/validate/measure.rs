@@ -72,6 +72,7 @@ fn layers(at: &At<'_>, measure: &Measure, body: &TwoLayer) -> Checked {
         }
         MeasureKind::Dissipated
         | MeasureKind::PlasticStrain
+        | MeasureKind::Torn
         | MeasureKind::Stress(_)
         | MeasureKind::Strain(_)
         | MeasureKind::FibreTension(_) => {
@@ -108,6 +109,7 @@ fn kind(at: &At<'_>, measure: &Measure, regions: &Ids<'_>) -> Checked {
         | MeasureKind::ActivationWork
         | MeasureKind::Dissipated
         | MeasureKind::PlasticStrain
+        | MeasureKind::Torn
         | MeasureKind::ColliderForce(_) => return Ok(()),
     };
     let at = at.field(name);

@@ -11,6 +11,17 @@ impl Body {
         self.matrix().map_or(&[], MatrixForce::tears)
     }
 
+    /// Share of the pairs across all seams that is torn.
+    pub(crate) fn torn(&self) -> f64 {
+        let [torn, all] = self.tears().iter().fold([0, 0], |[torn, all], of| [torn + of.torn, all + of.bonds]);
+        if all > 0 { torn as f64 / all as f64 } else { 0.0 }
+    }
+
+    /// When the first pair across a seam tore [s].
+    pub(crate) fn first_tear(&self) -> Option<f64> {
+        self.tears().iter().filter_map(|seam| seam.first).reduce(f64::min)
+    }
+
     /// The matrix of a fibre solid.
     fn matrix(&self) -> Option<&MatrixForce> {
         self.parts.forces.iter().find_map(|force| force.downcast_ref())

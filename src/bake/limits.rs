@@ -6,8 +6,9 @@
 //! without fibres.
 
 use crate::scene::{Hold, TwoLayer};
+use crate::solver::forces::pressure::Pressure;
 use crate::solver::forces::{
-    ElementForce, FibreForce, Flow, Force, Inelastic, MatrixForce, MatrixThinning, SheetForce, StepLimit,
+    ElementForce, FibreForce, Flow, Force, Inelastic, MatrixForce, MatrixThinning, SheetForce, StepLimit, total_forces,
 };
 use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
@@ -59,6 +60,9 @@ pub(super) fn wind_rate(forces: &[Box<dyn Force>], state: &ParticleState) -> f64
     forces.iter().filter_map(|force| force.downcast_ref::<Flow>()).map(|flow| flow.step_limit(state).damping_rate).sum()
 }
 
+/// Share of the step of a body whose springs change its shape: of that only the size is followed, see `squeeze`.
+const OF_CHANGING_SHAPE: f64 = 0.95;
+
 /// Pointer to what the drag of the wind is proportional to.
 const WIND: &str = "/wind/density";
 
@@ -71,11 +75,35 @@ pub(super) struct Layered<'a> {
     pub(super) state: &'a ParticleState,
     /// Half its least extent [m].
     pub(super) extent: f64,
+    /// Least mean distance between neighbours of a layer [m].
+    pub(super) spacing: f64,
     /// [`wind_rate`].
     pub(super) wind: f64,
 }
 
 impl Layered<'_> {
+    /// The greatest stable step [s], which is that of the modes at rest, `by_modes`, unless the body's forces are far
+    /// out of balance there and accelerate particles by up to `burst` [m/s²]. Gas that bursts a body open has it in
+    /// another shape after a step or two, of which those modes tell nothing: from rest no particle may go further than
+    /// half the distance to its neighbours in one step, `a dt² / 2`. Implicit steps, which have no limit, get none.
+    pub(super) fn stable_step(&self, by_modes: f64, burst: f64) -> f64 {
+        let share = if self.body.active_springs.is_empty() { 1.0 } else { OF_CHANGING_SHAPE };
+        if by_modes.is_finite() { share * by_modes.min((self.spacing / burst).sqrt()) } else { by_modes }
+    }
+
+    /// The greatest acceleration [m/s²] that the body's springs, and its gas at its strongest, give a particle at rest.
+    pub(super) fn burst(&self, forces: &[Box<dyn Force>]) -> f64 {
+        let own = forces.iter().filter(|force| force.is_internal());
+        let mut own: Vec<_> = own
+            .map(|force| match force.downcast_ref::<Pressure>() {
+                Some(gas) => gas.clone_at_extreme(true),
+                None => force.clone_box(),
+            })
+            .collect();
+        let forces = total_forces(&mut own, self.state);
+        forces.iter().zip(&self.state.masses).map(|(force, mass)| force.length() / mass).fold(0.0, f64::max)
+    }
+
     /// The pointer to the parameter that sets its step; none where no single one does. `forces_of` gives the forces of
     /// a body with other parameters.
     pub(super) fn limited_by(
@@ -86,8 +114,10 @@ impl Layered<'_> {
     ) -> Option<String> {
         let shapes = modes.limiting(integrator, MODES);
         let step = |body: &TwoLayer, wind: f64| {
-            let modes = modes.under(&mut forces_of(body), self.state, self.extent, &shapes);
-            greatest_stable_step(integrator, modes, wind)
+            let mut forces = forces_of(body);
+            let burst = self.burst(&forces);
+            let modes = modes.under(&mut forces, self.state, self.extent, &shapes);
+            self.stable_step(greatest_stable_step(integrator, modes, wind), burst)
         };
         let present = step(self.body, self.wind);
         let raised = PARAMETERS.iter().filter_map(|(name, scale)| {

@@ -19,9 +19,9 @@ use crate::solver::embedding::EmbeddingWeights;
 use crate::solver::forces::pressure::Surface;
 use crate::solver::forces::springs::SpringKind;
 use crate::solver::forces::{
-    ActiveSprings, AirDrag, Contact, ContactLaw, FlowSurface, Force, Grab, Gravity, Pressure, Springs,
+    ActiveSprings, AirDrag, Contact, ContactLaw, FlowSurface, Force, Grab, Gravity, Pressure, Springs, total_forces,
 };
-use crate::solver::integrators::LeapFrog;
+use crate::solver::integrators::{Integrator, LeapFrog};
 use crate::solver::layers::Layers;
 use crate::solver::modes::fastest_modes;
 use crate::solver::state::ParticleState;
@@ -74,7 +74,11 @@ pub(super) fn draft(
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
-    let squeeze = squeeze(&active, &layers.springs, &at_rest.positions);
+    let squeeze = if active.is_empty() {
+        1.0
+    } else {
+        squeeze(&model.springs(body).with_active(active.clone()), &gas(body, &layers), &at_rest)
+    };
     let probed = |body: &TwoLayer| {
         let body = &TwoLayer { pressure: squeeze * body.pressure, ..body.clone() };
         let own = own_forces(scene, body, (&model, &active), &layers, (&state, &followed));
@@ -94,10 +98,14 @@ pub(super) fn draft(
         fastest_modes(&mut probed(body), &at_rest, model.radius, stop)
     })?;
     let wind = limits::wind_rate(&forces, &at_rest);
-    let stable_dt = modes.greatest_stable_step(integrator.as_ref(), wind);
-    let stable_steps = stable_steps(|integrator| modes.greatest_stable_step(integrator, wind));
-    let explicit_dt = modes.greatest_stable_step(&LeapFrog::default(), wind);
-    let layered = limits::Layered { body, path, state: &at_rest, extent: model.radius, wind };
+    let spacing = [model.spacing(), model.inner_spacing()].into_iter().filter(|&spacing| spacing > 0.0);
+    let spacing = spacing.fold(f64::INFINITY, f64::min);
+    let layered = limits::Layered { body, path, state: &at_rest, extent: model.radius, spacing, wind };
+    let burst = layered.burst(&forces);
+    let step = |integrator: &dyn Integrator| layered.stable_step(modes.greatest_stable_step(integrator, wind), burst);
+    let stable_dt = step(integrator.as_ref());
+    let stable_steps = stable_steps(step);
+    let explicit_dt = step(&LeapFrog::default());
     let limited_by = layered.limited_by(&modes, integrator.as_ref(), probed);
     let law = contact.law;
     if !contact.planes.is_empty() {
@@ -255,21 +263,38 @@ fn active_springs(
     Ok(all)
 }
 
-/// By what factor gas is stiffer where active springs have made the body as small as they ever do: a body that is
-/// shorter by a share c all over has `1 / (1 - c)²` times the slope of its pressure by a move, in two dimensions and in
-/// three. Taken of the mean over the structural springs.
-fn squeeze(active: &[ActiveSprings], springs: &Springs, positions: &[DVec3]) -> f64 {
-    let structural = springs.groups().iter().filter(|group| group.kind == SpringKind::Structural);
-    let mut lengths = vec![0.0; springs.ends().len()];
-    for spring in structural.flat_map(|group| group.springs.clone()) {
-        let [a, b] = springs.ends()[spring].map(|end| positions[end as usize]);
-        lengths[spring] = a.distance(b);
+/// A body that its springs make smaller swings past the size that they hold it at, by up to half as much again where
+/// they do it at once; found by simulation of balls under contractions of 0.3 and 0.6.
+const PAST: f64 = 1.45;
+
+/// By what factor gas is stiffer where active springs have made the body as small as it ever gets: a body that is
+/// smaller by a factor s all over has `1 / s²` times the slope of its pressure by a move, in two dimensions and in three.
+fn squeeze(springs: &Springs, gas: &[Pressure], state: &ParticleState) -> f64 {
+    if gas.is_empty() {
+        return 1.0;
     }
-    let shorter = active.iter().map(ActiveSprings::shortest);
-    let shorter: f64 =
-        shorter.map(|(by, which)| by * which.iter().map(|&spring| lengths[spring as usize]).sum::<f64>()).sum();
-    let whole: f64 = lengths.iter().sum();
-    if shorter > 0.0 { (1.0 - shorter / whole).powi(-2) } else { 1.0 }
+    let center = state.positions.iter().sum::<DVec3>() / state.len() as f64;
+    let mut forces: Vec<Box<dyn Force>> = vec![springs.clone_at_extreme(true)];
+    forces.extend(gas.iter().map(|gas| gas.clone_at_extreme(false)));
+    let mut scaled = state.clone();
+    // Which way the forces move all of it: what they do as it grows by a share.
+    let mut grows = |by: f64| {
+        for (to, from) in scaled.positions.iter_mut().zip(&state.positions) {
+            *to = center + by * (*from - center);
+        }
+        let forces = total_forces(&mut forces, &scaled);
+        forces.iter().zip(&scaled.positions).map(|(force, x)| force.dot(*x - center)).sum::<f64>() > 0.0
+    };
+    if grows(1.0) {
+        return 1.0;
+    }
+    let (mut small, mut large) = (0.0, 1.0);
+    for _ in 0..20 {
+        let middle = 0.5 * (small + large);
+        if grows(middle) { small = middle } else { large = middle }
+    }
+    // As far as it swings past, but not to nothing.
+    (1.0 - PAST * (1.0 - large)).max(0.5 * large).powi(-2)
 }
 
 /// The gas, where there is any. A body without an inner layer has all its gas in the outer one.

@@ -66,7 +66,7 @@ fn the_step_of_a_ball_holds_while_its_springs_squeeze_the_gas() {
     let [still, small] = [0.0, 0.6].map(|contract| parts(&squeezed(contract)).stable_dt);
     let ratio = still / small;
     println!("{still} s, squeezed {small} s");
-    assert!(ratio > 1.2, "{ratio}");
+    assert!(ratio > 1.1, "{ratio}");
     let run = |share: f64| {
         let mut scene = squeezed(0.6);
         scene.time.step = TimeStep::manual(share * small, 60);
@@ -74,7 +74,7 @@ fn the_step_of_a_ball_holds_while_its_springs_squeeze_the_gas() {
         (0..40).for_each(|_| runner.advance_frame());
         runner.world().divergence().is_none() && runner.world().unbalanced().is_empty()
     };
-    assert!(run(0.98), "it does not hold");
+    assert!(run(0.99), "it does not hold");
 }
 
 #[test]
@@ -181,6 +181,24 @@ fn greatest_energy(mut scene: Scene, share: f64) -> f64 {
     greatest
 }
 
+#[test]
+fn a_ball_that_its_gas_bursts_open_holds_at_the_automatic_step() {
+    for pressure in [2e4, 5e5, 1e6, 5e6] {
+        let ball = TwoLayer { pressure, ..TwoLayer::ball("ball") };
+        let mut scene = Scene::new("ball").with_gravity([0.0; 3]).with_two_layer(ball);
+        let of = parts(&scene);
+        if pressure > 1e5 {
+            assert_eq!(of.limited_by.as_deref(), Some("/two_layer/0/pressure"));
+        }
+        scene.time.step = TimeStep::manual(0.98 * of.stable_dt, 10);
+        let mut runner = runner(&scene);
+        (0..30).for_each(|_| runner.advance_frame());
+        let world = runner.world();
+        assert!(world.divergence().is_none(), "{pressure}: {:?}", world.divergence().map(ToString::to_string));
+        assert!(world.unbalanced().is_empty(), "{pressure}: {:?}", world.unbalanced());
+    }
+}
+
 /// Pressed onto a floor by its weight.
 fn standing(scene: Scene) -> Scene {
     scene.with_gravity([0.0, -9.81, 0.0]).with_floor(0.0)
@@ -188,10 +206,16 @@ fn standing(scene: Scene) -> Scene {
 
 /// A ball full of gas whose springs all shorten by this share.
 fn squeezed(contract: f64) -> Scene {
-    let mut ball = TwoLayer { pressure: 2e6, kd: 1.0, rkd: 1.0, air_drag: 0.5, ..TwoLayer::ball("ball") };
+    let mut ball = TwoLayer { pressure: 2e4, kd: 1.0, rkd: 1.0, air_drag: 0.5, ..TwoLayer::ball("ball") };
     let come = DriveKeys::new([(0.0, 0.0), (0.05, 1.0)]);
     ball.active_springs = vec![sinew::scene::ActiveSprings::new("all", "everything", contract, come)];
     Scene::new("ball").with_gravity([0.0; 3]).with_two_layer(ball)
+}
+
+/// A ball that stands at the height of the floor.
+fn on_its_foot(mut scene: Scene) -> Scene {
+    scene.two_layer[0].placement.translation = [0.0, 2.0, 0.0];
+    scene
 }
 
 /// Ways to act, each in a body of its own, some of them on a floor.
@@ -241,15 +265,14 @@ fn that_act() -> Vec<(&'static str, Scene)> {
         ("on a floor", standing(scene([3, 7, 3], vec![fibre(0.5 * D, 60.0, contract(0.5))]))),
         ("a thick rod on a floor", standing(scene([5, 7, 5], vec![fibre(1.5 * D, 300.0, contract(0.3))]))),
         ("springs", squeezed(0.6)),
+        ("springs on a floor", standing(on_its_foot(squeezed(0.6)))),
     ]
 }
 
 #[test]
 fn the_stable_step_is_no_longer_than_the_true_limit_and_no_shorter_than_four_fifths_of_it() {
     for (name, scene) in that_act() {
-        // The fastest motion of springs is found by itself and not bounded, to a hundredth.
-        let within = if scene.two_layer.is_empty() { 0.99 } else { 0.98 };
-        let [bounded, beyond] = [within, 1.25].map(|share| greatest_energy(scene.clone(), share));
+        let [bounded, beyond] = [0.99, 1.25].map(|share| greatest_energy(scene.clone(), share));
         let small = greatest_energy(scene.clone(), 0.3);
         println!("{name}: {small:.3e} J in small steps, {bounded:.3e} J at the bound, {beyond:.3e} J beyond");
         assert!(bounded < 3.0 * small, "{name}: {bounded} J at the bound, {small} J in small steps");

@@ -66,12 +66,6 @@ impl ActiveSprings {
         self.booked = Some(now);
     }
 
-    /// The greatest share by which they ever want to be shorter, and which they are.
-    pub(crate) fn shortest(&self) -> (f64, &[u32]) {
-        let ends = [self.drive.least(), self.drive.greatest()];
-        (ends.into_iter().map(|value| self.contract * value).fold(0.0, f64::max), &self.springs)
-    }
-
     /// Whether the booking has begun.
     pub(crate) fn is_booked(&self) -> bool {
         self.booked.is_some()

@@ -67,6 +67,14 @@ impl Shape {
         }
     }
 
+    /// Thickness where it is thinnest [m]: of a ring its tube's, of others the least extent; none of a mesh.
+    pub fn thickness(&self) -> Option<f64> {
+        match self {
+            Self::Torus(torus) => Some(2.0 * torus.tube_radius),
+            other => Some(other.size()?.into_iter().fold(f64::INFINITY, f64::min)),
+        }
+    }
+
     /// Volume [m³]; none of a mesh.
     pub fn volume(&self) -> Option<f64> {
         match self {

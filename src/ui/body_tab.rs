@@ -6,6 +6,7 @@ use super::elements_section::elements_section;
 use super::follows_section::follows_section;
 use super::material_fields::material_fields;
 use super::region_material_fields::region_material_fields;
+use super::sampling;
 use super::theme::GRID;
 use super::two_layer_fields::two_layer_fields;
 use super::voids_section::voids_section;
@@ -16,10 +17,11 @@ use egui::{ComboBox, RichText, Ui};
 /// Shows what the active body is made of and how it is stepped.
 pub(super) fn body_tab(ui: &mut Ui, cx: &mut Context) {
     if let Some(body) = cx.active_body().cloned() {
-        let mut material = body.material.clone();
+        let shown = sampling::material_in_truth(cx, &body);
+        let mut material = shown.clone();
         material_fields(ui, &mut material);
-        if material != body.material {
-            cx.edit(&Command::SetMaterial { body: body.id.clone(), material }, Step::Present);
+        if let Some(command) = sampling::change(cx, &body, &shown, material) {
+            cx.edit(&command, Step::Present);
         }
         let mut changed = body.clone();
         if touches_itself(ui, &mut changed.self_contact) {

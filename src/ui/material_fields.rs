@@ -77,5 +77,7 @@ pub(super) fn material_fields(ui: &mut Ui, material: &mut Material) {
     ui.heading("Sampling");
     SUPPORT_RADIUS.show(ui, &mut material.support_radius);
     SPACING_RATIO.show(ui, &mut material.spacing_ratio);
-    ui.label(RichText::new("Fills the shape with particles anew and starts it at rest").weak().small());
+    ui.label(
+        RichText::new("Fills the shape anew and starts it at rest, as heavy and as stiff as it is").weak().small(),
+    );
 }

@@ -51,6 +51,7 @@ mod right_panel;
 mod room_section;
 mod runs;
 mod said;
+mod sampling;
 mod sheets_section;
 mod status_bar;
 mod stroke_choices;

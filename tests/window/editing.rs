@@ -6,7 +6,8 @@ use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 use sinew::io::load_scene;
-use sinew::scene::{Axis, PanelMotion, Shape, TimeStep};
+use sinew::scene::{Axis, Fibre, Mass, PanelMotion, PaperStiffness, Scene, Shape, TimeStep};
+use sinew::ui::Document;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -43,14 +44,42 @@ fn a_material_is_edited_while_it_plays_and_undone_in_one_step() {
     assert_eq!(window.state().scene().bodies[0].material, before);
 }
 
+/// Mass of the first body at rest [kg], and the rigidities EA [N] and EI [N m²] of its first fibre.
+fn of_the_body(scene: &Scene) -> [f64; 3] {
+    let baked = sinew::bake::bake(scene, &sinew::scene::Assets::default()).expect("a world");
+    let state = baked.world.bodies()[0].state();
+    let mass: f64 = state.masses.iter().sum();
+    let volume = scene.bodies[0].shape.volume().expect("a box") / state.masses.len() as f64;
+    let (ea, ei) = scene.bodies[0].fibres[0].stiffness.rigidity(volume);
+    [mass, ea, ei]
+}
+
 #[test]
-fn a_support_radius_samples_the_shape_anew() {
-    let mut window = still();
+fn a_support_radius_samples_the_shape_anew_and_changes_neither_mass_nor_stiffness() {
+    let mut document = Document::load(None).expect("the built-in scene");
+    let fibre = Fibre {
+        stiffness: PaperStiffness::new(5e5, 2.5e5).into(),
+        ..Fibre::through("printed", [[0.0, 0.02, 0.0], [0.0, 0.03, 0.0], [0.0, 0.04, 0.0]])
+    };
+    document.scene.bodies[0].fibres.insert(0, fibre);
+    assert!(matches!(document.scene.bodies[0].material.mass, Mass::PerParticle(_)));
+    let before = of_the_body(&document.scene);
+    let mut window = open(document);
+    hold(&mut window);
     let particles = window.state().published().status.particles;
-    set(&mut window, "Support radius", "0.02");
-    until(&mut window, |app| app.published().status.edits == 1 && is_settled(app));
+    for (edits, (field, value)) in [("Support radius", "0.02"), ("Spacing D / h", "0.5")].into_iter().enumerate() {
+        set(&mut window, field, value);
+        until(&mut window, |app| app.published().status.edits == 1 + edits as u64 && is_settled(app));
+        let after = of_the_body(&window.state().scene());
+        for (after, before) in after.iter().zip(before) {
+            assert!((after / before - 1.0).abs() < 0.02, "{field}: {after}, before {before}");
+        }
+    }
     let fewer = window.state().published().status.particles;
     assert!(fewer < particles && fewer > 20, "{particles} became {fewer}");
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    assert!(matches!(window.state().scene().bodies[0].material.mass, Mass::PerParticle(_)));
 }
 
 #[test]

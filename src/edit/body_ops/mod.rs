@@ -11,6 +11,7 @@
 
 mod change;
 mod copy;
+mod filling;
 mod of_elements;
 mod of_fibres;
 mod of_pins;
@@ -19,4 +20,5 @@ mod rigid;
 
 pub use change::{moved, placed, scaled, turned};
 pub use copy::copy;
+pub use filling::{filled_by, of_any_filling};
 pub use of_two_layer::scaled_two_layer;

@@ -84,9 +84,5 @@ fn material_for(shape: &Shape, size: f64) -> Material {
 
 /// Spacing [m] at which so many particles fill a shape, closer where its thinnest part needs that; none of a mesh.
 pub(super) fn spacing_for(shape: &Shape, particles: f64) -> Option<f64> {
-    let thinnest = match shape {
-        Shape::Torus(torus) => 2.0 * torus.tube_radius,
-        other => other.size()?.into_iter().fold(f64::INFINITY, f64::min),
-    };
-    Some((shape.volume()? / particles).cbrt().min(thinnest / LAYERS))
+    Some((shape.volume()? / particles).cbrt().min(shape.thickness()? / LAYERS))
 }

@@ -167,14 +167,12 @@ fn of_scene(scene: Scene) -> Loaded {
 }
 
 fn of_model(opened: OpenedModel) -> Loaded {
-    let OpenedModel { scene, assets, particles, scaled, thin } = opened;
-    let scaled = scaled.map_or_else(String::new, |scaled| format!(", {scaled}"));
-    let warning = thin.is_some();
-    let thin = thin.map_or_else(String::new, |thin| format!("; {thin}"));
     let text = format!(
-        "the model is made a soft solid of about {particles} particles above a floor{scaled}{thin}; change it by --set, or \
-         save it from the window"
+        "the model is made {}; it starts above a floor. Change it by --set, or save it from the window",
+        opened.said()
     );
+    let OpenedModel { scene, assets, thin, .. } = opened;
+    let warning = thin.is_some();
     Loaded { scene, assets, made: Some(Note { path: "/bodies/0".to_owned(), text, warning }) }
 }
 
@@ -206,6 +204,18 @@ pub(super) fn folder_of(source: Option<&Path>) -> &Path {
     source.and_then(Path::parent).unwrap_or(Path::new(""))
 }
 
+/// Loads what a scene refers to and has not been loaded yet, showing what is worked on when it takes long.
+///
+/// # Errors
+/// A model that cannot be used.
+pub(super) fn load_models(loaded: &mut Loaded, source: Option<&Path>, console: &mut Console) -> Result<(), CliError> {
+    console.begin();
+    let Loaded { scene, assets, .. } = loaded;
+    let complete = complete_assets(assets, scene, folder_of(source), &mut |stage| console.stage(&stage));
+    console.end();
+    Ok(complete?)
+}
+
 /// Loads what a scene refers to and has not been loaded yet, and puts it together, showing what is worked on when it
 /// takes long.
 ///
@@ -216,17 +226,14 @@ pub(super) fn bake_with_notes(
     source: Option<&Path>,
     console: &mut Console,
 ) -> Result<Baked, CliError> {
+    load_models(loaded, source, console)?;
     console.begin();
-    let Loaded { scene, assets, .. } = loaded;
-    let complete = complete_assets(assets, scene, folder_of(source), &mut |stage| console.stage(&stage));
-    let baked = complete.map_err(CliError::from).and_then(|()| {
-        let mut tell = |body: &str, stage| {
-            console.stage(&format!("{body}: {stage}"));
-            ControlFlow::Continue(())
-        };
-        bake_with_progress(scene, assets, &mut tell)
-            .map_err(|error| CliError::Bake { scene: source_name(source), source: error })
-    });
+    let mut tell = |body: &str, stage| {
+        console.stage(&format!("{body}: {stage}"));
+        ControlFlow::Continue(())
+    };
+    let baked = bake_with_progress(&loaded.scene, &loaded.assets, &mut tell)
+        .map_err(|error| CliError::Bake { scene: source_name(source), source: error });
     console.end();
     baked
 }

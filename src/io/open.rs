@@ -32,6 +32,15 @@ pub struct OpenedModel {
     pub thin: Option<String>,
 }
 
+impl OpenedModel {
+    /// What it is made: a soft solid of how many particles, to what size it was brought, which parts are thin.
+    pub fn said(&self) -> String {
+        let scaled = self.scaled.as_ref().map_or_else(String::new, |scaled| format!(", {scaled}"));
+        let thin = self.thin.as_ref().map_or_else(String::new, |thin| format!("; {thin}"));
+        format!("a soft solid of about {} particles{scaled}{thin}", self.particles)
+    }
+}
+
 /// Makes a scene of a model; `progress` hears what is being worked on.
 ///
 /// # Errors

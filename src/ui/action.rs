@@ -116,6 +116,9 @@ actions! {
     MirrorX in Fibre [] "Mirror along X": "Mirrors the selected fibres or sheet left to right in the middle of the body";
     MirrorY in Fibre [] "Mirror along Y": "Mirrors the selected fibres or sheet top to bottom in the middle of the body";
     MirrorZ in Fibre [] "Mirror along Z": "Mirrors the selected fibres or sheet front to back in the middle of the body";
+    MirrorCopyX in Fibre [] "Mirrored copy along X": "Copies the selected fibres or sheet, left for right";
+    MirrorCopyY in Fibre [] "Mirrored copy along Y": "Copies the selected fibres or sheet, top for bottom";
+    MirrorCopyZ in Fibre [] "Mirrored copy along Z": "Copies the selected fibres or sheet, front for back";
     Reverse in Fibre [] "Reverse": "Runs the selected fibres from their other end";
     Smooth in Fibre [] "Smooth": "Smooths the selected fibres; their ends stay";
     Resample in Fibre [] "Resample": "Spaces the vertices of the selected fibres evenly, as far apart as the particles";

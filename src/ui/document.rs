@@ -66,11 +66,10 @@ impl Document {
 
     /// A soft solid in the shape of a model, just above a floor.
     fn of_model(path: &Path, progress: &mut dyn FnMut(&str)) -> Result<Self, IoError> {
-        let OpenedModel { scene, assets, particles, scaled, thin } = open_model(path, progress)?;
+        let opened = open_model(path, progress)?;
+        let note = format!("Opened {} as {}", opened.scene.name, opened.said());
+        let OpenedModel { scene, assets, .. } = opened;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let scaled = scaled.map_or_else(String::new, |scaled| format!(", {scaled}"));
-        let thin = thin.map_or_else(String::new, |thin| format!("; {thin}"));
-        let note = format!("Opened {} as a soft solid of about {particles} particles{scaled}{thin}", scene.name);
         Ok(Self { scene, assets: Arc::new(assets), path: None, folder, note: Some(note) })
     }
 }

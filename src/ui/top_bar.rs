@@ -95,8 +95,7 @@ impl TopBar {
             if ui.available_width() < ROOMY {
                 format!("{}   {pace}", now(status.time))
             } else {
-                let (computed, drawn) = (status.frames_per_second, self.frame_times.len());
-                format!("{}   {computed:.0} frames/s, {drawn} drawn   {pace}", now(status.time))
+                format!("{}   {} pictures/s   {pace}", now(status.time), self.frame_times.len())
             }
         } else if cx.simulation.is_replaying() {
             let last = status.recording.span.map_or(status.time, |span| span[1]);
@@ -105,6 +104,9 @@ impl TopBar {
             now(status.time)
         };
         let mut why = vec![format!("{} particles", status.particles)];
+        if status.playing {
+            why.push(format!("{:.0} frames computed a second", status.frames_per_second));
+        }
         if let Some(body) = status.bodies.iter().max_by_key(|body| body.substeps) {
             why.push(format!(
                 "{} steps a frame of {:.3e} s, which {} needs: its stable step is {:.3e} s",

@@ -24,7 +24,7 @@ fn a_model_runs_as_a_soft_solid_above_a_floor() {
     let said = desk.run("simulate block.obj --seconds 0.05 --report r.json --out frames");
     assert_eq!(said.code, Some(0), "{said:?}");
     assert!(
-        said.err.contains("note: /bodies/0: the model is made a soft solid of about 800 particles above a floor"),
+        said.err.contains("note: /bodies/0: the model is made a soft solid of about 800 particles"),
         "{}",
         said.err
     );

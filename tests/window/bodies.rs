@@ -8,6 +8,7 @@ use egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 use sinew::scene::{OwnedBody, Shape};
+use sinew::ui::Document;
 use std::path::{Path, PathBuf};
 
 fn key(window: &mut Window, key: Key) {
@@ -219,6 +220,8 @@ fn a_model_joins_the_scene_and_goes_with_it_to_another_window() {
     click(&mut window, "Body");
     click(&mut window, "Add a model…");
     type_path(&mut window, &asset("leaf.glb"));
+    let is_said = |said: &str| said.starts_with("Add: leaf, a soft solid of about ") && said.contains(" particles");
+    until(&mut window, |app| app.message().is_some_and(is_said));
     until(&mut window, |app| is_settled(app) && app.published().at_rest.bodies.len() == 2);
     window.run_steps(2);
     assert_eq!(window.state().published().status.failure, None, "{:?}", window.state().message());
@@ -252,6 +255,36 @@ fn a_model_joins_the_scene_and_goes_with_it_to_another_window() {
     other.run_steps(2);
     assert!(other.state().message().is_some_and(|said| said.contains("nowhere.glb")), "{:?}", other.state().message());
     assert_eq!(names(&other), ["cube"]);
+}
+
+#[test]
+fn the_support_radius_of_a_model_is_that_of_its_particles_and_fills_it_anew() {
+    let mut window = open(Document::load(Some(asset("short_bar.glb"))).expect("the model"));
+    hold(&mut window);
+    let count = |window: &Window| match body(window, 0) {
+        OwnedBody::Solid(body) => match body.shape {
+            Shape::Mesh(shape) => shape.particles.expect("a count"),
+            other => panic!("{other:?}"),
+        },
+        other => panic!("{other:?}"),
+    };
+    let before = count(&window);
+    let there = window.state().published().status.particles;
+    let shown = |window: &Window| -> f64 {
+        let value = window.get_by_role_and_label(Role::SpinButton, "Support radius").value().expect("a number");
+        value.split_whitespace().next().and_then(|number| number.parse().ok()).unwrap_or_else(|| panic!("{value}"))
+    };
+    let radius = shown(&window);
+    // An eighth of the particles have twice the spacing.
+    set(&mut window, "Particles", &(before / 8).to_string());
+    until(&mut window, |app| is_settled(app) && app.published().status.particles < there / 4);
+    assert!((shown(&window) / radius - 2.0).abs() < 0.02, "{} m, before {radius} m", shown(&window));
+    set(&mut window, "Support radius", &radius.to_string());
+    until(&mut window, |app| is_settled(app) && app.published().status.particles > there / 2);
+    let back = f64::from(count(&window)) / f64::from(before);
+    assert!((back - 1.0).abs() < 0.05, "{} particles, before {before}", count(&window));
+    set(&mut window, "Young's modulus", "2e5");
+    assert_eq!(f64::from(count(&window)) / f64::from(before), back);
 }
 
 fn asset(name: &str) -> PathBuf {

@@ -272,6 +272,34 @@ fn several_fibres_are_changed_at_once() {
 }
 
 #[test]
+fn mirrored_copies_are_one_step_and_lie_on_the_other_side() {
+    let mut window = still();
+    for (axis, entry) in ["Mirrored copy along X", "Mirrored copy along Y", "Mirrored copy along Z"].iter().enumerate()
+    {
+        choose(&mut window, "Helix 1");
+        key(&mut window, Key::A);
+        window.step();
+        let before: Vec<Vec<DVec3>> = window.state().scene().bodies[0].fibres.iter().map(course).collect();
+        one_step(&mut window, |window| {
+            click(window, "Fibre");
+            click(window, entry);
+        });
+        let fibres = window.state().scene().bodies[0].fibres.clone();
+        assert_eq!(fibres.len(), 8);
+        // In the middle of the bar.
+        let middle = DVec3::new(0.0, 0.036, 0.0);
+        for (of, copy) in before.iter().zip(fibres[4..].iter().map(course)) {
+            for (a, b) in of.iter().zip(&copy) {
+                let mut mirrored = *a - middle;
+                mirrored[axis] = -mirrored[axis];
+                assert!(b.distance(middle + mirrored) < 1e-6, "{entry}: {a} became {b}");
+            }
+        }
+        undo(&mut window);
+    }
+}
+
+#[test]
 fn a_copy_follows_the_pointer_and_names_can_be_changed() {
     let mut window = still();
     choose(&mut window, "Helix 3");

@@ -14,7 +14,7 @@ use glam::DVec3;
 pub(crate) fn add(new: NewBody, cx: &mut Context) {
     let body = new.of_size(usual_size(cx));
     let half = half_size(&body);
-    add_body("Add", &body, Bounds { min: -half, max: half }, cx);
+    add_body("Add", &body, Bounds { min: -half, max: half }, "", cx);
 }
 
 /// Half the extents [m] of a body that is no mesh, about the model's origin.
@@ -31,8 +31,8 @@ fn half_size(body: &OwnedBody) -> DVec3 {
 }
 
 /// Adds a body under an identifier that is free, where it stands free; `bounds` is the box around it as it is placed
-/// [m]. It is chosen then, and drawn into from now on.
-pub(crate) fn add_body(verb: &str, body: &OwnedBody, bounds: Bounds, cx: &mut Context) {
+/// [m], `what` what else is to be said of it. It is chosen then, and drawn into from now on.
+pub(crate) fn add_body(verb: &str, body: &OwnedBody, bounds: Bounds, what: &str, cx: &mut Context) {
     let at = beside(0.5 * (bounds.max - bounds.min), cx);
     let body = moved(&copy(body, cx.scene()), at - bounds.center());
     let (id, title) = (body.view().id().to_owned(), body.view().title().to_owned());
@@ -41,7 +41,7 @@ pub(crate) fn add_body(verb: &str, body: &OwnedBody, bounds: Bounds, cx: &mut Co
     cx.edit(&Command::Many { name, commands: vec![Command::AddBody(body)] }, Step::Own);
     if cx.scene().all_bodies().count() > before {
         cx.request(Request::ChooseBody(id));
-        cx.say(Severity::Note, format!("{verb}: {title}. G moves it, R turns it, S scales it"));
+        cx.say(Severity::Note, format!("{verb}: {title}{what}. G moves it, R turns it, S scales it"));
     }
 }
 

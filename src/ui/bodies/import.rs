@@ -26,6 +26,10 @@ const PAPERS: f64 = 4.0;
 
 /// Adds a body in the shape of a model, which was read from a file, to the scene.
 pub(crate) fn add_model(path: &Path, opened: OpenedModel, layers: Layers, cx: &mut Context) {
+    let made = match layers {
+        Layers::Filled => format!(", {}", opened.said()),
+        Layers::Two => String::new(),
+    };
     let Some(body) = opened.scene.bodies.into_iter().next() else { return };
     let Shape::Mesh(shape) = &body.shape else { return };
     let Some(solid) = opened.assets.solid(shape).cloned() else { return };
@@ -57,14 +61,16 @@ pub(crate) fn add_model(path: &Path, opened: OpenedModel, layers: Layers, cx: &m
     let (found, usual) = (solid.size().max_element(), usual_size(cx));
     let is_odd = cx.scene().all_bodies().next().is_some() && !(usual / ODD..=usual * ODD).contains(&found);
     let mut bounds = Bounds { min: solid.min, max: solid.max };
+    let mut what = made;
     if is_odd && let Ok(sized) = scaled(&body, DVec3::ZERO, usual / found) {
         let larger = resized(&solid, usual / found);
         insert(&sized, &larger, cx);
         bounds = Bounds { min: larger.min, max: larger.max };
         body = sized;
+        what += ", made as large as what is there";
     }
     body.view_mut().placement_mut().translation = [0.0; 3];
-    add_body("Add", &body, bounds, cx);
+    add_body("Add", &body, bounds, &what, cx);
 }
 
 fn insert(body: &OwnedBody, solid: &Arc<Solid>, cx: &mut Context) {

@@ -74,7 +74,7 @@ pub(super) fn paste(text: &str, cx: &mut Context) -> bool {
     match bring_models(&mut body, cx) {
         Ok(found) => {
             let bounds = found.unwrap_or(Bounds { min: center - half, max: center + half });
-            add_body("Paste", &body, bounds, cx);
+            add_body("Paste", &body, bounds, "", cx);
         }
         Err(problem) => cx.say(Severity::Error, problem),
     }

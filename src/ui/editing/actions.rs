@@ -13,6 +13,8 @@ const SMOOTHING: usize = 4;
 /// Depth under the surface to which fibres are snapped, in particle spacings: at the surface itself they would carry
 /// little.
 const SNAP_DEPTH: f64 = 0.5;
+/// What is done where copies are mirrored.
+const MIRRORED: &str = "Mirrored copy of";
 /// Where a vertex is inserted on its edge.
 const MIDDLE: f64 = 0.5;
 
@@ -48,13 +50,17 @@ pub(crate) fn duplicate(cx: &mut Context) -> (u64, Vec<String>) {
 
 /// A copy of the selected sheet, beside it and selected.
 pub(crate) fn duplicate_sheet(cx: &mut Context) {
+    let by = Transform::translation(cx.sampling().spacing * DVec3::ONE);
+    copy_sheet(cx, DUPLICATE, &by);
+}
+
+/// A copy of the selected sheet, moved, and selected.
+fn copy_sheet(cx: &mut Context, verb: &str, by: &Transform) {
     let Some((body, sheet)) = cx.selected_sheet() else { return };
-    let sampling = cx.sampling();
-    let by = Transform::translation(sampling.spacing * DVec3::ONE);
-    match sheet_ops::transform(&sheet_ops::copy(sheet, &body.sheets), &by, sampling) {
+    match sheet_ops::transform(&sheet_ops::copy(sheet, &body.sheets), by, cx.sampling()) {
         Ok(sheet) => {
             let (body, id) = (body.id.clone(), sheet.id.clone());
-            let name = format!("{DUPLICATE} {}", sheet.title());
+            let name = format!("{verb} {}", sheet.title());
             cx.edit(&Command::Many { name, commands: vec![Command::AddSheet { body, sheet }] }, Step::Own);
             cx.selection.choose_sheet(id);
         }
@@ -92,6 +98,30 @@ pub(crate) fn mirror(cx: &mut Context, normal: DVec3) {
             set_sheet(cx, "Mirror", mirrored, Step::Own);
         }
         Ok(by) => each(cx, "Mirror", |fibre| fibre_ops::transform(fibre, &by, sampling)),
+        Err(error) => cx.say(Severity::Error, error.to_string()),
+    }
+}
+
+/// Copies of the selected fibres or sheet, mirrored in the plane through the middle of the body; they are selected then.
+pub(crate) fn mirror_copies(cx: &mut Context, normal: DVec3) {
+    let middle = cx.active.bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
+    let by = match Transform::reflection(middle, normal) {
+        Ok(by) => by,
+        Err(error) => return cx.say(Severity::Error, error.to_string()),
+    };
+    if cx.selection.sheet().is_some() {
+        return copy_sheet(cx, MIRRORED, &by);
+    }
+    let Some(body) = cx.active_body() else { return };
+    let sampling = cx.sampling();
+    let copies = fibre_ops::copies(cx.selected_fibres(), &body.fibres);
+    let mirrored = copies.iter().map(|copy| Ok(fibre_ops::transform(copy, &by, sampling)?.fibre));
+    match mirrored.collect::<Result<Vec<Fibre>, FibreEditError>>() {
+        Ok(copies) => {
+            let (id, chosen) = (body.id.clone(), copies.iter().map(|fibre| fibre.id.clone()).collect::<Vec<_>>());
+            cx.edit(&Command::add_fibres(MIRRORED, &id, copies), Step::Own);
+            cx.selection.set(chosen);
+        }
         Err(error) => cx.say(Severity::Error, error.to_string()),
     }
 }

@@ -17,8 +17,8 @@ mod set;
 mod state;
 
 pub(crate) use actions::{
-    delete, detach, duplicate, duplicate_sheet, hide, insert_vertices, mirror, resample, reverse, select_all, show_all,
-    smooth, snap, split,
+    delete, detach, duplicate, duplicate_sheet, hide, insert_vertices, mirror, mirror_copies, resample, reverse,
+    select_all, show_all, smooth, snap, split,
 };
 pub(crate) use allowed::Allowed;
 pub(crate) use body::move_copy;

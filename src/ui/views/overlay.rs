@@ -105,7 +105,7 @@ fn paint_thin(painter: &Painter, frame: &ViewFrame, cx: &Context) {
     }
 }
 
-/// Names the axes of a drawing view, and says what the first fibre takes.
+/// Names the axes of a drawing view and what it shows, and says what the first fibre takes.
 pub(super) fn paint_title(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx: &Context) {
     let rect = frame.rect;
     let painter = ui.painter_at(rect);
@@ -113,9 +113,9 @@ pub(super) fn paint_title(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx:
     let text = theme::color(pictures.text);
     let at = rect.min + egui::vec2(3.0 * GRID, 2.5 * GRID);
     let axes = match frame.kind {
-        PaneKind::Drawing(View::Front) => "X right, Y up",
-        PaneKind::Drawing(View::Side) => "Z right, Y up",
-        PaneKind::Drawing(View::Top) => "X right, Z down",
+        PaneKind::Drawing(View::Front) => "Rest shape, X right, Y up",
+        PaneKind::Drawing(View::Side) => "Rest shape, Z right, Y up",
+        PaneKind::Drawing(View::Top) => "Rest shape, X right, Z down",
         PaneKind::Result => return,
     };
     let below = at + egui::vec2(GRID, 6.0 * GRID);

@@ -1,6 +1,6 @@
-//! What has to go along with a program that is passed on: the licences of everything that is built into it, in the words
-//! of each, fonts included. Made of what `Cargo.lock` says and of the sources, so that it is never another program's:
-//! `tests/tools/notices.sh FILE` writes it.
+//! What has to go along with a program that is passed on: the licences of everything that is built into it, in the
+//! words of each, fonts included. Made of what `Cargo.lock` says and of the sources, so that it is never another
+//! program's: `tests/tools/notices.sh FILE` writes it.
 
 use crate::licences::features;
 use std::collections::{BTreeMap, BTreeSet};

@@ -17,7 +17,7 @@ fn main() -> ExitCode {
 
 #[cfg(feature = "gui")]
 fn show(path: Option<PathBuf>, console: &mut Console) -> ExitCode {
-    let document = match sinew::ui::Document::load(path) {
+    let document = match sinew::ui::Document::load_or_ask(path) {
         Ok(document) => document,
         Err(problem) => return sinew::cli::bad_input(&problem, console),
     };

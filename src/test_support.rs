@@ -32,7 +32,7 @@ pub mod cli {
 pub mod io {
     pub use crate::io::atomic::write_atomically;
     pub use crate::io::door::{Fate, Step, judged};
-    pub use crate::io::recovery::{Origin, RecoveryFile, recoverable_documents};
+    pub use crate::io::recovery::{LeftRecording, Origin, RecoveryFile, left_recordings, recoverable_documents};
     pub use crate::io::scene::MAX_SCENE_BYTES;
 
     /// Writes a journal as the window does.
@@ -58,6 +58,20 @@ pub mod io {
     pub fn points_of_lines(path: &std::path::Path) -> Result<Vec<glam::DVec3>, String> {
         let lines = crate::io::read_lines(path, |name| name == "bar").map_err(|error| error.to_string())?;
         Ok(lines.into_iter().flat_map(|line| line.points).collect())
+    }
+}
+
+/// How large a scene is before it is put together.
+pub mod scene {
+    use crate::scene::{AnyBody, Scene};
+
+    /// About how many particles it has; those of models are not counted.
+    pub fn about_particles(scene: &Scene) -> f64 {
+        let of = |body: AnyBody<'_>| match body {
+            AnyBody::Solid(body) => body.about_particles(None),
+            AnyBody::TwoLayer(body) => body.about_particles(None),
+        };
+        scene.all_bodies().filter_map(of).sum()
     }
 }
 

@@ -25,6 +25,7 @@ mod order_plot;
 mod outcome;
 mod output;
 mod parallel;
+mod parting;
 mod picture;
 mod prepare;
 mod render;

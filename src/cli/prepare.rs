@@ -4,7 +4,8 @@ use super::error::printable;
 use super::{CliError, Console};
 use crate::bake::{Baked, Note, bake_with_progress};
 use crate::io::{
-    OpenedModel, apply_sets, complete_assets, is_model, load_scene, open_model, scene_from_json, unknown_fields,
+    OpenedModel, apply_sets, complete_assets, is_model, load_scene, open_model, refuse_outside, scene_from_json,
+    unknown_fields,
 };
 use crate::scene::{Assets, Scene, TimeStep};
 use crate::sim::Runner;
@@ -23,9 +24,12 @@ const LONGEST: f64 = 1e6;
 /// More unknown fields than this are counted instead of named one by one.
 const NAMED_FIELDS: usize = 10;
 
-/// Values to replace in the scene.
+/// Values to replace in the scene, and which files it may read.
 #[derive(Clone, Debug, Default, Args)]
 pub(super) struct Sets {
+    /// Let the scene read models outside of its folder and of the folder `assets` beside that
+    #[arg(long)]
+    pub outside: bool,
     /// Replace a value of the scene: an RFC 6901 pointer and JSON, as in /bodies/0/material/young_modulus=2e5
     #[arg(long = "set", value_name = "POINTER=JSON")]
     pub sets: Vec<Assignment>,
@@ -159,6 +163,9 @@ pub(super) fn load(
         Some(path) => of_scene(load_scene(path)?),
     };
     let scene = with_sets(&loaded.scene, &sets.sets)?;
+    if let Some(path) = source.filter(|path| !sets.outside && !is_model(path)) {
+        refuse_outside(&scene, path)?;
+    }
     Ok(Loaded { scene: with_frame_rate(scene, fps)?, ..loaded })
 }
 

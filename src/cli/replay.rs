@@ -4,11 +4,12 @@ use super::drive::warn_unbalanced;
 use super::error::printable;
 use super::interruption::Interruption;
 use super::output;
+use super::parting::{cause_of, parting};
 use super::prepare::folder_of;
 use super::{CliError, Console, Outcome};
-use crate::io::{complete_assets, read_json, typed};
+use crate::io::{complete_assets, read_json, refuse_outside, typed};
 use crate::scene::{Assets, one_line};
-use crate::sim::{Journal, Report, Rerun, Runner};
+use crate::sim::{Journal, Report, Rerun};
 use crate::transfer::Inputs;
 use clap::Args;
 use std::num::NonZeroUsize;
@@ -20,6 +21,9 @@ use std::time::Instant;
 pub struct Replay {
     /// Journal, as the window saves it beside a scene; its models are looked for from its own folder
     journal: PathBuf,
+    /// Let its scenes read models outside of its folder and of the folder `assets` beside that
+    #[arg(long)]
+    outside: bool,
     /// Write a report of the end as JSON
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -37,6 +41,9 @@ pub(super) fn run(args: &Replay, interruption: &Interruption, console: &mut Cons
     let mut assets = Assets::default();
     console.begin();
     for scene in journal.scenes() {
+        if !args.outside {
+            refuse_outside(scene, &args.journal)?;
+        }
         complete_assets(&mut assets, scene, folder_of(Some(&args.journal)), &mut |stage| console.stage(&stage))?;
     }
     console.end();
@@ -132,20 +139,26 @@ fn beside(
     let mut parted = None;
     'frames: while interruption.signal().is_none() {
         let mut is_over = false;
+        let mut before = Vec::new();
         for (pool, rerun) in &mut runs {
-            is_over |= !pool.install(|| rerun.advance()).map_err(refused)?;
-        }
-        let Some(((_, first), others)) = runs.split_first() else { break };
-        console.progress(first.frame(), journal.frames(), "frames");
-        for ((_, other), threads) in others.iter().zip(&args.threads[1..]) {
-            let places = first.runner().zip(other.runner()).and_then(|(a, b)| parting(a, b));
-            if let Some(place) = places {
-                parted = Some(format!("frame {}: {place} on {} and {threads} threads", first.frame(), args.threads[0]));
-                break 'frames;
-            }
+            is_over |= !pool.install(|| rerun.ask()).map_err(refused)?;
+            before.push(rerun.runner().cloned());
         }
         if is_over {
             break;
+        }
+        for (pool, rerun) in &mut runs {
+            pool.install(|| rerun.advance()).map_err(refused)?;
+        }
+        let Some(((pool, first), others)) = runs.split_first() else { break };
+        console.progress(first.frame(), journal.frames(), "frames");
+        for (k, (other_pool, other)) in others.iter().enumerate() {
+            let Some(place) = first.runner().zip(other.runner()).and_then(|(a, b)| parting(a, b)) else { continue };
+            let cause = before[0].as_ref().zip(before[k + 1].as_ref());
+            let cause = cause.map_or_else(String::new, |(a, b)| format!(": {}", cause_of((pool, a), (other_pool, b))));
+            let on = format!("on {} and {} threads", args.threads[0], args.threads[k + 1]);
+            parted = Some(format!("frame {}: {place} {on}{cause}", first.frame()));
+            break 'frames;
         }
     }
     console.end();
@@ -160,28 +173,5 @@ fn beside(
         Some(signal) => Outcome::Interrupted(signal),
         None if parted.is_some() => Outcome::Differs,
         None => Outcome::Done,
-    })
-}
-
-/// The first body, and particle of it, in which two runs differ, and what of it does: its position, its velocity, or a
-/// force that acts on it.
-fn parting(a: &Runner, b: &Runner) -> Option<String> {
-    let mut bodies = a.world().bodies().iter().zip(b.world().bodies());
-    bodies.find_map(|(a, b)| {
-        let (x, y) = (a.state(), b.state());
-        let differs = |p: glam::DVec3, q: glam::DVec3| p.to_array().map(f64::to_bits) != q.to_array().map(f64::to_bits);
-        let particle = |i: usize| {
-            let what = if differs(x.positions[i], y.positions[i]) {
-                "position"
-            } else if differs(x.velocities[i], y.velocities[i]) {
-                "velocity"
-            } else if differs(a.net_force(i), b.net_force(i)) {
-                "net force"
-            } else {
-                return None;
-            };
-            Some(format!("the {what} of particle {i} of body \"{}\" differs", one_line(&a.parts().name)))
-        };
-        (0..x.len().min(y.len())).find_map(particle)
     })
 }

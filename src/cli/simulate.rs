@@ -77,7 +77,12 @@ fn simulate(args: &Simulate, interruption: &Interruption, console: &mut Console)
     let args = &match &repeated {
         Some(repeated) => {
             let (scene, sets, span) = repeated.arguments()?;
-            Simulate { scene: args.scene.clone().or(scene), sets: Sets { sets }, span, ..args.clone() }
+            Simulate {
+                scene: args.scene.clone().or(scene),
+                sets: Sets { sets, ..args.sets.clone() },
+                span,
+                ..args.clone()
+            }
         }
         None => args.clone(),
     };

@@ -163,14 +163,24 @@ fn complete_leader(
     Ok(())
 }
 
-/// Reads what a leader names and puts it in, for a scene whose paths are relative to `folder`.
+/// Reads what a leader names and puts it in, for a scene whose paths are relative to `folder`. `progress` hears what is
+/// being worked on.
 ///
 /// # Errors
 /// A file that cannot be read, or that holds no such motion.
 #[cfg(feature = "gui")]
-pub(crate) fn add_leader(assets: &mut Assets, leader: &Leader, folder: &Path) -> Result<(), IoError> {
+pub(crate) fn add_leader(
+    assets: &mut Assets,
+    leader: &Leader,
+    folder: &Path,
+    progress: &mut dyn FnMut(&str),
+) -> Result<(), IoError> {
     let bytes = |path: &Path| model_bytes(path).map_err(|error| error.within(path));
-    complete_leader(assets, "", leader, folder, &bytes, &mut |_| {})
+    complete_leader(assets, "", leader, folder, &bytes, progress).map_err(|error| match error {
+        // It stands in no scene yet.
+        IoError::Asset { error, .. } => *error,
+        other => other,
+    })
 }
 
 /// The path by which a scene whose paths are relative to `folder` names a file.
@@ -183,13 +193,20 @@ pub(crate) fn path_from(folder: &Path, file: &Path) -> String {
 }
 
 /// Reads the model of a file for a collider and puts it in; gives the path by which a scene whose paths are relative to
-/// `folder` names it.
+/// `folder` names it. `progress` hears what is being worked on.
 ///
 /// # Errors
 /// A file that cannot be read, or that has no face.
 #[cfg(feature = "gui")]
-pub(crate) fn add_collider_model(assets: &mut Assets, file: &Path, folder: &Path) -> Result<String, IoError> {
+pub(crate) fn add_collider_model(
+    assets: &mut Assets,
+    file: &Path,
+    folder: &Path,
+    progress: &mut dyn FnMut(&str),
+) -> Result<String, IoError> {
+    progress(&format!("{}: reading", file.display()));
     let model = load_model(file)?;
+    progress(&format!("{}: looking at its surface", file.display()));
     let path = path_from(folder, file);
     let refused = |refusal| IoError::from(refusal).within(file);
     assets.insert_obstacle_of(path.as_str(), &model).map_err(refused)?;

@@ -29,7 +29,7 @@ pub(crate) struct Collected {
 /// A file that goes along.
 pub(super) struct Companion {
     /// Its path in the folder that it goes into.
-    name: PathBuf,
+    pub(super) name: PathBuf,
     pub(super) source: PathBuf,
 }
 

@@ -134,6 +134,16 @@ pub enum IoError {
     /// A model without an inside.
     #[error(transparent)]
     Refused(#[from] Refusal),
+    /// Files that a scene names outside of where its own things lie.
+    #[error(
+        "it reads files outside of its folder: {}; let it by --outside if you trust it, or put them beside it, as `sinew collect \
+         --outside` does",
+        files.iter().map(|file| one_line(&file.display().to_string())).collect::<Vec<_>>().join(", ")
+    )]
+    Outside {
+        /// The files.
+        files: Vec<PathBuf>,
+    },
     /// A file that a scene names.
     #[error("{pointer}: {error}")]
     Asset {

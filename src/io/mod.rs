@@ -2,6 +2,8 @@
 //! writes that happen wholly or not at all, documents that are found again after a crash, files that others changed.
 
 mod apng;
+#[cfg(feature = "gui")]
+mod archive;
 mod assets;
 pub(crate) mod atomic;
 mod beside;
@@ -15,6 +17,8 @@ mod finite;
 mod frames;
 mod gif;
 mod glb;
+#[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "the window is who keeps recordings"))]
+mod growing;
 #[cfg(unix)]
 mod heeded;
 mod json;
@@ -27,6 +31,7 @@ mod model;
 mod moving;
 mod obj;
 mod open;
+mod outside;
 mod paths;
 mod pointer;
 mod read;
@@ -39,7 +44,11 @@ mod skinned_glb;
 #[cfg(feature = "gui")]
 mod stamp;
 mod trace;
+#[cfg(feature = "gui")]
+mod zip;
 
+#[cfg(feature = "gui")]
+pub(crate) use archive::{Archive, system};
 pub(crate) use assets::complete_assets;
 pub use assets::load_assets;
 #[cfg(feature = "gui")]
@@ -52,6 +61,8 @@ pub use error::IoError;
 pub(crate) use fingerprint::fingerprint;
 pub use frames::FrameFolder;
 pub use glb::write_glb;
+#[cfg(feature = "gui")]
+pub(crate) use growing::GrowingLines;
 #[cfg(unix)]
 pub(crate) use heeded::heeds;
 #[cfg(feature = "gui")]
@@ -67,6 +78,7 @@ pub(crate) use model::read_model;
 pub(crate) use moving::{MovingFormat, MovingPicture, PictureAs};
 pub use obj::write_obj;
 pub use open::{OpenedModel, open_model};
+pub(crate) use outside::refuse_outside;
 #[cfg(feature = "gui")]
 pub(crate) use paths::is_same;
 pub(crate) use paths::{is_there, missing_files, resolved};
@@ -75,7 +87,9 @@ pub(crate) use read::read_json;
 #[cfg(feature = "gui")]
 pub(crate) use recent::RecentFiles;
 #[cfg(feature = "gui")]
-pub(crate) use recovery::{Origin, RecoverableDocument, RecoveryFile, recoverable_documents};
+pub(crate) use recovery::{
+    LeftRecording, Origin, RecoverableDocument, RecoveryFile, left_recordings, recoverable_documents,
+};
 pub(crate) use scene::typed;
 pub use scene::{load_scene, save_scene, scene_from_json, scene_to_json};
 pub use schema::{scene_schema, unknown_fields};

@@ -7,6 +7,7 @@
 
 use super::atomic::sweep;
 use super::door::{self, TemporaryFile};
+use super::growing::{GrowingLines, read_growing};
 use super::json::parse;
 use super::json_out::write_line;
 use super::read::read_text;
@@ -24,6 +25,8 @@ use std::time::{Duration, SystemTime};
 const PREFIX: &str = "recovery-";
 const DOCUMENT: &str = "json";
 const LOCK: &str = "lock";
+/// How the name of the recording of a session ends, whose document may be kept beside it.
+const RECORDING: &str = "recording";
 
 /// Where a document belongs.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -119,6 +122,24 @@ impl RecoveryFile {
         write_atomically(&self.document, |out| write_line(out, &kept))
     }
 
+    /// Where the recording of the session is kept as it grows.
+    pub(crate) fn recording(&self) -> GrowingLines {
+        GrowingLines::at(self.lock.with_extension(RECORDING))
+    }
+
+    /// Whether a document is kept just now.
+    pub(crate) fn has_document(&self) -> bool {
+        self.document.exists()
+    }
+
+    /// Forgets the recording of the session.
+    ///
+    /// # Errors
+    /// The file cannot be removed.
+    pub(crate) fn clear_recording(&self) -> Result<(), IoError> {
+        removed(&self.lock.with_extension(RECORDING))
+    }
+
     /// Whether its folder still holds it.
     pub fn is_there(&self) -> bool {
         self.lock.exists()
@@ -157,6 +178,52 @@ pub fn recoverable_documents(folder: &Path) -> Vec<RecoverableDocument> {
     }
     found.sort_by(|a, b| b.written.cmp(&a.written).then_with(|| a.document.cmp(&b.document)));
     found
+}
+
+/// The recording of a session that a program left behind.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftRecording {
+    /// When it was written last.
+    pub written: SystemTime,
+    path: PathBuf,
+}
+
+/// Recordings that were left behind in a folder, the newest first, whether or not their documents were.
+pub fn left_recordings(folder: &Path) -> Vec<LeftRecording> {
+    let mut found: Vec<LeftRecording> = fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .filter(|entry| entry.file_name().to_string_lossy().starts_with(PREFIX))
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == RECORDING))
+        .filter(|path| !is_open(&path.with_extension(LOCK)))
+        .filter_map(|path| {
+            let written = fs::metadata(&path).and_then(|found| found.modified()).ok()?;
+            Some(LeftRecording { written, path })
+        })
+        .collect();
+    found.sort_by(|a, b| b.written.cmp(&a.written).then_with(|| a.path.cmp(&b.path)));
+    found
+}
+
+impl LeftRecording {
+    /// Its lines, as far as they were written.
+    ///
+    /// # Errors
+    /// A file that cannot be read.
+    pub fn lines(&self) -> Result<Vec<Value>, IoError> {
+        read_growing(&self.path)
+    }
+
+    /// Forgets it.
+    ///
+    /// # Errors
+    /// The file cannot be removed.
+    pub fn discard(&self) -> Result<(), IoError> {
+        drop_free(&self.path.with_extension(LOCK));
+        removed(&self.path)
+    }
 }
 
 impl RecoverableDocument {

@@ -34,6 +34,18 @@ pub struct ModelFile<'a> {
     pub up: Axis,
 }
 
+impl Assets {
+    /// Takes in all that others hold, in the place of what is here under the same names.
+    #[cfg(feature = "gui")]
+    pub(crate) fn take_in(&mut self, others: Self) {
+        self.solids.extend(others.solids);
+        self.obstacles.extend(others.obstacles);
+        self.skeletons.extend(others.skeletons);
+        self.caches.extend(others.caches);
+        self.rest_meshes.extend(others.rest_meshes);
+    }
+}
+
 impl<'a> From<&'a MeshShape> for ModelFile<'a> {
     fn from(shape: &'a MeshShape) -> Self {
         Self { path: &shape.path, scale: shape.scale, up: shape.up }

@@ -23,6 +23,40 @@ pub struct Journal {
     pub asked: Vec<JournalEntry>,
     /// Hash of the state after every frame, equal only for equal bits; to be compared on one machine.
     pub hashes: Vec<String>,
+    /// How much of it has been told to who keeps it as it grows.
+    #[serde(skip)]
+    pub(super) told: Told,
+}
+
+/// How much of a journal has been told. No part of what it holds: any two are equal.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Told {
+    /// Whether the start was.
+    pub(super) has_begun: bool,
+    /// Whether something that was told is no longer so.
+    pub(super) goes_back: bool,
+    /// How much of what was asked, and how many frames.
+    pub(super) asked: usize,
+    pub(super) frames: usize,
+}
+
+impl PartialEq for Told {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Told {
+    /// All is told.
+    pub(super) fn all(&mut self, asked: usize, frames: usize) {
+        *self = Self { has_begun: true, goes_back: false, asked, frames };
+    }
+
+    /// Only so much still holds.
+    fn back_to(&mut self, asked: usize, frames: usize) {
+        self.goes_back |= asked < self.asked || frames < self.frames;
+        (self.asked, self.frames) = (self.asked.min(asked), self.frames.min(frames));
+    }
 }
 
 /// Something that was asked.
@@ -111,7 +145,14 @@ impl Asked {
 impl Journal {
     /// Of a motion that starts now.
     pub(super) fn new(scene: Arc<Scene>) -> Self {
-        Self { program: env!("CARGO_PKG_VERSION").to_owned(), scene, asked: Vec::new(), hashes: Vec::new() }
+        let program = env!("CARGO_PKG_VERSION").to_owned();
+        Self { program, scene, asked: Vec::new(), hashes: Vec::new(), told: Told::default() }
+    }
+
+    /// Has all of it told once more, from its start.
+    #[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "the window is who keeps journals"))]
+    pub(super) fn tell_anew(&mut self) {
+        self.told = Told::default();
     }
 
     /// Frames that have been computed.
@@ -133,7 +174,7 @@ impl Journal {
     /// # Errors
     /// The first that `other` gives.
     #[cfg(feature = "gui")]
-    pub(crate) fn with_scenes<E>(mut self, other: impl Fn(&Scene) -> Result<Scene, E>) -> Result<Self, E> {
+    pub(crate) fn with_scenes<E>(mut self, mut other: impl FnMut(&Scene) -> Result<Scene, E>) -> Result<Self, E> {
         self.scene = Arc::new(other(&self.scene)?);
         for entry in &mut self.asked {
             if let Asked::Edit(scene) = &mut entry.what {
@@ -162,6 +203,7 @@ impl Journal {
             && last.frame == frame
         {
             last.what = what;
+            self.told.back_to(self.asked.len() - 1, self.hashes.len());
             return;
         }
         self.asked.push(JournalEntry { frame, what });
@@ -176,6 +218,7 @@ impl Journal {
     pub(super) fn go_back(&mut self, frames: u64) {
         self.hashes.truncate(frames as usize);
         self.asked.retain(|entry| entry.frame < frames);
+        self.told.back_to(self.asked.len(), self.hashes.len());
     }
 }
 

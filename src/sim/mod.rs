@@ -5,6 +5,8 @@ mod columns;
 mod command;
 mod convergence;
 mod journal;
+#[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "the window is who keeps journals"))]
+mod journal_line;
 mod performance;
 pub(crate) mod recording;
 mod report;
@@ -24,6 +26,8 @@ pub use command::SimCommand;
 pub use convergence::{Convergence, convergence_order};
 pub use journal::{Asked, Journal, JournalEntry};
 #[cfg(feature = "gui")]
+pub(crate) use journal_line::JournalLine;
+#[cfg(feature = "gui")]
 pub(crate) use recording::DEFAULT_MEMORY;
 pub use report::{AccuracyReport, BodyReport, MeasureReport, Report};
 pub use runner::Runner;
@@ -34,4 +38,6 @@ pub use taken::MotionTaker;
 #[cfg(feature = "gui")]
 pub(crate) use taken::TakenMotion;
 pub use trial::Trial;
+#[cfg(feature = "gui")]
+pub(crate) use worker::JournalTail;
 pub use worker::{Rerun, TimeSeriesSet, Worker};

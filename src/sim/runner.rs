@@ -57,7 +57,7 @@ impl Runner {
     }
 
     /// Advances by one frame; false, half way, where `stop` ended it.
-    pub(super) fn frame_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
+    pub(crate) fn frame_unless(&mut self, stop: &dyn Fn() -> bool) -> bool {
         let _frame = tracing::info_span!("frame", number = self.world.frame()).entered();
         let is_whole = self.world.advance_frame_unless(stop);
         if is_whole {

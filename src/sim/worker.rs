@@ -30,6 +30,8 @@ pub use time_series_set::TimeSeriesSet;
 
 use super::command::SimCommand;
 use super::journal::Journal;
+#[cfg(feature = "gui")]
+use super::journal_line::JournalLine;
 use super::status::Published;
 use crate::scene::{Assets, Scene};
 use models::NewestModels;
@@ -60,15 +62,18 @@ impl Worker {
             .name("solver".into())
             .spawn(move || {
                 let simulation = Simulation::new(scene, assets, playing, outlet, receiver.stop());
-                SimThread::new(simulation.with_models(newest), receiver).run();
+                let simulation = simulation.with_models(newest).with_early(receiver.early());
+                SimThread::new(simulation, receiver).run();
             })
             .ok();
         Self { commands: Some(commands), shared, models, thread }
     }
 
-    /// Asks for something, which is done in the order in which it was asked for, as soon as the frame is finished that
-    /// is being computed. What a later request makes pointless may be left out: of a drag, of settings and of documents
-    /// that follow each other only the newest counts. False if the thread is gone.
+    /// Asks for something, which is done in the order in which it was asked for, within 0.2 s: a frame that is being
+    /// computed is ended for it if it takes longer, also one that was asked for before, which then follows. What only
+    /// looks at the motion or holds it is done while a scene is put together, too. What a later request makes pointless
+    /// may be left out: of a drag, of settings and of documents that follow each other only the newest counts. False if
+    /// the thread is gone.
     pub fn send(&self, command: SimCommand) -> bool {
         if matches!(command, SimCommand::Open(..)) {
             self.models.set(None);
@@ -107,9 +112,32 @@ impl Worker {
         self.shared.with_journal(|journal| journal.clone())
     }
 
+    /// The journal as it grows, to be kept from any thread.
+    #[cfg(feature = "gui")]
+    pub(crate) fn journal_tail(&self) -> JournalTail {
+        JournalTail(self.shared.clone())
+    }
+
     /// Whether hands have led any shared drive since the start of the motion.
     pub fn was_performed(&self) -> bool {
         self.shared.with_journal(|journal| journal.was_performed())
+    }
+}
+
+/// The journal of a worker's motion as it grows: each of its lines is told once.
+#[cfg(feature = "gui")]
+pub(crate) struct JournalTail(Shared);
+
+#[cfg(feature = "gui")]
+impl JournalTail {
+    /// The lines that have come since the last time. A start of a motion comes first of its lines.
+    pub(crate) fn news(&self) -> Vec<JournalLine> {
+        self.0.with_journal(Journal::news)
+    }
+
+    /// Has all lines told once more, from the start of the motion.
+    pub(crate) fn tell_anew(&self) {
+        self.0.with_journal(Journal::tell_anew);
     }
 }
 

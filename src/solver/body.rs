@@ -1,5 +1,6 @@
 //! One body: a [`ParticleState`] with a list of forces, the grabs at its end, and an integrator that steps it.
 
+mod apart;
 pub(super) mod checkpoint;
 mod colliders;
 mod divergence;

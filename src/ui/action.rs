@@ -182,6 +182,8 @@ actions! {
     Plots in View [alt(Key::E)] "Show plots": "Plots energies, momenta and the scene's measures below the views";
     Theme in View [alt(Key::T)] "Light or dark": "Switches between the light and the dark theme";
     Palette in Help [ctrl(Key::P)] "Command palette…": "Finds any of these by its name";
+    Report in Help [] "Report a fault…":
+        "Writes the scene, its models, what was done to the motion, what was said and versions into one archive";
     FirstScene in Help [] "First scene": "Tells how a scene of your own is made, step by step";
     Help in Help [plain(Key::F1)] "Keys and gestures": "Lists every key and gesture";
 }

@@ -7,8 +7,7 @@ use super::motion_fields::motion_fields;
 use super::room_section::FRICTION;
 use crate::draw::Bounds;
 use crate::edit::Command;
-use crate::io::{IoError, add_collider_model};
-use crate::scene::{Collider, ColliderMesh, ColliderShape, Drivable};
+use crate::scene::{Assets, Collider, ColliderMesh, ColliderShape, Drivable};
 use egui::{RichText, Ui};
 use glam::DVec3;
 use std::path::Path;
@@ -139,17 +138,13 @@ fn show_collider(ui: &mut Ui, collider: &mut Collider) {
     NumberField::new("Turned by", "°", -360.0..=360.0, Some(0.0), tooltip).show(ui, &mut rotation.degrees);
 }
 
-/// Adds the model of a file as a collider.
-///
-/// # Errors
-/// A file that cannot be read, or that has no face.
-pub(super) fn add_mesh(cx: &mut Context, file: &Path) -> Result<(), IoError> {
+/// Adds the model of a file, which was read, as a collider; the scene names it by `path`.
+pub(super) fn add_mesh(cx: &mut Context, file: &Path, path: String, read: Assets) {
     let mut colliders = cx.scene().colliders.clone();
     let (id, _) = new_id(&colliders);
-    let path = cx.add_models(|assets, folder| add_collider_model(assets, file, folder))?;
+    cx.take_in_models(read);
     let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     cx.selection.choose_collider(id.clone());
     colliders.push(Collider { name, ..Collider::new(id, ColliderMesh::new(path)) });
     cx.edit(&Command::SetColliders(colliders), Step::Own);
-    Ok(())
 }

@@ -1,7 +1,8 @@
 //! What the window opens: a scene and the models that it names, or a model alone.
 
 use crate::io::{
-    IoError, OpenedModel, is_model, load_assets, load_scene, open_model, resolved, scene_from_json, unknown_fields,
+    IoError, OpenedModel, is_model, load_assets, load_scene, open_model, refuse_outside, resolved, scene_from_json,
+    unknown_fields,
 };
 use crate::scene::{Assets, Scene};
 use std::path::{Component, Path, PathBuf};
@@ -26,37 +27,68 @@ pub struct Document {
     pub folder: PathBuf,
     /// What is to be said about it.
     pub note: Option<String>,
+    /// A scene that was asked for and is not opened before the person lets it read these files; this document stands in
+    /// its place meanwhile.
+    pub asks: Option<(PathBuf, Vec<PathBuf>)>,
 }
 
 impl Document {
-    /// Reads a scene and its models, or makes a scene of a model; the built-in one unless a path is given.
+    /// Reads a scene and its models, or makes a scene of a model; the built-in one unless a path is given. Its models
+    /// are read wherever they lie.
     ///
     /// # Errors
     /// A file that cannot be used.
     pub fn load(path: Option<PathBuf>) -> Result<Self, IoError> {
-        Self::load_with_progress(path, &mut |_| {})
+        Self::load_with_progress(path, true, &mut |_| {})
     }
 
-    /// [`Self::load`], and `progress` hears what is being worked on.
+    /// [`Self::load`] of a file that may be anybody's: where it names models outside of its folder, the window asks
+    /// before it opens it.
     ///
     /// # Errors
     /// As [`Self::load`].
-    pub(super) fn load_with_progress(path: Option<PathBuf>, progress: &mut dyn FnMut(&str)) -> Result<Self, IoError> {
+    pub fn load_or_ask(path: Option<PathBuf>) -> Result<Self, IoError> {
+        match Self::load_with_progress(path.clone(), false, &mut |_| {}) {
+            Err(error) => match (error.bare(), path) {
+                (IoError::Outside { files }, Some(path)) => {
+                    let note =
+                        Some(format!("{} is not open yet: it reads files outside of its folder", path.display()));
+                    Ok(Self { note, asks: Some((path, files.clone())), ..Self::empty() })
+                }
+                _ => Err(error),
+            },
+            read => read,
+        }
+    }
+
+    /// [`Self::load`], and `progress` hears what is being worked on. Models outside of the scene's folder are read only
+    /// where `outside` says so.
+    ///
+    /// # Errors
+    /// As [`Self::load`], and [`IoError::Outside`].
+    pub(super) fn load_with_progress(
+        path: Option<PathBuf>,
+        outside: bool,
+        progress: &mut dyn FnMut(&str),
+    ) -> Result<Self, IoError> {
         if let Some(path) = path.as_deref().filter(|path| is_model(path)) {
             return Self::of_model(path, progress);
         }
         let scene = path.as_deref().map_or_else(|| scene_from_json(BUILT_IN), load_scene)?;
         let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")).to_owned();
+        if let Some(path) = path.as_deref().filter(|_| !outside) {
+            refuse_outside(&scene, path)?;
+        }
         let assets = Arc::new(load_assets(&scene, &folder, progress)?);
         let note = path.as_deref().and_then(|path| unknown(path, &scene));
-        Ok(Self { scene, assets, path, folder, note })
+        Ok(Self { scene, assets, path, folder, note, asks: None })
     }
 
     /// A scene with nothing in it but a floor.
     pub(super) fn empty() -> Self {
         let mut scene = Scene::new("").with_floor(0.0);
         scene.room.contact_damping = LANDING;
-        Self { scene, assets: Arc::default(), path: None, folder: PathBuf::new(), note: None }
+        Self { scene, assets: Arc::default(), path: None, folder: PathBuf::new(), note: None, asks: None }
     }
 
     /// Whether it is what the window starts with unless it is given something else.
@@ -70,7 +102,7 @@ impl Document {
         let note = format!("Opened {} as {}", opened.scene.name, opened.said());
         let OpenedModel { scene, assets, .. } = opened;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        Ok(Self { scene, assets: Arc::new(assets), path: None, folder, note: Some(note) })
+        Ok(Self { scene, assets: Arc::new(assets), path: None, folder, note: Some(note), asks: None })
     }
 }
 

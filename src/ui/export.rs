@@ -3,8 +3,7 @@
 use super::autosave::{Loss, Question};
 use super::context::{Context, Request, Severity};
 use super::dialogs::{Dialog, PathPurpose};
-use super::document::moved;
-use super::gallery::with_models_in;
+use super::placed::placed;
 use crate::io::{is_same, is_there, write_atomically, write_json};
 use crate::scene::Scene;
 use std::path::{Path, PathBuf};
@@ -59,8 +58,7 @@ pub(super) fn save_journal(cx: &mut Context) {
     let path = scene.with_extension("journal.json");
     let to = scene.parent().unwrap_or(Path::new("")).to_owned();
     let (is_example, from) = (cx.document.is_example, cx.document.folder.clone());
-    let placed = |scene: &Scene| if is_example { with_models_in(&to, scene) } else { Ok(moved(scene, &from, &to)) };
-    let journal = cx.simulation.journal().with_scenes(placed);
+    let journal = cx.simulation.journal().with_scenes(|scene: &Scene| placed(scene, &from, is_example, &to));
     match journal.and_then(|journal| write_json(&path, &journal).map(|()| journal)) {
         Ok(journal) => {
             let text =

@@ -5,9 +5,10 @@ use super::dialogs::{Dialog, PathPurpose};
 use super::field::NumberField;
 use super::theme::GRID;
 use crate::edit::Command;
-use crate::io::{IoError, add_leader, path_from};
+use crate::io::path_from;
 use crate::scene::{
-    AfterLast, AnyBody, CacheLeader, Follow, FollowSelect, FollowSprings, Hold, Leader, SkeletonLeader, TwoLayer,
+    AfterLast, AnyBody, Assets, CacheLeader, Follow, FollowSelect, FollowSprings, Hold, Leader, SkeletonLeader,
+    TwoLayer,
 };
 use egui::{ComboBox, Ui};
 use std::path::Path;
@@ -197,23 +198,25 @@ fn choice<'a>(ui: &mut Ui, label: &str, names: impl IntoIterator<Item = &'a str>
     chosen
 }
 
-/// Has the active body follow the motion of a file.
-///
-/// # Errors
-/// A file that cannot be read, or that holds no motion.
-pub(super) fn add_follow(cx: &mut Context, file: &Path) -> Result<(), IoError> {
-    let Some(body) = cx.scene().any_body(cx.active.index).map(AnyBody::owned) else { return Ok(()) };
-    let body = body.view();
+/// The motion of a file as what the active body is to follow; none where there is no body.
+pub(super) fn leader_of(cx: &Context, file: &Path) -> Option<Leader> {
+    let body = cx.scene().any_body(cx.active.index)?;
     let path = path_from(&cx.document.folder, file);
     let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
     // Its own model's motion is in its own unit and axes.
     let (scale, up) = body.model().map_or((1.0, crate::scene::Axis::Y), |model| (model.scale, model.up));
-    let leader = if ending == "pc2" || ending == "mdd" {
+    Some(if ending == "pc2" || ending == "mdd" {
         Leader::from(CacheLeader { scale, up, ..CacheLeader::new(path) })
     } else {
         Leader::from(SkeletonLeader { scale, up, ..SkeletonLeader::new(path) })
-    };
-    cx.add_models(|assets, folder| add_leader(assets, &leader, folder))?;
+    })
+}
+
+/// Has the active body follow a motion that was read.
+pub(super) fn add_follow(cx: &mut Context, leader: Leader, read: Assets) {
+    let Some(body) = cx.scene().any_body(cx.active.index).map(AnyBody::owned) else { return };
+    let body = body.view();
+    cx.take_in_models(read);
     let mut follows = body.follows().to_vec();
     let taken = |n: &usize| follows.iter().any(|follow| follow.id == format!("motion-{n}"));
     let number = (1..=follows.len() + 1).find(|n| !taken(n)).unwrap_or(1);
@@ -224,5 +227,4 @@ pub(super) fn add_follow(cx: &mut Context, file: &Path) -> Result<(), IoError> {
     };
     follows.push(Follow::new(format!("motion-{number}"), leader).with_select(select));
     cx.edit(&Command::SetFollows { body: body.id().to_owned(), follows }, Step::Own);
-    Ok(())
 }

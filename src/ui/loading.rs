@@ -4,13 +4,17 @@
 use super::autosave::RecoveryOffer;
 use super::bodies::Layers;
 use super::document::Document;
+use super::fault_report::FaultReport;
 use super::gallery::shipped_assets;
 use super::theme::GRID;
-use crate::io::{FileStamp, IoError, OpenedModel, Origin, is_model, load_assets, open_model};
+use crate::io::{
+    FileStamp, IoError, OpenedModel, Origin, add_collider_model, add_leader, is_model, load_assets, open_model,
+};
+use crate::scene::{Assets, Leader};
 use egui::{Context, RichText, Ui};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, Weak};
 use std::time::{Duration, Instant};
 
 /// A model that is read within this time is there in the same frame: nothing flashes up for it. A scene without one
@@ -22,15 +26,33 @@ const LOOK: Duration = Duration::from_millis(5);
 /// What is read.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
-    /// A scene or a model.
-    File(PathBuf),
+    /// A scene or a model, and whether it may read models outside of its folder.
+    File(PathBuf, bool),
     /// A document that was left behind.
     Recovery(RecoveryOffer),
     /// A model that is to be a body of the scene that is open.
     Model(PathBuf, Layers),
+    /// A model that bodies of the scene that is open are to touch.
+    Collider {
+        /// Its file.
+        file: PathBuf,
+        /// The folder from which the scene names it.
+        folder: PathBuf,
+    },
+    /// A motion that a body of the scene that is open is to follow.
+    Leader {
+        /// Its file.
+        file: PathBuf,
+        /// The motion as the scene names it.
+        leader: Leader,
+        /// The folder from which it does.
+        folder: PathBuf,
+    },
+    /// A report of a fault, which is written: its models are read for that.
+    Report(Box<FaultReport>),
 }
 
-/// What was read.
+/// What was read, or written.
 pub(crate) enum Read {
     /// A document.
     Document(Box<Document>),
@@ -43,37 +65,93 @@ pub(crate) enum Read {
         /// What it holds.
         opened: Box<OpenedModel>,
     },
+    /// A model that bodies of the scene that is open are to touch.
+    Collider {
+        /// Its file.
+        file: PathBuf,
+        /// How the scene names it.
+        path: String,
+        /// The model.
+        models: Assets,
+    },
+    /// A report of a fault was written, without these; or not at all, since it was no longer wanted.
+    Report(Option<Vec<String>>),
+    /// A motion that a body of the scene that is open is to follow.
+    Leader {
+        /// As the scene names it.
+        leader: Leader,
+        /// What it consists of.
+        models: Assets,
+    },
 }
 
 impl Source {
     /// What a person calls it.
     fn name(&self) -> String {
         match self {
-            Self::File(path) | Self::Model(path, _) => path.display().to_string(),
             Self::Recovery(offer) => offer.name().to_owned(),
+            other => other.file().map_or_else(String::new, |path| path.display().to_string()),
         }
     }
 
-    fn load(self, progress: &mut dyn FnMut(&str)) -> Result<Read, IoError> {
+    /// The file; none of a document that was left behind.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        match self {
+            Self::File(path, _) | Self::Model(path, _) => Some(path),
+            Self::Collider { file, .. } | Self::Leader { file, .. } => Some(file),
+            Self::Report(report) => Some(&report.path),
+            Self::Recovery(_) => None,
+        }
+    }
+
+    fn load(self, progress: &mut dyn FnMut(&str), is_wanted: &dyn Fn() -> bool) -> Result<Read, IoError> {
         let document = match self {
             Self::Model(path, layers) => {
                 let opened = Box::new(open_model(&path, progress)?);
                 return Ok(Read::Model { path, layers, opened });
             }
-            Self::File(path) => Document::load_with_progress(Some(path), progress)?,
+            Self::Report(report) => return report.write(progress, is_wanted).map(Read::Report),
+            Self::Collider { file, folder } => {
+                let mut models = Assets::default();
+                let path = add_collider_model(&mut models, &file, &folder, progress)?;
+                return Ok(Read::Collider { file, path, models });
+            }
+            Self::Leader { leader, folder, .. } => {
+                let mut models = Assets::default();
+                add_leader(&mut models, &leader, &folder, progress)?;
+                return Ok(Read::Leader { leader, models });
+            }
+            Self::File(path, outside) => Document::load_with_progress(Some(path), outside, progress)?,
             Self::Recovery(offer) => {
                 let scene = offer.document.load()?;
                 let Origin { file, folder, shipped, .. } = offer.document.origin;
                 let assets = if shipped { shipped_assets(&scene) } else { load_assets(&scene, &folder, progress) };
-                Document { scene, assets: Arc::new(assets?), path: file, folder, note: None }
+                Document { scene, assets: Arc::new(assets?), path: file, folder, note: None, asks: None }
             }
         };
         Ok(Read::Document(Box::new(document)))
     }
 }
 
+/// Why nothing was read.
+pub(crate) enum Unread {
+    /// The scene reads files outside of its folder, which nobody has let it.
+    Outside(Vec<PathBuf>),
+    /// In words.
+    Problem(String),
+}
+
+impl From<IoError> for Unread {
+    fn from(error: IoError) -> Self {
+        match error.bare() {
+            IoError::Outside { files } => Self::Outside(files.clone()),
+            _ => Self::Problem(error.to_string()),
+        }
+    }
+}
+
 /// What was read, or why it could not be.
-pub(crate) type Loaded = Result<Read, String>;
+pub(crate) type Loaded = Result<Read, Unread>;
 
 /// How far a document that is being read has come.
 pub(crate) enum Progress {
@@ -92,6 +170,8 @@ pub(crate) struct Loading {
     /// How the file was before it was read: what is written in between is found later then.
     pub(crate) stamp: Option<FileStamp>,
     stage: Arc<Mutex<String>>,
+    /// There for as long as what is read is wanted.
+    _wanted: Arc<()>,
     loaded: Receiver<Result<Read, IoError>>,
 }
 
@@ -99,16 +179,18 @@ impl Loading {
     /// Begins to read.
     pub(crate) fn start(source: Source, ctx: &Context) -> Self {
         let file = match &source {
-            Source::File(path) => Some(path),
+            Source::File(path, _) => Some(path),
             Source::Recovery(offer) => offer.document.origin.file.as_ref().filter(|_| is_known(offer)),
-            Source::Model(..) => None,
+            Source::Model(..) | Source::Collider { .. } | Source::Leader { .. } | Source::Report(_) => None,
         };
         let stamp = file.filter(|path| !is_model(path)).and_then(|path| FileStamp::of(path).ok());
         let stage = Arc::new(Mutex::new(String::new()));
+        let wanted = Arc::new(());
+        let held = Arc::downgrade(&wanted);
         let (sender, loaded) = channel();
         let (what, told, ctx) = (source.clone(), Arc::clone(&stage), ctx.clone());
-        std::thread::spawn(move || read(what, &told, &sender, &ctx));
-        Self { source, stamp, stage, loaded }
+        std::thread::spawn(move || read(what, &told, &sender, (&ctx, &held)));
+        Self { source, stamp, stage, _wanted: wanted, loaded }
     }
 
     /// What has been read by now; what is quick is waited for. None while it is not there.
@@ -116,7 +198,7 @@ impl Loading {
         let begun = Instant::now();
         loop {
             match self.loaded.recv_timeout(LOOK) {
-                Ok(loaded) => return Some(loaded.map_err(|error| error.to_string())),
+                Ok(loaded) => return Some(loaded.map_err(Unread::from)),
                 Err(RecvTimeoutError::Timeout) if self.stage().is_empty() || begun.elapsed() < QUICK => {}
                 Err(_) => return self.take(),
             }
@@ -131,10 +213,11 @@ impl Loading {
     /// What has been read; none while it is not there.
     fn take(&self) -> Option<Loaded> {
         match self.loaded.try_recv() {
-            Ok(loaded) => Some(loaded.map_err(|error| error.to_string())),
+            Ok(loaded) => Some(loaded.map_err(Unread::from)),
             Err(TryRecvError::Empty) => None,
             Err(TryRecvError::Disconnected) => {
-                Some(Err(format!("{}: reading it failed by a fault of this program", self.source.name())))
+                let said = format!("{}: reading it failed by a fault of this program", self.source.name());
+                Some(Err(Unread::Problem(said)))
             }
         }
     }
@@ -142,7 +225,7 @@ impl Loading {
     /// Shows what is being worked on, and a way out.
     pub(crate) fn show(&self, ui: &mut Ui) -> Progress {
         ui.set_width(460.0);
-        ui.heading("Opening");
+        ui.heading(if matches!(self.source, Source::Report(_)) { "Writing" } else { "Opening" });
         ui.label(RichText::new(self.source.name()).weak());
         ui.add_space(GRID);
         let stage = self.stage();
@@ -163,11 +246,17 @@ pub(crate) fn is_known(offer: &RecoveryOffer) -> bool {
     !offer.is_older && !offer.document.origin.doubtful
 }
 
-fn read(source: Source, stage: &Mutex<String>, sender: &Sender<Result<Read, IoError>>, ctx: &Context) {
-    let loaded = source.load(&mut |said| {
+fn read(
+    source: Source,
+    stage: &Mutex<String>,
+    sender: &Sender<Result<Read, IoError>>,
+    (ctx, wanted): (&Context, &Weak<()>),
+) {
+    let mut progress = |said: &str| {
         said.clone_into(&mut stage.lock().unwrap_or_else(PoisonError::into_inner));
         ctx.request_repaint();
-    });
+    };
+    let loaded = source.load(&mut progress, &|| wanted.strong_count() > 0);
     // Nobody may want it any more.
     let _ = sender.send(loaded);
     ctx.request_repaint();

@@ -15,6 +15,7 @@ mod interrupting;
 mod lines;
 mod models;
 mod opened_models;
+mod outside;
 mod pictures;
 mod regime;
 mod repeated;

@@ -7,6 +7,7 @@
 
 mod bombs;
 mod drawn;
+mod exports;
 mod faults;
 mod files;
 mod fuzz;

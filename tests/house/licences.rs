@@ -54,6 +54,15 @@ fn one(words: &[&str], at: &mut usize, allowed: &[String]) -> bool {
     allowed.contains(&name)
 }
 
+/// What these tests were built with: only that is sure to be here without a network.
+pub fn features() -> &'static [&'static str] {
+    match (cfg!(feature = "gui"), cfg!(feature = "render")) {
+        (true, _) => &[],
+        (false, true) => &["--no-default-features", "--features", "render"],
+        (false, false) => &["--no-default-features"],
+    }
+}
+
 #[test]
 fn every_crate_has_a_licence_that_is_allowed() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -61,16 +70,10 @@ fn every_crate_has_a_licence_that_is_allowed() {
     let allowed = list(&rules, "licenses", "allow");
     assert!(allowed.iter().any(|licence| licence == "MIT"), "{allowed:?}");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    // Only what these tests were built with is sure to be here without a network.
-    let features: &[&str] = match (cfg!(feature = "gui"), cfg!(feature = "render")) {
-        (true, _) => &[],
-        (false, true) => &["--no-default-features", "--features", "render"],
-        (false, false) => &["--no-default-features"],
-    };
     let tree = Command::new(cargo)
         .args(["tree", "--locked", "--offline", "--edges", "normal,build", "--prefix", "none"])
         .args(["--format", "{l}\t{p}"])
-        .args(features)
+        .args(features())
         .current_dir(root)
         .output()
         .expect("cargo can be run");

@@ -2,8 +2,10 @@
 //! a circle.
 
 mod circles;
+mod door;
 mod imports;
 mod licences;
+mod notices;
 mod outside;
 mod tokens;
 mod words;
@@ -42,7 +44,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "transfer",
         ],
     ),
-    ("test_support", &["geometry", "sketch", "io", "solver", "sim", "render", "cli", "ui"]),
+    ("test_support", &["geometry", "sketch", "scene", "io", "solver", "sim", "render", "cli", "ui"]),
     ("main", &["cli", "ui"]),
 ];
 

@@ -1,6 +1,7 @@
 //! Nothing is lost: changes are asked for, kept and recovered; files are remembered, and watched for other programs.
 
 mod keeping;
+mod recording;
 mod watching;
 
 use super::editing::{drop_file, type_path};

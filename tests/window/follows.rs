@@ -40,6 +40,7 @@ fn follow(window: &mut Window, rig: &Rig, name: &str) {
     find(window, Role::Button, "Follow a motion…");
     click(window, "Follow a motion…");
     type_path(window, &rig.path().join(name));
+    until(window, |app| !app.is_loading());
     settle(window);
 }
 

@@ -1,7 +1,7 @@
 //! Models that take long: how far reading and filling have come is seen, and both end where they are not wanted.
 
-use super::editing::drop_file;
-use super::{click_on, still, until, until_seen};
+use super::editing::{drop_file, type_path};
+use super::{Window, click, click_on, still, until, until_seen};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use std::fmt::Write;
@@ -93,4 +93,37 @@ fn filling_a_model_tells_how_far_it_is_and_stops() {
         let bodies = &app.published().at_rest.bodies;
         bodies.len() == 1 && (150..250).contains(&bodies[0].particles.len())
     });
+}
+
+/// Asks for a model that bodies touch.
+fn add_collider(window: &mut Window, path: &Path) {
+    click(window, "World");
+    window.run_steps(5);
+    window.get_by_label("Add a collider").scroll_to_me();
+    window.run_steps(20);
+    click(window, "Add a collider");
+    click(window, "Mesh file…");
+    type_path(window, path);
+}
+
+#[test]
+fn a_collider_that_takes_long_to_read_is_told_of_and_cancelled() {
+    let folder = folder("large.obj", &ball(200));
+    put(folder.path(), "small.obj", &ball(4));
+    let mut window = still();
+    add_collider(&mut window, &folder.path().join("large.obj"));
+    until_seen(&mut window, |window| window.query_by_label_contains("large.obj: ").is_some());
+    assert!(window.state().is_loading());
+    window.get_by_role_and_label(Role::Button, "Cancel").click();
+    window.run_steps(2);
+    assert!(!window.state().is_loading() && window.state().scene().colliders.is_empty());
+    add_collider(&mut window, &folder.path().join("small.obj"));
+    until(&mut window, |app| !app.is_loading() && app.scene().colliders.len() == 1);
+    assert_eq!(window.state().scene().colliders[0].name, "small");
+    until(&mut window, |app| app.is_up_to_date() && app.published().status.baking.is_none());
+    assert_eq!(window.state().published().status.failure, None);
+    // What cannot be read is said, and nothing comes of it.
+    add_collider(&mut window, &folder.path().join("nowhere.obj"));
+    until(&mut window, |app| app.message().is_some_and(|said| said.contains("nowhere.obj")));
+    assert_eq!(window.state().scene().colliders.len(), 1);
 }

@@ -22,11 +22,13 @@ mod in_sight;
 mod journal;
 mod loading;
 mod monkey;
+mod outside;
 mod patterns;
 mod picture;
 mod plots;
 mod pulling;
 mod refusals;
+mod reporting;
 mod running;
 mod seeing;
 mod sheets;
@@ -111,7 +113,7 @@ fn is_settled(app: &App) -> bool {
 
 fn scene(text: &str) -> Document {
     let scene = scene_from_json(text).expect("a scene");
-    Document { scene, assets: Arc::default(), path: None, folder: PathBuf::new(), note: None }
+    Document { scene, assets: Arc::default(), path: None, folder: PathBuf::new(), note: None, asks: None }
 }
 
 /// Shows frames until something has come about.

@@ -2,6 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows how much was compared")]
 
+mod promptly;
 mod replays;
 
 use glam::DVec3;

@@ -52,11 +52,11 @@ impl Rerun {
         self.shared.with_journal(|journal| journal.frames())
     }
 
-    /// Does what was asked before the next frame, and computes that. True while there is one.
+    /// Does what was asked before the next frame. True while there is one.
     ///
     /// # Errors
     /// Why it cannot go on.
-    pub fn advance(&mut self) -> Result<bool, String> {
+    pub(crate) fn ask(&mut self) -> Result<bool, String> {
         let frame = self.frame();
         while let Some(entry) = self.journal.asked.get(self.done).filter(|entry| entry.frame <= frame) {
             match entry.what.command() {
@@ -66,13 +66,18 @@ impl Rerun {
             }
             self.done += 1;
         }
-        if let Some(problem) = self.failure() {
-            return Err(problem);
-        }
-        if frame >= self.journal.frames() {
+        self.failure().map_or(Ok(frame < self.journal.frames()), Err)
+    }
+
+    /// Does what was asked before the next frame, and computes that. True while there is one.
+    ///
+    /// # Errors
+    /// Why it cannot go on.
+    pub fn advance(&mut self) -> Result<bool, String> {
+        if !self.ask()? {
             return Ok(false);
         }
-        self.simulation.motion.advance(true);
+        self.simulation.motion.advance();
         match self.failure() {
             Some(problem) => Err(problem),
             None => Ok(true),

@@ -10,7 +10,7 @@ use super::playback::Playback;
 use super::replay::Replay;
 use super::runs::Runs;
 use super::shared::Outlet;
-use super::stop::{Patience, Stop};
+use super::stop::Stop;
 use super::time_series_set::TimeSeriesSet;
 use super::views::ViewRequests;
 use crate::bake::Baked;
@@ -42,8 +42,9 @@ pub(super) struct Motion {
     outlet: Outlet,
     /// Ends the frame that is being computed.
     stop: Stop,
-    patience: Patience,
-    /// How long the last frame took; none of a scene of which none has been computed.
+    /// Frames that were asked for and ended by what came meanwhile: they follow.
+    owed: u32,
+    /// How long the last frame took; none where it was ended, and of a scene of which none has been computed.
     took: Option<Duration>,
 }
 
@@ -61,7 +62,7 @@ impl Motion {
             status: Status::default(),
             outlet,
             stop,
-            patience: Patience::default(),
+            owed: 0,
             took: None,
         }
     }
@@ -71,11 +72,13 @@ impl Motion {
         match *command {
             SimCommand::Play => {
                 self.note(Asked::Play);
+                self.owed = 0;
                 self.replay.set_goes_on(true);
                 self.playback.play();
             }
             SimCommand::Pause => {
                 self.note(Asked::Pause);
+                self.owed = 0;
                 self.replay.hold(&mut self.playback);
             }
             SimCommand::Step => self.step(),
@@ -123,16 +126,25 @@ impl Motion {
 
     /// Whether a frame follows for which nobody would want to wait, as far as is known.
     pub(super) fn may_take_long(&self) -> bool {
-        self.is_running() && !self.replay.is_active() && self.took.is_none_or(|took| took > NOTICEABLE)
+        (self.owes() || self.is_running()) && !self.replay.is_active() && self.took.is_none_or(|took| took > NOTICEABLE)
+    }
+
+    /// Whether a frame that was asked for is still to be computed. While an earlier one is shown it waits.
+    fn owes(&self) -> bool {
+        self.owed > 0 && !self.replay.is_active() && self.runs.live.runner().is_some()
     }
 
     /// When the next frame is due; none while no frame follows.
     pub(super) fn due(&self) -> Option<Instant> {
-        self.is_running().then(|| self.playback.due())
+        if self.owes() { Some(Instant::now()) } else { self.is_running().then(|| self.playback.due()) }
     }
 
     /// Computes or shows the next frame if it is due; whether it was.
     pub(super) fn advance_if_due(&mut self) -> bool {
+        if self.owes() {
+            self.pay();
+            return true;
+        }
         if !self.is_running() {
             self.playback.rest();
             return false;
@@ -140,22 +152,28 @@ impl Motion {
         if !self.playback.is_due() {
             return false;
         }
-        if self.advance(false) {
+        if self.advance() {
             self.playback.plan_next(self.frame_seconds());
         }
         true
     }
 
-    /// One frame, of the live run or of a replay; false where something that waits ended it. One that somebody asked
-    /// for is ended by less.
-    pub(super) fn advance(&mut self, was_asked: bool) -> bool {
+    /// One frame that was asked for; it is still owed where something that waits ended it.
+    fn pay(&mut self) {
+        if self.advance() {
+            self.owed -= 1;
+        }
+    }
+
+    /// One frame, of the live run or of a replay; false where something that waits ended it.
+    pub(super) fn advance(&mut self) -> bool {
         if self.replay.is_active() {
             self.replay.advance(self.runs.live.runner().is_some(), &mut self.playback);
         } else {
             let begun = Instant::now();
-            let is_whole = self.solve(was_asked);
-            self.took = Some(begun.elapsed());
-            self.patience = self.patience.after(is_whole);
+            let is_whole = self.solve();
+            // How long one that was ended would have taken is not known.
+            self.took = is_whole.then(|| begun.elapsed());
             if !is_whole {
                 return false;
             }
@@ -165,10 +183,10 @@ impl Motion {
     }
 
     /// False where something that waits ended it: nothing has changed then.
-    fn solve(&mut self, was_asked: bool) -> bool {
+    fn solve(&mut self) -> bool {
         let seconds = self.frame_seconds();
         let is_compared = self.comparison.is_running();
-        let stop = self.stop.of_frame(was_asked, self.patience);
+        let stop = self.stop.of_frame();
         let before = self.runs.stored();
         let Self { runs, comparison, .. } = self;
         let solved = guarded(|| {
@@ -251,6 +269,7 @@ impl Motion {
     /// Nothing is left of the last document.
     pub(super) fn forget(&mut self) {
         self.grab.pin();
+        self.owed = 0;
         self.comparison.choose(Vec::new(), 0.0);
         self.replay.clear(&mut self.playback);
         self.outlet.with_series(|series| *series = TimeSeriesSet::default());
@@ -272,6 +291,7 @@ impl Motion {
     /// Back to the start, the ghost too, with nothing held; false where the scene has not been put together yet.
     pub(super) fn restart(&mut self) -> bool {
         self.grab.pin();
+        self.owed = 0;
         self.views.forget_ranges();
         let is_built = self.runs.restart();
         if is_built {
@@ -295,7 +315,8 @@ impl Motion {
             self.continue_here();
         }
         self.note(Asked::Step);
-        self.advance(true);
+        self.owed += 1;
+        self.pay();
     }
 
     /// Time of what is shown [s].

@@ -20,7 +20,7 @@ impl SimThread {
         // Everything that waits is heard before the next frame, so that a drag is never behind.
         while let Some(count) = self.commands.begin(self.simulation.motion.due()) {
             let was_asked = count > 0;
-            while let Some(Request { command, documents }) = self.commands.next() {
+            while let Some(Request { command, documents, .. }) = self.commands.next() {
                 self.simulation.handle(command, documents);
             }
             if self.commands.is_closed() {

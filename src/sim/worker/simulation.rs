@@ -4,6 +4,7 @@ use super::build::{Tell, build};
 use super::comparison::side_by_side;
 use super::models::NewestModels;
 use super::motion::Motion;
+use super::queue::EarlyCommands;
 use super::shared::Outlet;
 use super::stop::Stop;
 use crate::bake::Baked;
@@ -26,6 +27,8 @@ pub(super) struct Simulation {
     pub(super) motion: Motion,
     /// Ends the work on a scene.
     stop: Stop,
+    /// What is heard while that goes on.
+    early: EarlyCommands,
     /// Whether the scene is not what was put together last: the work on it was stopped.
     is_stale: bool,
     /// Whether no motion is to be kept: nothing of this document has been put together yet.
@@ -36,7 +39,13 @@ impl Simulation {
     /// Of a scene that is still to be put together.
     pub(super) fn new(scene: Arc<Scene>, assets: Arc<Assets>, playing: bool, outlet: Outlet, stop: Stop) -> Self {
         let motion = Motion::new(Arc::clone(&scene), playing, outlet, stop.clone());
-        Self { scene, assets, newest: NewestModels::default(), motion, stop, is_stale: false, is_new: true }
+        let (newest, early) = (NewestModels::default(), EarlyCommands::default());
+        Self { scene, assets, newest, motion, stop, early, is_stale: false, is_new: true }
+    }
+
+    /// Hearing some commands while a scene is put together.
+    pub(super) fn with_early(self, early: EarlyCommands) -> Self {
+        Self { early, ..self }
     }
 
     /// Heeding the models that come into the document.
@@ -187,7 +196,16 @@ impl Simulation {
         let mut shown = Instant::now();
         let built = work(&mut |name, stage| {
             motion.status.baking = Some(format!("{name}: {stage}"));
-            if shown.elapsed() > READABLE {
+            let mut is_news = false;
+            while let Some(command) = self.early.next() {
+                is_news = true;
+                if matches!(command, SimCommand::Reset) {
+                    motion.restart();
+                } else {
+                    motion.handle(&command);
+                }
+            }
+            if is_news || shown.elapsed() > READABLE {
                 shown = Instant::now();
                 motion.publish();
             }

@@ -1,66 +1,49 @@
 //! Whether what is being put together or computed is still wanted.
 //!
 //! A frame that somebody waits for is ended: all is as it was before it then, so that it is computed anew, with what
-//! was asked for done. One that is nearly there is let go on, as most are.
+//! was asked for done. One that is nearly there is let go on, as most are. While edits follow each other closely, as
+//! those of a slider do, frames that take longer than [`GRACE`] are not seen: each edit is, and the motion goes on once
+//! the hand rests.
 
 use crate::sim::command::SimCommand;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// A frame may take so long whatever waits for it.
-const GRACE: Duration = Duration::from_millis(120);
+/// What waits for a frame waits so long at most, and for the step that it is in: it is done within 0.2 s.
+const GRACE: Duration = Duration::from_millis(150);
 
-/// Edits that follow each other closely, as those of a slider do, let a frame take this long at most, or none would
-/// ever be seen.
-const GREATEST_GRACE: Duration = Duration::from_millis(600);
-
-/// How much a command that waits minds the frame that is being computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[repr(u8)]
-pub(super) enum Urgency {
-    /// It comes after it.
-    None,
-    /// It ends one that came by itself: one that was asked for was asked for first.
-    Before,
-    /// It ends any: nothing is to move.
-    Hold,
-    /// Nothing is left of what it belongs to.
-    Drop,
-}
-
-impl Urgency {
-    /// That of a command.
-    pub(super) fn of(command: &SimCommand) -> Self {
-        match command {
-            SimCommand::Open(..) | SimCommand::Reset => Self::Drop,
-            SimCommand::Pause => Self::Hold,
-            SimCommand::Edit(_)
-            | SimCommand::Grab { .. }
-            | SimCommand::Release
-            | SimCommand::PinGrab
-            | SimCommand::Unpin { .. }
-            | SimCommand::ReleaseAll
-            | SimCommand::Compare { .. }
-            | SimCommand::Ghost(_)
-            | SimCommand::Show(_)
-            | SimCommand::StepBack
-            | SimCommand::Replay
-            | SimCommand::Strike { .. } => Self::Before,
-            // Of a drag, frames are what is wanted.
-            SimCommand::MoveGrab(_)
-            | SimCommand::Lead { .. }
-            | SimCommand::Play
-            | SimCommand::Step
-            | SimCommand::Speed(_)
-            | SimCommand::Field(_)
-            | SimCommand::Tension(_)
-            | SimCommand::Activation(_)
-            | SimCommand::ContinueHere
-            | SimCommand::Live
-            | SimCommand::Take(_)
-            | SimCommand::Memory(_) => Self::None,
-        }
+/// How long a command lets a frame go on that is being computed; any time where none is given.
+fn patience(command: &SimCommand) -> Option<Duration> {
+    match command {
+        // Nothing is left of what it belongs to.
+        SimCommand::Open(..) | SimCommand::Reset => Some(Duration::ZERO),
+        SimCommand::Pause
+        | SimCommand::Play
+        | SimCommand::Edit(_)
+        | SimCommand::Grab { .. }
+        | SimCommand::Release
+        | SimCommand::PinGrab
+        | SimCommand::Unpin { .. }
+        | SimCommand::ReleaseAll
+        | SimCommand::Compare { .. }
+        | SimCommand::Ghost(_)
+        | SimCommand::Show(_)
+        | SimCommand::StepBack
+        | SimCommand::Replay
+        | SimCommand::Strike { .. }
+        | SimCommand::Field(_)
+        | SimCommand::Tension(_)
+        | SimCommand::Activation(_)
+        | SimCommand::ContinueHere
+        | SimCommand::Live
+        | SimCommand::Take(_) => Some(GRACE),
+        // Of a drag and a step frames are what is wanted, and nothing is seen of the others but by frames to come.
+        SimCommand::MoveGrab(_)
+        | SimCommand::Lead { .. }
+        | SimCommand::Step
+        | SimCommand::Speed(_)
+        | SimCommand::Memory(_) => None,
     }
 }
 
@@ -69,28 +52,23 @@ impl Urgency {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Stop(Arc<Flags>);
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Flags {
     outdated: AtomicBool,
     asked: AtomicBool,
-    /// The greatest [`Urgency`] of what waits.
-    urgency: AtomicU8,
+    begun: Instant,
+    /// When a frame is to end for what waits, after `begun` [µs]; never at the greatest number.
+    due: AtomicU64,
 }
 
-/// How long frames were let go on after all that waited.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Patience(Duration);
-
-impl Default for Patience {
+impl Default for Flags {
     fn default() -> Self {
-        Self(GRACE)
-    }
-}
-
-impl Patience {
-    /// Has more of it with the next frame if this one was ended.
-    pub(super) fn after(self, is_whole: bool) -> Self {
-        if is_whole { Self::default() } else { Self((2 * self.0).min(GREATEST_GRACE)) }
+        Self {
+            outdated: AtomicBool::new(false),
+            asked: AtomicBool::new(false),
+            begun: Instant::now(),
+            due: AtomicU64::new(u64::MAX),
+        }
     }
 }
 
@@ -109,23 +87,28 @@ impl Stop {
     pub(super) fn clear(&self) {
         self.0.outdated.store(false, Ordering::SeqCst);
         self.0.asked.store(false, Ordering::SeqCst);
-        self.0.urgency.store(Urgency::None as u8, Ordering::SeqCst);
+        self.0.due.store(u64::MAX, Ordering::SeqCst);
     }
 
-    /// Something waits.
-    pub(super) fn hurry(&self, urgency: Urgency) {
-        self.0.urgency.fetch_max(urgency as u8, Ordering::SeqCst);
+    /// A command waits since then.
+    pub(super) fn hurry(&self, command: &SimCommand, since: Instant) {
+        if let Some(patience) = patience(command) {
+            let due = (since + patience).saturating_duration_since(self.0.begun).as_micros();
+            self.0.due.fetch_min(due.min(u128::from(u64::MAX)) as u64, Ordering::SeqCst);
+        }
     }
 
-    /// What tells of a frame that begins now whether it is to end. One that was asked for is ended by less.
-    pub(super) fn of_frame(&self, was_asked: bool, patience: Patience) -> impl Fn() -> bool + use<> {
-        let (flags, begun) = (Arc::clone(&self.0), Instant::now());
+    /// No frame is waited for any more.
+    pub(super) fn end(&self) {
+        self.0.due.store(0, Ordering::SeqCst);
+    }
+
+    /// What tells of a frame whether it is to end.
+    pub(super) fn of_frame(&self) -> impl Fn() -> bool + use<> {
+        let flags = Arc::clone(&self.0);
         move || {
-            let urgency = flags.urgency.load(Ordering::SeqCst);
-            let waits = |least: Urgency| urgency >= least as u8;
-            waits(Urgency::Drop)
-                || (waits(Urgency::Hold) && begun.elapsed() > GRACE)
-                || (waits(Urgency::Before) && !was_asked && begun.elapsed() > patience.0)
+            let due = flags.due.load(Ordering::SeqCst);
+            due != u64::MAX && flags.begun.elapsed().as_micros() >= u128::from(due)
         }
     }
 

@@ -43,7 +43,7 @@ fn a_panic_in_the_solver_is_reported_and_a_reset_goes_on() {
     let mut simulation = Simulation::new(Arc::new(scene), Arc::default(), true, outlet, Stop::default());
     simulation.start();
     runner(&mut simulation).unwrap().body_mut(0).unwrap().add_force(Box::new(Faulty));
-    simulation.motion.advance(false);
+    simulation.motion.advance();
     simulation.motion.publish();
     let published = shared.take().unwrap();
     assert!(published.status.failure.as_ref().is_some_and(|text| text.contains("out of cheese")));

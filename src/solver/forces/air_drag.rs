@@ -29,6 +29,10 @@ impl Force for AirDrag {
         0.0
     }
 
+    fn name(&self) -> &'static str {
+        "air drag"
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(*self)
     }

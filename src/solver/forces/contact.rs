@@ -270,6 +270,10 @@ impl Force for Contact {
         self.end().max(0.0)
     }
 
+    fn name(&self) -> &'static str {
+        "room"
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

@@ -131,6 +131,10 @@ impl Force for Flow {
         self.velocity != DVec3::ZERO
     }
 
+    fn name(&self) -> &'static str {
+        "wind"
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

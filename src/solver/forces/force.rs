@@ -101,9 +101,11 @@ pub trait Force: Any + Send + Sync {
     /// fixed order; hashes of states hold them.
     fn remembered(&self, _number: &mut dyn FnMut(f64)) {}
 
-    /// What the force is called where forces are timed one by one.
+    /// What the force is called where forces are timed or told one by one; unless it says so, as its type is.
     fn name(&self) -> &'static str {
-        "other"
+        let name = std::any::type_name::<Self>();
+        let name = name.split('<').next().unwrap_or(name);
+        name.rsplit("::").next().unwrap_or(name)
     }
 
     /// What has broken so far, in the order of time.

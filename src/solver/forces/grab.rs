@@ -77,6 +77,10 @@ impl Force for Grab {
         size_of_val(self) + size_of_val(&*self.point.weights)
     }
 
+    fn name(&self) -> &'static str {
+        "grabs"
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

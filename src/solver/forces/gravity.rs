@@ -69,6 +69,10 @@ impl Force for Gravity {
         self.changes_until()
     }
 
+    fn name(&self) -> &'static str {
+        "gravity"
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

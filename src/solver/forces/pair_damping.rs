@@ -271,6 +271,10 @@ impl Force for PairDamping {
         0.0
     }
 
+    fn name(&self) -> &'static str {
+        "pair damping"
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

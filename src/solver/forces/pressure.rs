@@ -188,6 +188,10 @@ impl Force for Pressure {
         Box::new(Self { driven: self.driven.at_extreme(greatest), ..self.clone() })
     }
 
+    fn name(&self) -> &'static str {
+        "pressure"
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

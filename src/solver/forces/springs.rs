@@ -194,6 +194,10 @@ impl Force for Springs {
         Box::new(Self { active, ..self.clone() })
     }
 
+    fn name(&self) -> &'static str {
+        "springs"
+    }
+
     fn clone_box(&self) -> Box<dyn Force> {
         Box::new(self.clone())
     }

@@ -1,13 +1,11 @@
 //! What becomes of the answers to dialogs.
 
 use super::App;
-use crate::io::IoError;
+use crate::io::{IoError, is_there};
 use crate::ui::autosave::{Loss, Question, Reply};
-use crate::ui::colliders_section::add_mesh;
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{self, Answer, Dialog, PathPurpose};
 use crate::ui::export;
-use crate::ui::follows_section::add_follow;
 use crate::ui::next::Next;
 use std::path::PathBuf;
 
@@ -15,7 +13,7 @@ impl App {
     /// Shows what is open over the window and does what it comes to.
     pub(super) fn show_dialog(&mut self, ctx: &egui::Context) {
         let Some(mut dialog) = self.dialog.take() else { return };
-        let (offers, recent) = (self.autosave.offers(), self.recent.paths());
+        let (offers, recent) = ((self.autosave.offers(), self.autosave.recordings()), self.recent.paths());
         self.gallery.let_play(self.views.draws_in_software() == Some(false));
         let answer = dialogs::show(&mut dialog, ctx, &mut self.gallery, offers, recent, &self.cx);
         match (answer, dialog) {
@@ -60,24 +58,30 @@ impl App {
         purpose: PathPurpose,
         next: Option<Next>,
     ) {
-        let added = match purpose {
-            PathPurpose::Open => {
-                self.leave(ctx, Next::Open(path));
-                Ok(())
+        match purpose {
+            PathPurpose::Open => self.leave(ctx, Next::Open(path)),
+            PathPurpose::Add(layers) => self.add_body_of(ctx, path, layers),
+            PathPurpose::Collider => self.add_collider_of(ctx, path),
+            PathPurpose::Follow => self.add_follow_of(ctx, &path),
+            PathPurpose::Recording(_) | PathPurpose::Report if !was_asked && is_there(&path) => {
+                let said = format!("{}: there is such a file already; give another name", path.display());
+                self.cx.say(Severity::Error, said);
+                self.dialog = Some(Dialog::path(purpose, Some(&path)));
             }
-            PathPurpose::Add(layers) => {
-                self.add_body_of(ctx, path, layers);
-                Ok(())
-            }
-            PathPurpose::Collider => add_mesh(&mut self.cx, &path),
-            PathPurpose::Follow => add_follow(&mut self.cx, &path),
+            PathPurpose::Report => self.report_to(ctx, path),
+            PathPurpose::Recording(k) => match self.autosave.save_recording(k, &path) {
+                Ok(frames) => {
+                    let said = format!("Wrote {frames} frames as {}; `sinew replay` makes them again", path.display());
+                    self.cx.say(Severity::Note, said);
+                }
+                Err(error) => self.cx.say(Severity::Error, error.to_string()),
+            },
             PathPurpose::Export => {
                 if was_asked {
                     export::export(&mut self.cx, &path);
                 } else {
                     export::export_to(&mut self.cx, path);
                 }
-                Ok(())
             }
             PathPurpose::Save => {
                 if was_asked {
@@ -85,11 +89,7 @@ impl App {
                 } else {
                     self.save_to(ctx, path, next);
                 }
-                Ok(())
             }
-        };
-        if let Err(error) = added {
-            self.cx.say(Severity::Error, error.to_string());
         }
     }
 
@@ -105,6 +105,13 @@ impl App {
             (Question::Replace { path, next, .. }, Reply::Replace) => self.write_then(ctx, &path, next),
             (Question::Replace { next, .. }, Reply::SaveElsewhere) => self.ask_where(next),
             (Question::Reload { path, .. }, Reply::Reload) => self.open_document(ctx, Some(path)),
+            (Question::Outside { path, .. }, Reply::Allow) => {
+                self.trust(&path);
+                self.open_document(ctx, Some(path));
+            }
+            (Question::Outside { path, .. }, _) => {
+                self.cx.say(Severity::Note, format!("{} was not opened", path.display()));
+            }
             (Question::Recover, Reply::Recover(k)) => {
                 if let Some(offer) = self.autosave.offers().get(k).cloned() {
                     self.leave(ctx, Next::Recover(offer));
@@ -112,6 +119,15 @@ impl App {
             }
             (Question::Recover, Reply::Forget(k)) => {
                 let outcome = self.autosave.discard(k);
+                self.discarded(outcome);
+            }
+            (Question::Recover, Reply::SaveRecording(k)) => {
+                if let Some(offer) = self.autosave.recordings().get(k) {
+                    self.dialog = Some(Dialog::path(PathPurpose::Recording(k), Some(&offer.usual_place())));
+                }
+            }
+            (Question::Recover, Reply::ForgetRecording(k)) => {
+                let outcome = self.autosave.discard_recording(k);
                 self.discarded(outcome);
             }
             (Question::Recover, Reply::ForgetAll) => {
@@ -126,8 +142,11 @@ impl App {
                 | Reply::Replace
                 | Reply::SaveElsewhere
                 | Reply::Reload
+                | Reply::Allow
                 | Reply::Recover(_)
                 | Reply::Forget(_)
+                | Reply::SaveRecording(_)
+                | Reply::ForgetRecording(_)
                 | Reply::ForgetAll
                 | Reply::Back,
             ) => {}
@@ -139,7 +158,7 @@ impl App {
         if let Err(error) = outcome {
             self.cx.say(Severity::Error, error.to_string());
         }
-        if !self.autosave.offers().is_empty() {
+        if !self.autosave.offers().is_empty() || !self.autosave.recordings().is_empty() {
             self.dialog = Some(Dialog::Question(Question::Recover));
         }
     }

@@ -17,6 +17,7 @@ use crate::ui::drives;
 use crate::ui::editing::{self, Kind};
 use crate::ui::export;
 use crate::ui::next::Next;
+use crate::ui::report;
 use crate::ui::right_panel::PropertyTab;
 use crate::ui::transfer::{ClipKind, Transfer};
 use crate::ui::unpin::remove_pin;
@@ -105,11 +106,15 @@ impl App {
                     None => {}
                 })
             }
+            Action::Report => always(|app, _| {
+                let place = report::usual_place(&app.cx);
+                app.dialog = Some(Dialog::path(PathPurpose::Report, Some(&place)));
+            }),
             Action::SaveJournal => {
                 when(document.path.is_some(), "Save the scene first", |app, _| export::save_journal(&mut app.cx))
             }
             Action::Recover => {
-                let any = !self.autosave.offers().is_empty();
+                let any = !self.autosave.offers().is_empty() || !self.autosave.recordings().is_empty();
                 when(any, "Nothing was left unsaved", |app, _| app.dialog = Some(Dialog::Question(Question::Recover)))
             }
             Action::Quit => always(|app, ctx| app.leave(ctx, Next::Quit)),

@@ -1,22 +1,27 @@
 //! Opening and saving the document.
 
 use super::App;
-use crate::io::{FileStamp, save_scene, scene_to_json};
+use crate::io::{FileStamp, is_same, save_scene, scene_to_json};
 use crate::ui::autosave::{Question, RecoveryOffer};
 use crate::ui::bodies::{Layers, add_model};
+use crate::ui::colliders_section::add_mesh;
 use crate::ui::context::{ActiveBody, OpenDocument, Severity};
 use crate::ui::dialogs::{Dialog, PathPurpose};
-use crate::ui::document::{Document, moved};
-use crate::ui::gallery::{Example, with_models_in};
-use crate::ui::loading::{Loaded, Loading, Read, Source, opened};
+use crate::ui::document::Document;
+use crate::ui::follows_section::{add_follow, leader_of};
+use crate::ui::gallery::Example;
+use crate::ui::loading::{Loaded, Loading, Read, Source, Unread, opened};
 use crate::ui::next::Next;
+use crate::ui::placed::placed;
+use crate::ui::report::report;
 use std::path::{Path, PathBuf};
 
 impl App {
     /// Opens a file, or the built-in scene, whatever becomes of the changes: [`Self::leave`] asks first.
     pub(super) fn open_document(&mut self, ctx: &egui::Context, path: Option<PathBuf>) {
         if let Some(path) = path {
-            return self.load(ctx, Source::File(path));
+            let outside = self.trusted.iter().any(|trusted| is_same(trusted, &path));
+            return self.load(ctx, Source::File(path, outside));
         }
         match Document::load(None) {
             Ok(document) => {
@@ -24,6 +29,13 @@ impl App {
                 self.cx.say(Severity::Note, "Opened the soft bar".to_owned());
             }
             Err(error) => self.cx.say(Severity::Error, error.to_string()),
+        }
+    }
+
+    /// Lets the scene of a file read models wherever they lie for as long as the window is open.
+    pub(super) fn trust(&mut self, path: &Path) {
+        if !self.trusted.iter().any(|trusted| is_same(trusted, path)) {
+            self.trusted.push(path.to_owned());
         }
     }
 
@@ -35,6 +47,37 @@ impl App {
     /// Reads a model and adds a body in its shape to the scene.
     pub(super) fn add_body_of(&mut self, ctx: &egui::Context, path: PathBuf, layers: Layers) {
         self.load(ctx, Source::Model(path, layers));
+    }
+
+    /// Reads a model and adds it to the scene as something that bodies touch.
+    pub(super) fn add_collider_of(&mut self, ctx: &egui::Context, path: PathBuf) {
+        let folder = self.cx.document.folder.clone();
+        self.load(ctx, Source::Collider { file: path, folder });
+    }
+
+    /// Reads a motion and has the active body follow it.
+    pub(super) fn add_follow_of(&mut self, ctx: &egui::Context, path: &Path) {
+        let folder = self.cx.document.folder.clone();
+        if let Some(leader) = leader_of(&self.cx, path) {
+            self.load(ctx, Source::Leader { file: path.to_owned(), leader, folder });
+        }
+    }
+
+    /// Writes what somebody needs who looks for a fault.
+    pub(super) fn report_to(&mut self, ctx: &egui::Context, path: PathBuf) {
+        let report = report(path, &self.cx, self.views.adapter().as_deref());
+        self.load(ctx, Source::Report(Box::new(report)));
+    }
+
+    /// Says that a report was written, without these, unless it was no longer wanted.
+    fn reported(&mut self, source: &Source, missing: Option<&[String]>) {
+        let (Some(path), Some(missing)) = (source.file(), missing) else { return };
+        let (severity, without) = match missing {
+            [] => (Severity::Note, String::new()),
+            [one] => (Severity::Warning, format!(" without one file: {one}")),
+            [first, ..] => (Severity::Warning, format!(" without {} files: {first}", missing.len())),
+        };
+        self.cx.say(severity, format!("Wrote {}{without}; send it with what you did and what you saw", path.display()));
     }
 
     /// Reads a document and takes it up; while that goes on, what is worked on stands over the window.
@@ -51,12 +94,9 @@ impl App {
         let stamp = loading.stamp.clone();
         match (loaded, &loading.source) {
             (Ok(Read::Model { path, layers, opened }), _) => add_model(&path, *opened, layers, &mut self.cx),
-            (Ok(Read::Document(document)), Source::File(path) | Source::Model(path, _)) => {
-                self.recent.add(path);
-                let said = opened(&document, path);
-                self.take_up(*document, stamp);
-                self.cx.say(Severity::Note, said);
-            }
+            (Ok(Read::Collider { file, path, models }), _) => add_mesh(&mut self.cx, &file, path, models),
+            (Ok(Read::Leader { leader, models }), _) => add_follow(&mut self.cx, leader, models),
+            (Ok(Read::Report(missing)), source) => self.reported(source, missing.as_deref()),
             (Ok(Read::Document(document)), Source::Recovery(offer)) => {
                 self.take_up(*document, stamp);
                 self.cx.document.is_example = offer.document.origin.shipped;
@@ -64,10 +104,23 @@ impl App {
                 self.autosave.recovered(offer, &self.cx.document);
                 self.cx.say(Severity::Note, format!("Recovered {}; save it to keep it", offer.name()));
             }
-            (Err(problem), Source::File(_) | Source::Model(..)) => self.cx.say(Severity::Error, problem),
-            (Err(problem), Source::Recovery(offer)) => {
+            (Ok(Read::Document(document)), source) => {
+                let said = source.file().map(|path| {
+                    self.recent.add(path);
+                    opened(&document, path)
+                });
+                self.take_up(*document, stamp);
+                self.cx.say(Severity::Note, said.unwrap_or_default());
+            }
+            (Err(Unread::Outside(files)), source) => {
+                if let Some(path) = source.file() {
+                    self.dialog = Some(Dialog::Question(Question::Outside { path: path.to_owned(), files }));
+                }
+            }
+            (Err(Unread::Problem(problem)), Source::Recovery(offer)) => {
                 self.cx.say(Severity::Error, format!("{} cannot be recovered: {problem}", offer.name()));
             }
+            (Err(Unread::Problem(problem)), _) => self.cx.say(Severity::Error, problem),
         }
     }
 
@@ -104,6 +157,7 @@ impl App {
         self.views.options.forget_slice();
         self.patterns.forget_region();
         self.autosave.watch(stamp);
+        self.autosave.opened(&self.cx.document);
         self.cx.simulation.open(&self.cx.document);
         self.views.reframe(false);
     }
@@ -134,15 +188,13 @@ impl App {
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let document = &self.cx.document;
         // Models that came with the program are put beside the scene, others stay where they are.
-        let scene = if document.is_example {
-            with_models_in(&folder, document.scene())
-        } else {
-            Ok(moved(document.scene(), &document.folder, &folder))
-        };
+        let scene = placed(document.scene(), &document.folder, document.is_example, &folder);
         match scene.and_then(|scene| save_scene(path, &scene).map(|()| scene)) {
             Ok(scene) => {
                 self.cx.document.mark_saved();
                 self.cx.document.path = Some(path.to_owned());
+                // What it names it has read here.
+                self.trust(path);
                 self.autosave.watch(Some(FileStamp::of_written(path, scene_to_json(&scene).as_bytes())));
                 self.autosave.note(&self.cx.document);
                 self.recent.add(path);

@@ -9,7 +9,7 @@ mod memory;
 mod probe;
 mod requests;
 
-use super::autosave::Autosave;
+use super::autosave::{Autosave, Question};
 use super::breaks::BreakWatch;
 use super::comparison::Comparison;
 use super::context::{Context, OpenDocument, Severity, Simulation};
@@ -52,6 +52,8 @@ pub struct App {
     said: Said,
     recent: RecentFiles,
     /// What is open over the window.
+    /// Scenes that may read models wherever they lie: the person let them, or they were saved here.
+    trusted: Vec<PathBuf>,
     dialog: Option<Dialog>,
     title: String,
 }
@@ -60,7 +62,7 @@ impl App {
     /// A window on a document. Without a render state nothing is painted into the views, but
     /// everything else works.
     pub fn new(ctx: &egui::Context, render: Option<egui_wgpu::RenderState>, document: Document) -> Self {
-        let note = document.note.clone();
+        let (note, asks) = (document.note.clone(), document.asks.clone());
         let tone = Tone::Dark;
         tone.apply(ctx);
         ctx.add_plugin(InputOrder::default());
@@ -72,6 +74,7 @@ impl App {
         }
         let repaint = ctx.clone();
         let simulation = Simulation::start(&document, move || repaint.request_repaint());
+        autosave.record(simulation.journal_tail(), &document);
         let mut cx = Context::new(document, simulation, tone);
         cx.status.message = note.map(|note| (Severity::Note, note));
         Self {
@@ -91,7 +94,8 @@ impl App {
             opening: Opening::default(),
             said: Said::default(),
             recent,
-            dialog: None,
+            trusted: Vec::new(),
+            dialog: asks.map(|(path, files)| Dialog::Question(Question::Outside { path, files })),
             title: String::new(),
         }
     }

@@ -2,10 +2,11 @@
 
 use super::offer::RecoveryOffer;
 use super::question::{Loss, Question, Reply};
+use super::recorder::RecordingOffer;
 use crate::ui::recent_menu::file_name;
 use crate::ui::theme::{GRID, Tone};
 use egui::{Button, Label, RichText, ScrollArea, Ui};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 /// What questions are about.
@@ -13,6 +14,7 @@ pub(crate) struct About<'a> {
     pub name: &'a str,
     pub path: Option<&'a Path>,
     pub offers: &'a [RecoveryOffer],
+    pub recordings: &'a [RecordingOffer],
     pub tone: Tone,
 }
 
@@ -26,6 +28,7 @@ pub(crate) fn ask(ui: &mut Ui, question: &Question, about: &About<'_>) -> Option
         Question::Unsaved(_) => unsaved(ui, about),
         Question::Replace { path, loss, .. } => replace(ui, path, *loss),
         Question::Reload { path, is_asked, is_changed } => reload(ui, path, *is_asked, *is_changed),
+        Question::Outside { path, files } => outside(ui, path, files),
         Question::Recover => recover(ui, about),
     }
 }
@@ -86,8 +89,31 @@ fn reload(ui: &mut Ui, path: &Path, is_asked: bool, is_changed: bool) -> Option<
     choose(ui, &choices, false)
 }
 
+/// So many files are named one by one.
+const NAMED: usize = 5;
+
+fn outside(ui: &mut Ui, path: &Path, files: &[PathBuf]) -> Option<Reply> {
+    let why = "The models below lie elsewhere. Let a scene read them if you know where it comes from.";
+    explain(ui, &format!("Let {} read files outside of its folder?", file_name(path)), why);
+    files.iter().take(NAMED).for_each(|file| place(ui, file));
+    if files.len() > NAMED {
+        ui.label(RichText::new(format!("and {} more", files.len() - NAMED)).weak());
+    }
+    let choices = [
+        ("Allow", "Opens the scene with these models; this window does not ask about it again", Reply::Allow),
+        ("Don't open", "Leaves what is open as it is; nothing is read (Escape)", Reply::Back),
+    ];
+    choose(ui, &choices, false)
+}
+
 fn recover(ui: &mut Ui, about: &About<'_>) -> Option<Reply> {
-    explain(ui, "Recover unsaved changes?", "The program ended before these were saved.");
+    if about.offers.is_empty() {
+        let why =
+            "The program ended before its window was closed. What was done to the motion until then was recorded.";
+        explain(ui, "Keep the recording?", why);
+    } else {
+        explain(ui, "Recover unsaved changes?", "The program ended before these were saved.");
+    }
     let mut reply = None;
     let now = SystemTime::now();
     ScrollArea::vertical().max_height(0.5 * ui.ctx().content_rect().height()).show(ui, |ui| {
@@ -116,12 +142,35 @@ fn recover(ui: &mut Ui, about: &About<'_>) -> Option<Reply> {
                 ui.label(RichText::new(text).color(about.tone.warning()));
             }
         }
+        for (k, offer) in about.recordings.iter().enumerate() {
+            ui.separator();
+            reply = reply.or(recording(ui, k, offer, now));
+        }
     });
     ui.separator();
     let later = "Keeps them all; File, Recover unsaved… and the next start offer them again (Escape)";
     let all = ("Discard all", "Removes them all for good", Reply::ForgetAll);
     let choices = [("Decide later", later, Reply::Back), all];
-    choose(ui, &choices[..if about.offers.len() > 1 { 2 } else { 1 }], false).or(reply)
+    choose(ui, &choices[..if about.offers.len() + about.recordings.len() > 1 { 2 } else { 1 }], false).or(reply)
+}
+
+/// A recording that was left behind, and what can be done with it.
+fn recording(ui: &mut Ui, k: usize, offer: &RecordingOffer, now: SystemTime) -> Option<Reply> {
+    let mut reply = None;
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(format!("Recording of {}", offer.name())).strong());
+        ui.label(RichText::new(format!("{} frames, {}", offer.frames, age(now, offer.written()))).weak());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if ui.button("Discard recording").on_hover_text("Removes it for good").clicked() {
+                reply = Some(Reply::ForgetRecording(k));
+            }
+            let tooltip = "Writes what was done to the motion until the program ended; `sinew replay` makes it again";
+            if ui.button("Save recording…").on_hover_text(tooltip).clicked() {
+                reply = Some(Reply::SaveRecording(k));
+            }
+        });
+    });
+    reply
 }
 
 fn explain(ui: &mut Ui, heading: &str, why: &str) {

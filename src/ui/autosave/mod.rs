@@ -4,10 +4,12 @@
 mod ask;
 mod offer;
 mod question;
+mod recorder;
 mod state;
 mod thread;
 
 pub(crate) use ask::{About, ask};
 pub(crate) use offer::RecoveryOffer;
 pub(crate) use question::{Loss, Question, Reply};
+pub(crate) use recorder::RecordingOffer;
 pub(crate) use state::Autosave;

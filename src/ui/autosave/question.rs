@@ -25,6 +25,13 @@ pub(crate) enum Question {
         /// Whether changes would be lost.
         is_changed: bool,
     },
+    /// Whether a scene that is opened may read models outside of its folder.
+    Outside {
+        /// The scene.
+        path: PathBuf,
+        /// The models.
+        files: Vec<PathBuf>,
+    },
     /// What becomes of documents that were left behind.
     Recover,
 }
@@ -42,10 +49,16 @@ pub(crate) enum Reply {
     SaveElsewhere,
     /// Takes what the file holds.
     Reload,
+    /// Opens the scene and lets it read what it names.
+    Allow,
     /// Opens a document that was left behind.
     Recover(usize),
     /// Removes one.
     Forget(usize),
+    /// Writes a recording that was left behind to a file.
+    SaveRecording(usize),
+    /// Removes one.
+    ForgetRecording(usize),
     /// Removes all of them.
     ForgetAll,
     /// Leaves everything as it is.

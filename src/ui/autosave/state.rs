@@ -2,9 +2,11 @@
 
 use super::offer::RecoveryOffer;
 use super::question::{Loss, Question};
+use super::recorder::RecordingOffer;
 use super::thread::{AutosaveReport, AutosaveRequest, AutosaveThread};
 use crate::io::{FileStamp, FileState, IoError, Origin, is_same, is_there};
 use crate::scene::Scene;
+use crate::sim::JournalTail;
 use crate::ui::context::{Context, OpenDocument, Severity};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -21,6 +23,8 @@ pub(crate) struct Autosave {
     seen: Arc<Scene>,
     /// Documents that were left behind and are still offered.
     offers: Vec<RecoveryOffer>,
+    /// Recordings that were.
+    recordings: Vec<RecordingOffer>,
     /// What is asked, one after the other, as soon as the person's hands are free.
     waiting: Vec<Question>,
     /// Whether the window may close with changes.
@@ -39,6 +43,7 @@ impl Autosave {
             watch: 0,
             seen: Arc::clone(&scene),
             offers: Vec::new(),
+            recordings: Vec::new(),
             waiting: Vec::new(),
             is_leaving: false,
         };
@@ -51,6 +56,25 @@ impl Autosave {
     /// Keeps changed documents in this folder from now on, and offers those that were left there.
     pub(crate) fn keep_in(&self, folder: PathBuf) {
         self.thread.send(AutosaveRequest::Folder(folder));
+    }
+
+    /// Keeps the recording of the motion as it grows.
+    pub(crate) fn record(&self, tail: JournalTail, document: &OpenDocument) {
+        self.thread.send(AutosaveRequest::Record(tail, self.origin(document)));
+    }
+
+    /// Another document is open, of which a motion begins now.
+    pub(crate) fn opened(&self, document: &OpenDocument) {
+        self.thread.send(AutosaveRequest::Opened(self.origin(document)));
+    }
+
+    fn origin(&self, document: &OpenDocument) -> Origin {
+        Origin {
+            file: document.path.clone(),
+            folder: document.folder.clone(),
+            doubtful: self.stamp.is_none(),
+            shipped: document.is_example,
+        }
     }
 
     /// Has changes kept at once, from any thread, and waits for that a while.
@@ -84,6 +108,36 @@ impl Autosave {
         &self.offers
     }
 
+    /// Recordings that were left behind.
+    pub(crate) fn recordings(&self) -> &[RecordingOffer] {
+        &self.recordings
+    }
+
+    /// A recording that was left behind is saved elsewhere.
+    ///
+    /// # Errors
+    /// What cannot be read or written; it is still offered then.
+    pub(crate) fn save_recording(&mut self, index: usize, path: &Path) -> Result<u64, IoError> {
+        let Some(recording) = self.recordings.get(index) else { return Ok(0) };
+        recording.save(path)?;
+        let frames = recording.frames;
+        // One that cannot be removed is offered again.
+        self.discard_recording(index).ok();
+        Ok(frames)
+    }
+
+    /// Removes a recording that was left behind, for good.
+    ///
+    /// # Errors
+    /// A file that cannot be removed.
+    pub(crate) fn discard_recording(&mut self, index: usize) -> Result<(), IoError> {
+        if index < self.recordings.len() {
+            self.recordings[index].discard()?;
+            self.recordings.remove(index);
+        }
+        Ok(())
+    }
+
     /// Removes a document that was left behind, for good.
     ///
     /// # Errors
@@ -96,11 +150,14 @@ impl Autosave {
         Ok(())
     }
 
-    /// Removes all documents that were left behind, for good.
+    /// Removes all documents and recordings that were left behind, for good.
     ///
     /// # Errors
     /// The first file that cannot be removed; it is still offered, as are those after it.
     pub(crate) fn discard_all(&mut self) -> Result<(), IoError> {
+        while !self.recordings.is_empty() {
+            self.discard_recording(0)?;
+        }
         while !self.offers.is_empty() {
             self.discard(0)?;
         }
@@ -119,13 +176,7 @@ impl Autosave {
     pub(crate) fn note(&mut self, document: &OpenDocument) {
         self.seen = Arc::clone(document.scene());
         if document.is_changed() {
-            let origin = Origin {
-                file: document.path.clone(),
-                folder: document.folder.clone(),
-                doubtful: self.stamp.is_none(),
-                shipped: document.is_example,
-            };
-            self.thread.keep(origin, Arc::clone(document.scene()));
+            self.thread.keep(self.origin(document), Arc::clone(document.scene()));
         } else {
             self.thread.forget();
         }
@@ -162,14 +213,23 @@ impl Autosave {
 
     fn hear(&mut self, report: AutosaveReport, cx: &mut Context) {
         match report {
-            AutosaveReport::Offers(offers) => {
+            AutosaveReport::Offers(offers, recordings) => {
                 if !offers.is_empty() {
                     self.waiting.push(Question::Recover);
+                } else if !recordings.is_empty() {
+                    // Nothing of a document is lost: it is said, and asked about by nobody.
+                    let said = "The program ended before its window was closed: what was done to the motion until then \
+                                can be saved by File, Recover unsaved…";
+                    cx.say(Severity::Note, said);
                 }
-                self.offers = offers;
+                (self.offers, self.recordings) = (offers, recordings);
             }
             AutosaveReport::NotKept(error) => {
                 let said = format!("Changes are not kept for recovery, save often: {error}");
+                cx.say(Severity::Warning, said);
+            }
+            AutosaveReport::NotRecorded(error) => {
+                let said = format!("What is done to the motion is not kept for a report of a fault: {error}");
                 cx.say(Severity::Warning, said);
             }
             AutosaveReport::File(number, _) if number != self.watch => {}

@@ -2,11 +2,14 @@
 //! no disk.
 
 use super::offer::RecoveryOffer;
+use super::recorder::{Recorder, RecordingOffer};
 use crate::io::{
-    FileStamp, FileState, IoError, Origin, RecoverableDocument, RecoveryFile, load_scene, recoverable_documents,
+    FileStamp, FileState, IoError, Origin, RecoverableDocument, RecoveryFile, left_recordings, load_scene,
+    recoverable_documents,
 };
 use crate::scene::Scene;
-use std::path::PathBuf;
+use crate::sim::JournalTail;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -18,6 +21,8 @@ const QUIET: Duration = Duration::from_secs(5);
 const LATEST: Duration = Duration::from_secs(30);
 /// Who ends the program waits this long for the document to be kept.
 const PATIENCE: Duration = Duration::from_secs(3);
+/// The recording is kept this often: what ends the program takes no more of it.
+const RECORDED: Duration = Duration::from_millis(500);
 /// The file of the document is looked at this often.
 const EVERY: Duration = Duration::from_secs(2);
 
@@ -38,8 +43,12 @@ pub(super) enum AutosaveRequest {
     KeepNow,
     /// The same, and says when that is done.
     KeepAndSay(Sender<()>),
-    /// Keeps what waits and ends.
-    End,
+    /// Keeps the recording of a motion from now on, whose document belongs there.
+    Record(JournalTail, Origin),
+    /// The document whose motion begins next belongs there.
+    Opened(Origin),
+    /// Keeps what waits and ends: by a fault, or because the window was closed.
+    End(bool),
     /// Forgets documents up to this number: they are saved, or their changes are not wanted.
     Forget(u64),
     /// What was recovered goes as soon as it is kept here, or forgotten.
@@ -55,9 +64,11 @@ pub(super) enum AutosaveRequest {
 /// What the thread tells.
 pub(super) enum AutosaveReport {
     /// What was left behind.
-    Offers(Vec<RecoveryOffer>),
+    Offers(Vec<RecoveryOffer>, Vec<RecordingOffer>),
     /// The document cannot be kept.
     NotKept(IoError),
+    /// The recording of the motion cannot.
+    NotRecorded(IoError),
     /// The file that is watched under a number became this.
     File(u64, FileState),
 }
@@ -120,7 +131,7 @@ impl AutosaveThread {
 
 impl Drop for AutosaveThread {
     fn drop(&mut self) {
-        self.send(AutosaveRequest::End);
+        self.send(AutosaveRequest::End(std::thread::panicking()));
         if let Some(thread) = self.thread.take() {
             let _ = thread.join();
         }
@@ -160,10 +171,14 @@ struct Autosaver {
     /// Number of the document that is kept there.
     kept: u64,
     recovered: Vec<RecoverableDocument>,
+    /// Keeps the recording, and when it does so next.
+    recorder: Option<(Recorder, Instant)>,
     due: Option<Due>,
     watched: Option<Watched>,
     /// Whether it was told that nothing can be kept: once is enough.
     has_failed: bool,
+    /// The same of the recording.
+    cannot_record: bool,
     reports: Sender<AutosaveReport>,
     wake: Box<dyn Fn() + Send>,
 }
@@ -176,35 +191,47 @@ impl Autosaver {
             place: None,
             kept: 0,
             recovered: Vec::new(),
+            recorder: None,
             due: None,
             watched: None,
             has_failed: false,
+            cannot_record: false,
             reports,
             wake: Box::new(wake),
         }
     }
 
     fn run(mut self, requests: &Receiver<AutosaveRequest>) {
-        loop {
+        let by_a_fault = loop {
             match self.wait(requests) {
-                Ok(AutosaveRequest::End) | Err(RecvTimeoutError::Disconnected) => break,
+                Ok(AutosaveRequest::End(by_a_fault)) => break by_a_fault,
+                Err(RecvTimeoutError::Disconnected) => break true,
                 Ok(request) => self.go(request),
                 Err(RecvTimeoutError::Timeout) => {}
             }
             let now = Instant::now();
+            if self.recorder.as_ref().is_some_and(|(_, next)| *next <= now) {
+                self.record();
+            }
             if self.due.as_ref().is_some_and(|due| due.at() <= now) {
                 self.keep();
             }
             if self.watched.as_ref().is_some_and(|watched| watched.next <= now) {
                 self.look();
             }
-        }
+        };
         self.keep();
+        self.record();
+        // Of a session that ended as it was meant to nothing has to be found.
+        if let Some(place) = self.place.as_ref().filter(|place| !by_a_fault && !place.has_document()) {
+            place.clear_recording().ok();
+        }
     }
 
     fn wait(&self, requests: &Receiver<AutosaveRequest>) -> Result<AutosaveRequest, RecvTimeoutError> {
         let due = self.due.as_ref().map(Due::at);
-        let next = due.into_iter().chain(self.watched.as_ref().map(|watched| watched.next)).min();
+        let record = self.recorder.as_ref().filter(|_| self.folder.is_some()).map(|(_, next)| *next);
+        let next = due.into_iter().chain(self.watched.as_ref().map(|watched| watched.next)).chain(record).min();
         match next {
             Some(next) => requests.recv_timeout(next.saturating_duration_since(Instant::now())),
             None => requests.recv().map_err(|_| RecvTimeoutError::Disconnected),
@@ -216,18 +243,26 @@ impl Autosaver {
         match request {
             AutosaveRequest::Folder(folder) => {
                 let found = recoverable_documents(&folder).into_iter().map(RecoveryOffer::new).collect();
+                let recordings = left_recordings(&folder).into_iter().filter_map(RecordingOffer::new).collect();
                 self.folder = Some(folder);
-                self.tell(AutosaveReport::Offers(found));
+                self.tell(AutosaveReport::Offers(found, recordings));
             }
             AutosaveRequest::Keep => self.due.get_or_insert(Due { first: now, last: now }).last = now,
             AutosaveRequest::KeepNow => self.keep(),
+            AutosaveRequest::Record(tail, origin) => self.recorder = Some((Recorder::new(tail, origin), now)),
+            AutosaveRequest::Opened(origin) => {
+                if let Some((recorder, _)) = &mut self.recorder {
+                    recorder.of(origin);
+                }
+            }
             AutosaveRequest::KeepAndSay(done) => {
                 self.keep();
+                self.record();
                 // Whoever asked may have lost patience.
                 let _ = done.send(());
             }
             // The loop ends by it.
-            AutosaveRequest::End => {}
+            AutosaveRequest::End(_) => {}
             AutosaveRequest::Forget(number) => self.forget(number),
             AutosaveRequest::Recovered(what) => self.recovered.push(what),
             AutosaveRequest::Watch(number, stamp) => {
@@ -240,14 +275,9 @@ impl Autosaver {
 
     fn keep(&mut self) {
         self.due = None;
-        let Some(folder) = &self.folder else { return };
+        let Some(folder) = self.folder.clone() else { return };
         let Some(kept) = locked(&self.slot).take() else { return };
-        // A folder that vanished is made again.
-        let outcome = match self.place.take().filter(RecoveryFile::is_there) {
-            Some(place) => Ok(place),
-            None => RecoveryFile::open(folder),
-        };
-        let outcome = outcome.and_then(|place| self.place.insert(place).write(&kept.origin, &kept.scene));
+        let outcome = self.place(&folder).and_then(|place| place.write(&kept.origin, &kept.scene));
         let Err(error) = outcome else {
             self.has_failed = false;
             self.kept = kept.number;
@@ -260,6 +290,39 @@ impl Autosaver {
         self.due = Some(Due { first: now, last: now });
         if !std::mem::replace(&mut self.has_failed, true) {
             self.tell(AutosaveReport::NotKept(error));
+        }
+    }
+
+    /// The place where things are kept. A folder that vanished is made again.
+    fn place(&mut self, folder: &Path) -> Result<&RecoveryFile, IoError> {
+        let place = match self.place.take().filter(RecoveryFile::is_there) {
+            Some(place) => place,
+            None => {
+                if let Some((recorder, _)) = &mut self.recorder {
+                    recorder.moved();
+                }
+                RecoveryFile::open(folder)?
+            }
+        };
+        Ok(self.place.insert(place))
+    }
+
+    /// Keeps what has come to the recording.
+    fn record(&mut self) {
+        let Some(folder) = self.folder.clone() else { return };
+        let Some((mut recorder, _)) = self.recorder.take() else { return };
+        let had_place = self.place.as_ref().is_some_and(RecoveryFile::is_there);
+        if !had_place {
+            recorder.moved();
+        }
+        let outcome = self.place(&folder).and_then(|place| recorder.keep(place));
+        self.recorder = Some((recorder, Instant::now() + RECORDED));
+        let Err(error) = outcome else {
+            self.cannot_record = false;
+            return;
+        };
+        if !std::mem::replace(&mut self.cannot_record, true) {
+            self.tell(AutosaveReport::NotRecorded(error));
         }
     }
 
@@ -315,60 +378,4 @@ impl Autosaver {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::fs;
-    use std::path::Path;
-
-    /// One that keeps in this folder, and what it tells.
-    fn autosaver(folder: &Path) -> (Autosaver, Receiver<AutosaveReport>) {
-        let (told, reports) = channel();
-        let mut autosaver = Autosaver::new(LatestSlot::default(), told, || ());
-        autosaver.folder = Some(folder.to_owned());
-        (autosaver, reports)
-    }
-
-    fn put(autosaver: &Autosaver, number: u64) {
-        let scene = Arc::new(Scene::new(format!("scene {number}")));
-        *locked(&autosaver.slot) = Some(WaitingDocument { number, origin: Origin::default(), scene });
-    }
-
-    /// Documents that are kept in a folder.
-    fn kept(folder: &Path) -> Vec<String> {
-        let files = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
-        files.filter(|path| path.extension().is_some_and(|end| end == "json")).map(text).collect()
-    }
-
-    fn text(path: PathBuf) -> String {
-        fs::read_to_string(path).expect("a text")
-    }
-
-    #[test]
-    fn a_newer_document_outlives_that_an_older_one_is_forgotten() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let (mut autosaver, _reports) = autosaver(folder.path());
-        // Asked for in this order by the window: keep 5 now, it is saved; meanwhile the next was put in the slot.
-        put(&autosaver, 6);
-        autosaver.go(AutosaveRequest::KeepNow);
-        autosaver.go(AutosaveRequest::Forget(5));
-        let left = kept(folder.path());
-        assert!(left.len() == 1 && left[0].contains("scene 6"), "{left:?}");
-        autosaver.go(AutosaveRequest::Forget(6));
-        assert!(kept(folder.path()).is_empty());
-    }
-
-    #[test]
-    fn a_folder_that_vanishes_is_made_again() {
-        let above = tempfile::tempdir().expect("a folder");
-        let folder = above.path().join("recovery");
-        let (mut autosaver, reports) = autosaver(&folder);
-        for number in 1..4 {
-            put(&autosaver, number);
-            autosaver.go(AutosaveRequest::KeepNow);
-            let left = kept(&folder);
-            assert!(left.len() == 1 && left[0].contains(&format!("scene {number}")), "{left:?}");
-            fs::remove_dir_all(&folder).expect("removed");
-        }
-        assert!(reports.try_recv().is_err(), "nothing went wrong");
-    }
-}
+mod tests;

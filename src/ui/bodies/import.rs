@@ -130,7 +130,7 @@ fn bring_leaders(body: &mut OwnedBody, cx: &mut Context) -> Result<(), String> {
             }
         };
         if !is_there {
-            let added = cx.add_models(|assets, folder| add_leader(assets, &follow.leader, folder));
+            let added = cx.add_models(|assets, folder| add_leader(assets, &follow.leader, folder, &mut |_| {}));
             added.map_err(|error| error.to_string())?;
         }
     }

@@ -38,8 +38,13 @@ use crate::scene::{Assets, Drivable, Drive, Scene};
 use crate::sim::SimCommand;
 use crate::solver::snapshot::Snapshot;
 use std::collections::VecDeque;
+use std::convert::Infallible;
 use std::path::Path;
 use std::sync::Arc;
+use std::time::Instant;
+
+/// So much of what was said is kept.
+const LOG: usize = 500;
 
 /// What panels and tools share.
 pub(super) struct Context {
@@ -71,6 +76,8 @@ pub(super) struct Context {
     pub caption: Option<&'static str>,
     /// Whether the ghost is shown beside the scene, not within it.
     pub ghost_beside: bool,
+    log: VecDeque<String>,
+    begun: Instant,
     lifts: Lifts,
     gestures: Gestures,
     requests: VecDeque<Request>,
@@ -94,6 +101,8 @@ impl Context {
             has_dialog: false,
             caption: None,
             ghost_beside: false,
+            log: VecDeque::new(),
+            begun: Instant::now(),
             lifts: Lifts::default(),
             gestures: Gestures::default(),
             requests: VecDeque::new(),
@@ -107,8 +116,18 @@ impl Context {
 
     /// Says something at the foot of the window.
     pub(super) fn say(&mut self, severity: Severity, text: impl Into<String>) {
-        self.status.message = Some((severity, text.into()));
+        let text = text.into();
+        if self.log.len() == LOG {
+            self.log.pop_front();
+        }
+        self.log.push_back(format!("{:9.2} s {severity:?}: {text}", self.begun.elapsed().as_secs_f64()));
+        self.status.message = Some((severity, text));
         self.status.of_scene = false;
+    }
+
+    /// What was said so far, the newest last, with when that was.
+    pub(super) fn log(&self) -> impl Iterator<Item = &str> {
+        self.log.iter().map(String::as_str)
     }
 
     /// Says something that is true as long as the scene is what it is.
@@ -137,6 +156,14 @@ impl Context {
         let made = self.document.change_assets(change)?;
         self.simulation.set_models(&self.document);
         Ok(made)
+    }
+
+    /// Takes models into the document that were read elsewhere.
+    pub(super) fn take_in_models(&mut self, read: Assets) {
+        let Ok(()) = self.add_models(|assets, _| {
+            assets.take_in(read);
+            Ok::<(), Infallible>(())
+        });
     }
 
     /// Changes the document; changes of one gesture are one step of undo.

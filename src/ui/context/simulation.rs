@@ -2,7 +2,7 @@
 
 use super::OpenDocument;
 use crate::scene::Scene;
-use crate::sim::{Journal, MotionTaker, Published, SimCommand, TakenMotion, TimeSeriesSet, Worker};
+use crate::sim::{Journal, JournalTail, MotionTaker, Published, SimCommand, TakenMotion, TimeSeriesSet, Worker};
 use glam::DVec3;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
@@ -59,6 +59,11 @@ impl Simulation {
     pub(crate) fn take(&mut self) -> Option<Arc<Published>> {
         let newest = self.worker.take()?;
         Some(std::mem::replace(&mut self.published, newest))
+    }
+
+    /// The journal of the motion as it grows.
+    pub(crate) fn journal_tail(&self) -> JournalTail {
+        self.worker.journal_tail()
     }
 
     /// Ends the putting together of a scene that is going on just now.

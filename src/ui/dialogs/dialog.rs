@@ -20,6 +20,10 @@ pub(crate) enum PathPurpose {
     Save,
     /// To write the time series as a table.
     Export,
+    /// To write the recording of this number of those that were left behind.
+    Recording(usize),
+    /// To write what a report of a fault needs.
+    Report,
     /// To add a model as a collider.
     Collider,
     /// To have the active body follow a motion.

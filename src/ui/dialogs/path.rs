@@ -36,6 +36,8 @@ pub(super) fn ask_path(
             ("Follow a motion", "Follow", "Path of a .gltf or .glb with a skin, or of a .pc2 or .mdd cache")
         }
         PathPurpose::Export => ("Export readings of every frame", "Export", "Path of a .csv table"),
+        PathPurpose::Recording(_) => ("Save the recording", "Save", "Path of a .json journal, best beside its scene"),
+        PathPurpose::Report => ("Save a report of a fault", "Save", "Path of a .zip archive"),
     };
     ui.heading(title);
     let typed = ui.add(TextEdit::singleline(text).hint_text(hint).desired_width(f32::INFINITY));
@@ -87,6 +89,14 @@ fn browse(purpose: PathPurpose, ctx: Context) -> Receiver<Option<PathBuf>> {
             PathPurpose::Save => scenes().set_file_name("scene.json").save_file(),
             PathPurpose::Export => {
                 rfd::FileDialog::new().add_filter("table", &["csv"]).set_file_name("readings.csv").save_file()
+            }
+            PathPurpose::Recording(_) => {
+                let journals = rfd::FileDialog::new().add_filter("journal", &["json"]);
+                journals.set_file_name("recovered.journal.json").save_file()
+            }
+            PathPurpose::Report => {
+                let archives = rfd::FileDialog::new().add_filter("archive", &["zip"]);
+                archives.set_file_name("sinew-report.zip").save_file()
             }
         };
         // The window may be gone by now.

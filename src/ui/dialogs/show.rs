@@ -5,7 +5,7 @@ use super::dialog::Dialog;
 use super::first_scene::first_scene;
 use super::palette::{help, palette};
 use super::path::ask_path;
-use crate::ui::autosave::{About, RecoveryOffer, ask};
+use crate::ui::autosave::{About, RecordingOffer, RecoveryOffer, ask};
 use crate::ui::context::Context;
 use crate::ui::gallery::{Choice, Gallery};
 use crate::ui::loading::Progress;
@@ -20,12 +20,13 @@ pub(crate) fn show(
     dialog: &mut Dialog,
     ctx: &egui::Context,
     gallery: &mut Gallery,
-    offers: &[RecoveryOffer],
+    (offers, recordings): (&[RecoveryOffer], &[RecordingOffer]),
     recent: &[PathBuf],
     cx: &Context,
 ) -> Answer {
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(4.0 * GRID);
-    let about = About { name: cx.document.name(), path: cx.document.path.as_deref(), offers, tone: cx.tone };
+    let about =
+        About { name: cx.document.name(), path: cx.document.path.as_deref(), offers, recordings, tone: cx.tone };
     let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| match dialog {
         Dialog::Palette { text, chosen } => palette(ui, text, chosen, &cx.actions),
         Dialog::Help => help(ui),

@@ -24,6 +24,11 @@ pub(crate) fn is_shipped(name: &str) -> bool {
     shipped(name).is_some()
 }
 
+/// The bytes of a model of this name that ships.
+pub(crate) fn shipped_bytes(name: &str) -> Option<&'static [u8]> {
+    shipped(name)
+}
+
 /// Puts a model that ships into a folder; gives the name that it has there.
 ///
 /// # Errors
@@ -54,6 +59,6 @@ impl Document {
     pub fn of_example(example: &Example) -> Result<Self, IoError> {
         let (scene, assets) = example.load()?;
         let note = Some(format!("Opened {}: {}", example.title, example.line));
-        Ok(Self { scene, assets: Arc::new(assets), path: None, folder: PathBuf::new(), note })
+        Ok(Self { scene, assets: Arc::new(assets), path: None, folder: PathBuf::new(), note, asks: None })
     }
 }

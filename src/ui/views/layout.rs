@@ -194,6 +194,11 @@ impl Views {
         self.painter.as_ref().map(Painter::saves_work)
     }
 
+    /// What draws the pictures; none where none are drawn.
+    pub(crate) fn adapter(&self) -> Option<String> {
+        self.painter.as_ref().map(Painter::adapter)
+    }
+
     /// How pictures look that are made of what the result view shows, as large as it is.
     pub(crate) fn look(&self, cx: &Context, pixels_per_point: f32) -> Look {
         let result = self.frames().into_iter().find(|frame| frame.kind == PaneKind::Result);

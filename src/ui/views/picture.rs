@@ -67,6 +67,12 @@ impl Painter {
         self.software
     }
 
+    /// What draws, as its driver calls it.
+    pub(crate) fn adapter(&self) -> String {
+        let info = self.state.adapter.get_info();
+        format!("{} by {:?}, {} {}", info.name, info.backend, info.driver, info.driver_info)
+    }
+
     /// A picture as it was painted last; none before it was.
     pub(crate) fn picture(&self, picture: &ViewPicture) -> Option<Result<crate::render::Picture, RenderError>> {
         picture.viewport.as_ref().map(|viewport| read_back(&self.renderer, viewport))

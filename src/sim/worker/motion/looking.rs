@@ -31,6 +31,7 @@ impl Motion {
     /// shown.
     pub(in crate::sim::worker) fn continue_here(&mut self) {
         let Some(from) = self.replay.continue_here(&mut self.playback) else { return };
+        self.owed = 0;
         if self.runs.live.runner().is_none() {
             self.status.failure = None;
         }

@@ -8,6 +8,7 @@ use super::note::Note;
 use super::pins::{Following, holders, note_pins};
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
+use super::thin_places::ThinPlaces;
 use super::{drives, follows, limits, room, self_contact, supports};
 use crate::scene::{
     AnyBody, Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, SpringChoice, TwoLayer,
@@ -145,7 +146,7 @@ pub(super) fn draft(
     }
     let holders = holders(&body.pins, &body.follows, path);
     note_pins(scene, &holders, &parts, Following::of_two_layer(body, model.radius), notes);
-    Ok(Draft { parts, regions, stable_steps, fractions: Vec::new(), thin: Vec::new() })
+    Ok(Draft { parts, regions, stable_steps, fractions: Vec::new(), thin: ThinPlaces::default() })
 }
 
 /// All forces but contact, with the constants of `body`; it is grabbed by the particles that are nearest at the start.

@@ -5,6 +5,7 @@ mod columns;
 mod command;
 mod convergence;
 mod journal;
+mod not_finite;
 mod performance;
 pub(crate) mod recording;
 mod report;
@@ -23,6 +24,7 @@ pub use columns::{Column, ColumnKind};
 pub use command::SimCommand;
 pub use convergence::{Convergence, convergence_order};
 pub use journal::{Asked, Journal, JournalEntry};
+pub use not_finite::NotFinite;
 #[cfg(feature = "gui")]
 pub(crate) use recording::DEFAULT_MEMORY;
 pub use report::{AccuracyReport, BodyReport, MeasureReport, Report};

@@ -1,9 +1,11 @@
 //! What the window opens: a scene and the models that it names, or a model alone.
 
 use crate::io::{
-    IoError, OpenedModel, is_model, load_assets, load_scene, open_model, resolved, scene_from_json, unknown_fields,
+    IoError, OpenedModel, Stages, is_model, load_assets_unless, load_scene, open_model_unless, resolved,
+    scene_from_json, unknown_fields,
 };
 use crate::scene::{Assets, Scene};
+use std::ops::ControlFlow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
@@ -34,20 +36,20 @@ impl Document {
     /// # Errors
     /// A file that cannot be used.
     pub fn load(path: Option<PathBuf>) -> Result<Self, IoError> {
-        Self::load_with_progress(path, &mut |_| {})
+        Self::load_unless(path, &mut |_| ControlFlow::Continue(()))
     }
 
-    /// [`Self::load`], and `progress` hears what is being worked on.
+    /// [`Self::load`], and `progress` hears what is being worked on and breaks it off.
     ///
     /// # Errors
-    /// As [`Self::load`].
-    pub(super) fn load_with_progress(path: Option<PathBuf>, progress: &mut dyn FnMut(&str)) -> Result<Self, IoError> {
+    /// As [`Self::load`], and [`IoError::Cancelled`].
+    pub(super) fn load_unless(path: Option<PathBuf>, progress: &mut Stages<'_>) -> Result<Self, IoError> {
         if let Some(path) = path.as_deref().filter(|path| is_model(path)) {
             return Self::of_model(path, progress);
         }
         let scene = path.as_deref().map_or_else(|| scene_from_json(BUILT_IN), load_scene)?;
         let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")).to_owned();
-        let assets = Arc::new(load_assets(&scene, &folder, progress)?);
+        let assets = Arc::new(load_assets_unless(&scene, &folder, progress)?);
         let note = path.as_deref().and_then(|path| unknown(path, &scene));
         Ok(Self { scene, assets, path, folder, note })
     }
@@ -65,8 +67,8 @@ impl Document {
     }
 
     /// A soft solid in the shape of a model, just above a floor.
-    fn of_model(path: &Path, progress: &mut dyn FnMut(&str)) -> Result<Self, IoError> {
-        let OpenedModel { scene, assets, particles, scaled, thin } = open_model(path, progress)?;
+    fn of_model(path: &Path, progress: &mut Stages<'_>) -> Result<Self, IoError> {
+        let OpenedModel { scene, assets, particles, scaled, thin } = open_model_unless(path, progress)?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let scaled = scaled.map_or_else(String::new, |scaled| format!(", {scaled}"));
         let thin = thin.map_or_else(String::new, |thin| format!("; {thin}"));
@@ -118,6 +120,7 @@ fn seen_from(path: &Path, folder: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::io::load_assets;
     use crate::scene::Shape;
 
     fn asset(name: &str) -> PathBuf {

@@ -6,9 +6,11 @@ use super::bodies::Layers;
 use super::document::Document;
 use super::gallery::shipped_assets;
 use super::theme::GRID;
-use crate::io::{FileStamp, IoError, OpenedModel, Origin, is_model, load_assets, open_model};
+use crate::io::{FileStamp, IoError, OpenedModel, Origin, Stages, is_model, load_assets_unless, open_model_unless};
 use egui::{Context, RichText, Ui};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -54,17 +56,18 @@ impl Source {
         }
     }
 
-    fn load(self, progress: &mut dyn FnMut(&str)) -> Result<Read, IoError> {
+    fn load(self, progress: &mut Stages<'_>) -> Result<Read, IoError> {
         let document = match self {
             Self::Model(path, layers) => {
-                let opened = Box::new(open_model(&path, progress)?);
+                let opened = Box::new(open_model_unless(&path, progress)?);
                 return Ok(Read::Model { path, layers, opened });
             }
-            Self::File(path) => Document::load_with_progress(Some(path), progress)?,
+            Self::File(path) => Document::load_unless(Some(path), progress)?,
             Self::Recovery(offer) => {
                 let scene = offer.document.load()?;
                 let Origin { file, folder, shipped, .. } = offer.document.origin;
-                let assets = if shipped { shipped_assets(&scene) } else { load_assets(&scene, &folder, progress) };
+                let assets =
+                    if shipped { shipped_assets(&scene) } else { load_assets_unless(&scene, &folder, progress) };
                 Document { scene, assets: Arc::new(assets?), path: file, folder, note: None }
             }
         };
@@ -85,7 +88,7 @@ pub(crate) enum Progress {
     Done(Box<Loaded>),
 }
 
-/// A document that is being read. Dropped, it is not wanted any more: what its thread comes to is heard by nobody.
+/// A document that is being read. Dropped, it is not wanted any more: its thread ends as soon as it asks for that.
 pub(crate) struct Loading {
     /// What is read.
     pub(crate) source: Source,
@@ -93,6 +96,13 @@ pub(crate) struct Loading {
     pub(crate) stamp: Option<FileStamp>,
     stage: Arc<Mutex<String>>,
     loaded: Receiver<Result<Read, IoError>>,
+    is_wanted: Arc<AtomicBool>,
+}
+
+impl Drop for Loading {
+    fn drop(&mut self) {
+        self.is_wanted.store(false, Ordering::Relaxed);
+    }
 }
 
 impl Loading {
@@ -106,9 +116,10 @@ impl Loading {
         let stamp = file.filter(|path| !is_model(path)).and_then(|path| FileStamp::of(path).ok());
         let stage = Arc::new(Mutex::new(String::new()));
         let (sender, loaded) = channel();
-        let (what, told, ctx) = (source.clone(), Arc::clone(&stage), ctx.clone());
-        std::thread::spawn(move || read(what, &told, &sender, &ctx));
-        Self { source, stamp, stage, loaded }
+        let is_wanted = Arc::new(AtomicBool::new(true));
+        let (what, told, wanted, ctx) = (source.clone(), Arc::clone(&stage), Arc::clone(&is_wanted), ctx.clone());
+        std::thread::spawn(move || read(what, &told, &wanted, &sender, &ctx));
+        Self { source, stamp, stage, loaded, is_wanted }
     }
 
     /// What has been read by now; what is quick is waited for. None while it is not there.
@@ -163,10 +174,20 @@ pub(crate) fn is_known(offer: &RecoveryOffer) -> bool {
     !offer.is_older && !offer.document.origin.doubtful
 }
 
-fn read(source: Source, stage: &Mutex<String>, sender: &Sender<Result<Read, IoError>>, ctx: &Context) {
+fn read(
+    source: Source,
+    stage: &Mutex<String>,
+    wanted: &AtomicBool,
+    sender: &Sender<Result<Read, IoError>>,
+    ctx: &Context,
+) {
     let loaded = source.load(&mut |said| {
+        if !wanted.load(Ordering::Relaxed) {
+            return ControlFlow::Break(());
+        }
         said.clone_into(&mut stage.lock().unwrap_or_else(PoisonError::into_inner));
         ctx.request_repaint();
+        ControlFlow::Continue(())
     });
     // Nobody may want it any more.
     let _ = sender.send(loaded);

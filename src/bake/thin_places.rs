@@ -9,8 +9,8 @@ use std::sync::Arc;
 /// Places in parts of a body that are too thin for its particles.
 #[derive(Clone, Debug, Default)]
 pub struct ThinPlaces {
-    /// Particles in parts of hardly more than one layer, which bend too easily; none where there are so few of them that
-    /// no note is made of it.
+    /// Particles in parts of hardly more than one layer, which bend too easily; none where there are so few that it is
+    /// not said.
     pub particles: Vec<u32>,
     /// Places of the lattice in parts of less than one, which have no particles: those around carry them.
     left_out: Option<Arc<Skin>>,

@@ -1,5 +1,5 @@
-//! How near the triangles of a leaf can be, by the slab that holds them: far tighter than its box where the surface runs
-//! aslant, so that of the thousands that are about as near to a point as the nearest hardly any is looked at.
+//! How near the triangles of a leaf can be, by the slab that holds them: far tighter than its box where the surface
+//! runs aslant, so that of thousands that are about as near to a point as the nearest hardly any is looked at.
 
 use super::bvh::Bvh;
 use glam::DVec3;

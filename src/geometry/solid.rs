@@ -68,8 +68,8 @@ impl Solid {
         }
     }
 
-    /// [`Self::new`], and `progress` hears how far it has come; it breaks off what is no longer wanted, and is not asked
-    /// again then.
+    /// [`Self::new`], and `progress` hears how far it has come; it breaks off what is no longer wanted, and is not
+    /// asked again then.
     pub(crate) fn with_progress(model: &Model, progress: &mut Progress<'_>) -> ControlFlow<(), Result<Self, Refusal>> {
         let mut report = ModelReport { reading: model.notes.clone(), ..ModelReport::default() };
         let model = without_lost(model, &mut report);

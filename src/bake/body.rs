@@ -16,6 +16,7 @@ use super::sheets::PlacedSheet;
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
 use super::surroundings::Surroundings;
+use super::thin_places::ThinPlaces;
 use super::{drives, fibres, follows, fractions, regime, room, self_contact, sheets, supports};
 use crate::geometry::kernel::Kernel;
 use crate::scene::{AnyBody, Assets, Body, BodyKind, Mass, Material, Precision, Scene};
@@ -159,7 +160,7 @@ pub(super) fn draft(
         step_parameter: step_parameter(scene).to_owned(),
     };
     note_pins(scene, &holders(&body.pins, &body.follows, path), &parts, Following::of_solid(body), notes);
-    Ok(Draft { parts, regions, stable_steps, fractions, thin: sampling.thin.clone() })
+    Ok(Draft { parts, regions, stable_steps, fractions, thin: ThinPlaces::of(sampling, kernel) })
 }
 
 /// The matrix of a body whose particles have these fractions of fibre, stiffer by regions.

@@ -1,5 +1,6 @@
 //! A body on the way.
 
+use super::thin_places::ThinPlaces;
 use crate::solver::body::BodyParts;
 use std::collections::HashMap;
 
@@ -12,6 +13,6 @@ pub(super) struct Draft {
     pub(super) stable_steps: Vec<f64>,
     /// Volume fraction of fibre at every particle; none of a two-layer body.
     pub(super) fractions: Vec<f64>,
-    /// Particles in parts of hardly more than one layer, where that is said.
-    pub(super) thin: Vec<u32>,
+    /// Where it is thinner than its particles resolve, as far as that is said.
+    pub(super) thin: ThinPlaces,
 }

@@ -94,6 +94,12 @@ impl LayerModel {
         if self.has_inner_layer() { self.mean_edge(self.outer) } else { 0.0 }
     }
 
+    /// The lesser of the two distances [m].
+    pub(super) fn least_spacing(&self) -> f64 {
+        let inner = self.inner_spacing();
+        if inner > 0.0 { inner.min(self.spacing()) } else { self.spacing() }
+    }
+
     /// Mean length [m] of the edges of the layer whose particles begin at `first`.
     fn mean_edge(&self, first: usize) -> f64 {
         let end = |end: u32| self.points[first + end as usize];

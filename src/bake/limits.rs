@@ -5,6 +5,7 @@
 //! Rayleigh quotients under the halved parameter); fibre solids, whose frequency is one number, what is left of it
 //! without fibres.
 
+use super::layer_model::LayerModel;
 use crate::scene::{Hold, TwoLayer};
 use crate::solver::forces::pressure::Pressure;
 use crate::solver::forces::{
@@ -73,10 +74,8 @@ pub(super) struct Layered<'a> {
     pub(super) path: &'a str,
     /// At rest.
     pub(super) state: &'a ParticleState,
-    /// Half its least extent [m].
-    pub(super) extent: f64,
-    /// Least mean distance between neighbours of a layer [m].
-    pub(super) spacing: f64,
+    /// Its particles and what joins them.
+    pub(super) model: &'a LayerModel,
     /// [`wind_rate`].
     pub(super) wind: f64,
 }
@@ -88,7 +87,7 @@ impl Layered<'_> {
     /// half the distance to its neighbours in one step, `a dt² / 2`. Implicit steps, which have no limit, get none.
     pub(super) fn stable_step(&self, by_modes: f64, burst: f64) -> f64 {
         let share = if self.body.active_springs.is_empty() { 1.0 } else { OF_CHANGING_SHAPE };
-        if by_modes.is_finite() { share * by_modes.min((self.spacing / burst).sqrt()) } else { by_modes }
+        if by_modes.is_finite() { share * by_modes.min((self.model.least_spacing() / burst).sqrt()) } else { by_modes }
     }
 
     /// The greatest acceleration [m/s²] that the body's springs, and its gas at its strongest, give a particle at rest.
@@ -116,7 +115,7 @@ impl Layered<'_> {
         let step = |body: &TwoLayer, wind: f64| {
             let mut forces = forces_of(body);
             let burst = self.burst(&forces);
-            let modes = modes.under(&mut forces, self.state, self.extent, &shapes);
+            let modes = modes.under(&mut forces, self.state, self.model.radius, &shapes);
             self.stable_step(greatest_stable_step(integrator, modes, wind), burst)
         };
         let present = step(self.body, self.wind);

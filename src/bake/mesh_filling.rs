@@ -2,8 +2,9 @@
 
 use super::error::BakeError;
 use super::note::Note;
-use crate::geometry::fill::{FillError, FillProgress, FillResolution, fill_with_progress};
+use crate::geometry::fill::{FillError, FillResolution, fill_with_progress};
 use crate::geometry::placement::Filling;
+use crate::geometry::progress::Progress;
 use crate::geometry::solid::Solid;
 use crate::geometry::two_layers::{FEW, two_layer_spacing};
 use crate::scene::{Body, MAX_PARTICLES};
@@ -34,8 +35,18 @@ impl Meshed<'_> {
         if Self::is_thin(filling) { std::mem::take(&mut filling.thinness.places) } else { Vec::new() }
     }
 
+    /// Whether so much of it has no particles that it has to be said.
+    fn is_lost(filling: &Filling) -> bool {
+        filling.pruned as f64 > FEW * (filling.pruned + filling.sample.points.len()) as f64
+    }
+
+    /// Places of the lattice that have no particles [m]; none where there are so few that nothing is said.
+    pub(super) fn lost_places(filling: &mut Filling) -> Vec<DVec3> {
+        if Self::is_lost(filling) { std::mem::take(&mut filling.left_out) } else { Vec::new() }
+    }
+
     /// Fills it; `progress` hears how far that has come.
-    pub(super) fn filled(self, notes: &mut Vec<Note>, progress: &mut FillProgress<'_>) -> Result<Filling, BakeError> {
+    pub(super) fn filled(self, notes: &mut Vec<Note>, progress: &mut Progress<'_>) -> Result<Filling, BakeError> {
         let Self { body, particles, solid, path, blamed } = self;
         let spacing = body.material.spacing();
         let reach = body.material.spacing_ratio.recip();
@@ -90,7 +101,7 @@ impl Meshed<'_> {
         format!("{} {give} two layers", self.fineness_at(spacing))
     }
 
-    fn note(self, filling: &Filling, notes: &mut Vec<Note>, progress: &mut FillProgress<'_>) -> Result<(), BakeError> {
+    fn note(self, filling: &Filling, notes: &mut Vec<Note>, progress: &mut Progress<'_>) -> Result<(), BakeError> {
         let Self { body, particles, solid, path, blamed } = self;
         let mut note = |path: String, warning: bool, text: String| notes.push(Note { path, text, warning });
         let reach = body.material.spacing_ratio.recip();
@@ -105,20 +116,33 @@ impl Meshed<'_> {
             let text = format!("made {radius:.6} m ({percent:+.1} %) so that the particles fit the mesh");
             note(self.fineness_path(), false, text);
         }
-        if filling.pruned > 0 {
-            let text = format!("{} lattice points at tips too fine to hold them were left out", filling.pruned);
-            note(format!("{path}/{}", blamed.trim_end_matches("/path")), false, text);
-        }
-        let thin = &filling.thinness;
-        if Self::is_thin(filling) {
-            let at = thin.places.first().map_or(DVec3::ZERO, |&index| filling.sample.points[index as usize]);
+        let [is_lost, is_thin] = [Self::is_lost(filling), Self::is_thin(filling)];
+        let mut remedy = String::new();
+        if is_lost || is_thin {
             // All lattices were tried; whether to go on is still asked.
             let mut asked = || progress(1, 1);
-            let remedy = match two_layer_spacing(solid, spacing, reach, MAX_PARTICLES as f64, &mut asked) {
+            remedy = match two_layer_spacing(solid, spacing, reach, MAX_PARTICLES as f64, &mut asked) {
                 ControlFlow::Continue(Some(spacing)) => self.two_layers(spacing),
                 ControlFlow::Continue(None) => "two layers would take more particles than are allowed".to_owned(),
                 ControlFlow::Break(()) => return Err(BakeError::Cancelled),
             };
+        }
+        let lost = filling.pruned;
+        let shape = format!("{path}/{}", blamed.trim_end_matches("/path"));
+        if is_lost {
+            let at = filling.left_out.first().copied().unwrap_or_default().to_array();
+            let text = format!(
+                "{lost} of {} lattice points in parts less than one layer thick were left out (the first at {at:.4?} m), \
+                 so that there is nothing to move those by themselves: {remedy}",
+                total + lost,
+            );
+            note(shape, true, text);
+        } else if lost > 0 {
+            note(shape, false, format!("{lost} lattice points at tips too fine to hold them were left out"));
+        }
+        let thin = &filling.thinness;
+        if is_thin {
+            let at = thin.places.first().map_or(DVec3::ZERO, |&index| filling.sample.points[index as usize]);
             let text = format!(
                 "{} of {total} particles lie in parts hardly more than one layer thick (the first at {:.4?} m), which \
                  bend too easily: {remedy}",

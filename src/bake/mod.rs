@@ -37,6 +37,7 @@ mod start;
 mod step_plan;
 mod supports;
 mod surroundings;
+mod thin_places;
 mod two_layer;
 mod voids;
 
@@ -48,6 +49,7 @@ pub use fibres::PlacedFibre;
 pub(crate) use follows::followed_bones;
 pub use note::Note;
 pub use stage::BakeStage;
+pub use thin_places::ThinPlaces;
 
 use crate::scene::{AnyBody, Assets, IntegratorKind, Scene};
 use crate::solver::body::Body;
@@ -70,9 +72,8 @@ pub struct Baked {
     pub regions: Vec<HashMap<String, Vec<u32>>>,
     /// Volume fraction of fibre at every particle of each body, painted or by distance; none of a two-layer body.
     pub fractions: Vec<Vec<f64>>,
-    /// Particles of each body in parts of hardly more than one layer, which bend too easily; none where there are so
-    /// few of them that no note is made of it.
-    pub thin: Vec<Vec<u32>>,
+    /// Where each body is thinner than its particles resolve, as far as a note is made of it.
+    pub thin: Vec<ThinPlaces>,
     /// Greatest stable step of each body [s] under every integrator, in the order of [`IntegratorKind::ALL`].
     stable_steps: Vec<Vec<f64>>,
 }

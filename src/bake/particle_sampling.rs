@@ -9,16 +9,15 @@ use super::voids::Hollowing;
 use crate::geometry::askew_box::AskewBox;
 use crate::geometry::cell_shares::{CellShares, cell_shares};
 use crate::geometry::clip::DrawnSurface;
-use crate::geometry::fill::FillProgress;
 use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box_unless};
 use crate::geometry::lattice_fit::FittedLattice;
 use crate::geometry::mesh::box_surface;
 use crate::geometry::model::{MeshData, Model};
+use crate::geometry::progress::Progress;
 use crate::geometry::seam::Seam;
 use crate::geometry::solid::Solid;
-use crate::geometry::thickness::Thickness;
 use crate::scene::{Assets, Body, BoxShape, Rotation, Shape};
 use crate::solver::skin::{Skin, SkinShape};
 use glam::{DMat3, DVec3};
@@ -40,6 +39,8 @@ pub(super) struct ParticleSampling<'a> {
     pub(super) size: DVec3,
     /// Particles in parts of hardly more than one layer, where that is said.
     pub(super) thin: Vec<u32>,
+    /// Places of the lattice inside that were left out as nothing would hold a particle there, where that is said [m].
+    pub(super) left_out: Vec<DVec3>,
     /// What each particle stands for; a whole cell where nothing is said.
     pub(super) shares: Option<CellShares>,
     source: Source<'a>,
@@ -94,6 +95,7 @@ pub(super) fn sample_particles<'a>(
             let mut filling = meshed.filled(notes, &mut told)?;
             ParticleSampling {
                 thin: Meshed::thin_places(&mut filling),
+                left_out: Meshed::lost_places(&mut filling),
                 whole: filling.sample.points.len(),
                 hollows: Hollows::default(),
                 shares: filling.shares,
@@ -134,8 +136,8 @@ fn fill_box_shape<'a>(
     notes.extend(radius_note(body, &sample, path));
     let (volume, size) = (solid.volume(), solid.size);
     let whole = sample.points.len();
-    let (thin, hollows, source) = (Vec::new(), Hollows::default(), Source::Box(solid));
-    Ok(ParticleSampling { sample, whole, hollows, volume, size, thin, shares, source })
+    let (thin, left_out, hollows, source) = (Vec::new(), Vec::new(), Hollows::default(), Source::Box(solid));
+    Ok(ParticleSampling { sample, whole, hollows, volume, size, thin, left_out, shares, source })
 }
 
 /// A box filled, askew to the lattice by the lattice that fits it best.
@@ -173,7 +175,7 @@ fn fill_round_shape<'a>(
     shape: &Shape,
     path: &str,
     notes: &mut Vec<Note>,
-    told: &mut FillProgress<'_>,
+    told: &mut Progress<'_>,
 ) -> Result<ParticleSampling<'a>, BakeError> {
     let spacing = body.material.spacing();
     let empty = || BakeError::Empty { path: format!("{path}/shape"), body: path.to_owned(), spacing };
@@ -184,6 +186,7 @@ fn fill_round_shape<'a>(
     let mut filling = Meshed { body, particles: None, solid: &solid, path, blamed: "shape" }.filled(notes, told)?;
     Ok(ParticleSampling {
         thin: Meshed::thin_places(&mut filling),
+        left_out: Meshed::lost_places(&mut filling),
         whole: filling.sample.points.len(),
         hollows: Hollows::default(),
         shares: filling.shares,
@@ -286,7 +289,7 @@ impl ParticleSampling<'_> {
                 Thinnest { thickness: sides[0], is_compact: sides[1] < WIDE * sides[0] }
             }
             Source::Mesh(solid) => {
-                let thickness = Thickness::of(solid).of_all_but(EDGES);
+                let thickness = solid.thickness().of_all_but(EDGES);
                 let thickness = thickness.unwrap_or_else(|| solid.size().min_element());
                 Thinnest { thickness, is_compact: false }
             }

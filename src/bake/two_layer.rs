@@ -8,6 +8,7 @@ use super::note::Note;
 use super::pins::{Following, holders, note_pins};
 use super::stage::{BakeStage, Tell, unless_stopped};
 use super::start::{deformed, give_impulse, spin, to_world};
+use super::thin_places::ThinPlaces;
 use super::{drives, follows, limits, room, self_contact, supports};
 use crate::scene::{
     AnyBody, Assets, ContactKind, Initial, IntegratorChoice, IntegratorKind, PressureIn, Scene, SpringChoice, TwoLayer,
@@ -74,11 +75,7 @@ pub(super) fn draft(
     let touches = !contact.planes.is_empty() || !scene.panels.is_empty() || !colliders.is_empty();
     // Around the rest shape: what a start far from it asks for is not what the run will ask for.
     let at_rest = ParticleState { positions: rest.to_vec(), ..state.clone() };
-    let squeeze = if active.is_empty() {
-        1.0
-    } else {
-        squeeze(&model.springs(body).with_active(active.clone()), &gas(body, &layers), &at_rest)
-    };
+    let squeeze = squeeze(&model.springs(body).with_active(active.clone()), &gas(body, &layers), &at_rest);
     let probed = |body: &TwoLayer| {
         let body = &TwoLayer { pressure: squeeze * body.pressure, ..body.clone() };
         let own = own_forces(scene, body, (&model, &active), &layers, (&state, &followed));
@@ -98,9 +95,7 @@ pub(super) fn draft(
         fastest_modes(&mut probed(body), &at_rest, model.radius, stop)
     })?;
     let wind = limits::wind_rate(&forces, &at_rest);
-    let spacing = [model.spacing(), model.inner_spacing()].into_iter().filter(|&spacing| spacing > 0.0);
-    let spacing = spacing.fold(f64::INFINITY, f64::min);
-    let layered = limits::Layered { body, path, state: &at_rest, extent: model.radius, spacing, wind };
+    let layered = limits::Layered { body, path, state: &at_rest, model: &model, wind };
     let burst = layered.burst(&forces);
     let step = |integrator: &dyn Integrator| layered.stable_step(modes.greatest_stable_step(integrator, wind), burst);
     let stable_dt = step(integrator.as_ref());
@@ -153,7 +148,7 @@ pub(super) fn draft(
     }
     let holders = holders(&body.pins, &body.follows, path);
     note_pins(scene, &holders, &parts, Following::of_two_layer(body, model.radius), notes);
-    Ok(Draft { parts, regions, stable_steps, fractions: Vec::new(), thin: Vec::new() })
+    Ok(Draft { parts, regions, stable_steps, fractions: Vec::new(), thin: ThinPlaces::default() })
 }
 
 /// All forces but contact, with the constants of `body`; it is grabbed by the particles that are nearest at the start.
@@ -270,7 +265,7 @@ const PAST: f64 = 1.45;
 /// By what factor gas is stiffer where active springs have made the body as small as it ever gets: a body that is
 /// smaller by a factor s all over has `1 / s²` times the slope of its pressure by a move, in two dimensions and in three.
 fn squeeze(springs: &Springs, gas: &[Pressure], state: &ParticleState) -> f64 {
-    if gas.is_empty() {
+    if gas.is_empty() || !springs.is_active() {
         return 1.0;
     }
     let center = state.positions.iter().sum::<DVec3>() / state.len() as f64;

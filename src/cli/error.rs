@@ -3,6 +3,7 @@
 use crate::bake::BakeError;
 use crate::io::IoError;
 use crate::scene::{SceneError, one_line};
+use crate::sim::NotFinite;
 use crate::transfer::TransferError;
 use rayon::ThreadPoolBuildError;
 use std::io;
@@ -56,17 +57,8 @@ pub enum CliError {
         missing: Vec<PathBuf>,
     },
     /// A body in a state that can be neither drawn nor written.
-    #[error(
-        "body \"{}\": at {seconds:.6} s a point of it is no longer a finite number, so that it can be neither drawn nor \
-         written; take a smaller step (/time/step/automatic/safety), or look what its model holds with `sinew check`",
-        one_line(body)
-    )]
-    NotFinite {
-        /// Name of the body.
-        body: String,
-        /// When [s].
-        seconds: f64,
-    },
+    #[error(transparent)]
+    NotFinite(#[from] NotFinite),
     /// Options of pictures where none are made.
     #[error("--view, --size, --x-ray, --particles and --theme say how pictures look; give --png DIR to make some")]
     NoPicturesAsked,
@@ -219,7 +211,7 @@ impl From<TransferError> for CliError {
             TransferError::Fibre { which, problem } => Self::Fibre { which, problem },
             TransferError::NoBody { name, bodies } => Self::NoBody { name, bodies },
             TransferError::SeveralBodies { name, ids } => Self::SeveralBodies { name, ids },
-            TransferError::NotFinite { body, seconds } => Self::NotFinite { body, seconds },
+            TransferError::NotFinite(lost) => Self::NotFinite(lost),
             #[cfg(feature = "render")]
             TransferError::Render(error) => Self::Render(error),
             #[cfg(not(feature = "render"))]

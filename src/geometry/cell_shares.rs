@@ -1,5 +1,6 @@
 //! How much of a shape each particle of a lattice in it stands for: one at a surface seldom stands for a whole cell.
 
+use super::cell_map::CellMap;
 use super::lattice_fit::{FittedLattice, OWN_MOMENT, Target};
 use super::moments::Moments;
 use super::scanlines::Scanlines;
@@ -8,7 +9,7 @@ use faer::{Mat, Side};
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
 use std::array::from_fn;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What particles stand for, in cells.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,10 +21,11 @@ pub(crate) struct CellShares {
 }
 
 /// Rows through an eighth of a cell, the others being their images, and where there are so many particles that each
-/// weighs little.
+/// weighs little, or that more faces than this would have to be looked at.
 const ROWS: usize = 5;
 const FEW_ROWS: usize = 1;
 const MANY: usize = 60_000;
+const MOST_LOOKS: f64 = 16e6;
 
 /// A share that is nearer to one is one.
 const WHOLE: f64 = 1e-9;
@@ -40,7 +42,7 @@ const REACH: i32 = 2;
 /// The shares of the particles in these cells of a lattice in a shape; none where each stands for a whole cell.
 pub(crate) fn cell_shares(shape: &dyn Scanlines, lattice: &FittedLattice, cells: &[IVec3]) -> Option<CellShares> {
     let is_large = cells.len() > MANY;
-    let Pieces { all, whole, lost } = Pieces::of(shape, lattice, cells, if is_large { FEW_ROWS } else { ROWS });
+    let Pieces { all, whole, lost } = Pieces::of(shape, lattice, cells, is_large);
     let cell = lattice.spacings().element_product();
     let mut volumes = vec![0.0; cells.len()];
     for (i, volume) in all {
@@ -90,29 +92,36 @@ struct Pieces {
 impl Pieces {
     const NONE: Self = Self { all: Vec::new(), whole: Moments::NONE, lost: 0.0 };
 
-    /// By so many rows through an eighth of each cell.
-    fn of(shape: &dyn Scanlines, lattice: &FittedLattice, cells: &[IVec3], through: usize) -> Self {
-        let numbers: HashMap<IVec3, usize> = cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
+    /// By rows through each cell.
+    fn of(shape: &dyn Scanlines, lattice: &FittedLattice, cells: &[IVec3], is_large: bool) -> Self {
+        let numbers: CellMap<usize> = cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
         let (spacings, origin) = (lattice.spacings(), lattice.origin);
-        let within = places_within(through);
+        let rows = rows_near(shape, lattice, cells);
+        let is_dear = (rows.len() * 8 * ROWS) as f64 * shape.looks_a_row() > MOST_LOOKS;
+        let within = places_within(if is_large || is_dear { FEW_ROWS } else { ROWS });
         let section = spacings.y * spacings.z / within.len() as f64;
+        let steps = steps_within_reach(spacings);
         let of_row = |&[y, z]: &[i32; 2]| {
-            let mut row: BTreeMap<i32, Moments> = BTreeMap::new();
-            for place in &within {
-                let across = [spacings.y * (f64::from(y) + place[0]), spacings.z * (f64::from(z) + place[1])];
-                for [from, to] in shape.row(origin.y + across[0], origin.z + across[1]) {
-                    let [from, to] = [(from - origin.x) / spacings.x, (to - origin.x) / spacings.x];
+            let along = |x: f64| (x - origin.x) / spacings.x;
+            let crossed: Vec<([f64; 2], Vec<[f64; 2]>)> = within
+                .iter()
+                .map(|place| [spacings.y * (f64::from(y) + place[0]), spacings.z * (f64::from(z) + place[1])])
+                .map(|across| (across, shape.row(origin.y + across[0], origin.z + across[1])))
+                .map(|(across, row)| (across, row.into_iter().map(|ends| ends.map(along)).collect()))
+                .collect();
+            let mut row = Row::of(crossed.iter().flat_map(|(_, row)| row));
+            for (across, stretches) in crossed {
+                for [from, to] in stretches {
                     for x in (from + 0.5).floor() as i32..(to + 0.5).ceil() as i32 {
                         let ends = [from.max(f64::from(x) - 0.5), to.min(f64::from(x) + 0.5)];
-                        let piece = row.entry(x).or_insert(Moments::NONE);
-                        piece.add_stretch(ends.map(|end| spacings.x * end), across, section);
+                        row.cell(x).add_stretch(ends.map(|end| spacings.x * end), across, section);
                     }
                 }
             }
             let mut found = Self::NONE;
-            for (x, moments) in row.into_iter().filter(|(_, moments)| moments.volume > 0.0) {
+            for (x, moments) in row.cells().filter(|(_, moments)| moments.volume > 0.0) {
                 let cell = IVec3::new(x, y, z);
-                let nearest = numbers.get(&cell).map_or_else(|| nearest(cell, &numbers, spacings), |&i| vec![i]);
+                let nearest = numbers.get(&cell).map_or_else(|| nearest(cell, &numbers, &steps), |&i| vec![i]);
                 if nearest.is_empty() {
                     found.lost += moments.volume;
                 } else {
@@ -123,13 +132,57 @@ impl Pieces {
             }
             found
         };
-        let rows: Vec<Self> = rows_near(shape, lattice, cells).par_iter().map(of_row).collect();
+        let rows: Vec<Self> = rows.par_iter().map(of_row).collect();
         rows.into_iter().fold(Self::NONE, |mut sum, of| {
             sum.all.extend(of.all);
             sum.whole.add(&of.whole);
             sum.lost += of.lost;
             sum
         })
+    }
+}
+
+/// What lies in the cells of a row: side by side, or one by one where most of them are empty.
+enum Row {
+    Table(i32, Vec<Moments>),
+    Sorted(BTreeMap<i32, Moments>),
+}
+
+/// Cells for each stretch of a row that have room in a table, and some more.
+const ROOM: [i64; 2] = [16, 256];
+
+impl Row {
+    /// Room for stretches, in cells from the origin.
+    fn of<'a>(stretches: impl Iterator<Item = &'a [f64; 2]>) -> Self {
+        let (mut count, mut first, mut last) = (0, i32::MAX, i32::MIN);
+        for [from, to] in stretches {
+            count += 1;
+            first = first.min((from + 0.5).floor() as i32);
+            last = last.max((to + 0.5).ceil() as i32);
+        }
+        let length = i64::from(last) - i64::from(first);
+        if length <= ROOM[0] * count + ROOM[1] {
+            Self::Table(first, vec![Moments::NONE; length.max(0) as usize])
+        } else {
+            Self::Sorted(BTreeMap::new())
+        }
+    }
+
+    fn cell(&mut self, x: i32) -> &mut Moments {
+        match self {
+            Self::Table(first, cells) => &mut cells[(x - *first) as usize],
+            Self::Sorted(cells) => cells.entry(x).or_insert(Moments::NONE),
+        }
+    }
+
+    /// All of them, in order.
+    fn cells(self) -> Box<dyn Iterator<Item = (i32, Moments)>> {
+        match self {
+            Self::Table(first, cells) => {
+                Box::new((0_i32..).zip(cells).map(move |(k, cell)| (first.wrapping_add(k), cell)))
+            }
+            Self::Sorted(cells) => Box::new(cells.into_iter()),
+        }
     }
 }
 
@@ -157,19 +210,25 @@ fn rows_near(shape: &dyn Scanlines, lattice: &FittedLattice, cells: &[IVec3]) ->
     near.into_iter().map(|[z, y]| [y, z]).collect()
 }
 
+/// Steps to the cells within reach of one, the nearest first, with their lengths [m].
+fn steps_within_reach(spacings: DVec3) -> Vec<(f64, IVec3)> {
+    let along = || -REACH..=REACH;
+    let steps = along().flat_map(|z| along().flat_map(move |y| along().map(move |x| IVec3::new(x, y, z))));
+    let mut steps: Vec<(f64, IVec3)> = steps.map(|step| ((spacings * step.as_dvec3()).length(), step)).collect();
+    steps.sort_by(|a, b| a.0.total_cmp(&b.0));
+    steps
+}
+
 /// The particles that lie nearest to a cell without one.
-fn nearest(cell: IVec3, numbers: &HashMap<IVec3, usize>, spacings: DVec3) -> Vec<usize> {
+fn nearest(cell: IVec3, numbers: &CellMap<usize>, steps: &[(f64, IVec3)]) -> Vec<usize> {
     let mut least = f64::INFINITY;
     let mut found = Vec::new();
-    let along = || -REACH..=REACH;
-    for step in along().flat_map(|z| along().flat_map(move |y| along().map(move |x| IVec3::new(x, y, z)))) {
-        let Some(&i) = numbers.get(&(cell + step)) else { continue };
-        let distance = (spacings * step.as_dvec3()).length();
-        if distance < least * (1.0 - 1e-9) {
-            least = distance;
-            found.clear();
+    for &(distance, step) in steps {
+        if distance >= least * (1.0 + 1e-9) {
+            break;
         }
-        if distance < least * (1.0 + 1e-9) {
+        if let Some(&i) = numbers.get(&(cell + step)) {
+            least = least.min(distance);
             found.push(i);
         }
     }

@@ -1,14 +1,29 @@
 //! Where a surface passes through itself.
 
 use super::bvh::{Bvh, Node};
+use super::progress::GoOn;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 
 /// Pairs of faces that pass through each other.
 ///
 /// Neighbours that only touch do not count, nor do faces that lie in one plane: what matters is whether the surface
 /// has an inside, and touching leaves it one.
 pub(crate) fn crossing_pairs(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> Vec<[u32; 2]> {
+    match crossing_pairs_unless(points, faces, bvh, &mut || ControlFlow::Continue(())) {
+        ControlFlow::Continue(pairs) => pairs,
+        ControlFlow::Break(()) => unreachable!("nothing stops it"),
+    }
+}
+
+/// [`crossing_pairs`]; `go_on` is asked from time to time.
+pub(crate) fn crossing_pairs_unless(
+    points: &[DVec3],
+    faces: &[[u32; 3]],
+    bvh: &Bvh,
+    go_on: &mut GoOn<'_>,
+) -> ControlFlow<(), Vec<[u32; 2]>> {
     // Most faces of leaves that meet do not: their boxes tell.
     let boxes: Vec<[DVec3; 2]> = faces
         .par_iter()
@@ -25,8 +40,16 @@ pub(crate) fn crossing_pairs(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) ->
         let pairs = left.iter().enumerate().flat_map(move |(k, &a)| right[from(k)..].iter().map(move |&b| [a, b]));
         pairs.filter(|&[a, b]| meet(a, b) && crosses(points, faces[a as usize], faces[b as usize]))
     };
-    near_leaves(points, faces, bvh).par_iter().flat_map_iter(of_leaves).collect()
+    let mut pairs = Vec::new();
+    for leaves in near_leaves(points, faces, bvh).chunks(AT_ONCE) {
+        go_on()?;
+        pairs.par_extend(leaves.par_iter().flat_map_iter(of_leaves));
+    }
+    ControlFlow::Continue(pairs)
 }
+
+/// Pairs of leaves after which it is asked whether to go on.
+const AT_ONCE: usize = 100_000;
 
 /// Pairs of leaves whose faces may cross.
 fn near_leaves(points: &[DVec3], faces: &[[u32; 3]], bvh: &Bvh) -> Vec<[u32; 2]> {

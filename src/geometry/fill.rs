@@ -5,6 +5,7 @@
 //! dominates every other error there, so the search is worth its time.
 
 use super::placement::{Filling, LatticePlacement, collect, looked_at, placements, prune, with_shares};
+use super::progress::Progress;
 use super::solid::Solid;
 use super::two_layers::{BOX_SHARE, FINER_TRIES, two_layer_spacing};
 use std::ops::ControlFlow;
@@ -106,16 +107,13 @@ pub fn fill(solid: &Solid, resolution: FillResolution, reach: f64, limit: usize)
     fill_with_progress(solid, resolution, reach, limit, &mut |_, _| ControlFlow::Continue(()))
 }
 
-/// Hears how many of how many lattices were tried, at most; breaks off what is no longer wanted.
-pub(crate) type FillProgress<'a> = dyn FnMut(usize, usize) -> ControlFlow<()> + 'a;
-
 /// Lattices that may be tried: at every spacing, those that come to the final, and those of two layers.
 const LATTICES: usize = 2 * STEPS as usize + 1 + FINALISTS + FINER_TRIES as usize;
 
 /// How many of them were tried.
 struct Tried<'a, 'b> {
     done: usize,
-    progress: &'a mut FillProgress<'b>,
+    progress: &'a mut Progress<'b>,
 }
 
 impl Tried<'_, '_> {
@@ -139,7 +137,7 @@ pub(crate) fn fill_with_progress(
     resolution: FillResolution,
     reach: f64,
     limit: usize,
-    progress: &mut FillProgress<'_>,
+    progress: &mut Progress<'_>,
 ) -> Result<Filling, FillError> {
     let spacing = match resolution {
         FillResolution::Spacing(spacing) => spacing,

@@ -1,10 +1,11 @@
 //! How many particles a solid takes so that its thin parts have two layers of them.
 
-use super::fill::{FillError, FillResolution, fill};
+use super::fill::{FillError, FillResolution, fill_with_progress};
+use super::progress::Progress;
 use super::solid::Solid;
-use super::thickness::Thickness;
 use glam::DVec3;
 use std::fmt;
+use std::ops::ControlFlow;
 
 /// How finely a solid is filled that nobody has said anything about.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,22 +64,32 @@ const MOST: usize = 2_000_000;
 
 /// How finely a solid is filled that nobody has said anything about; `reach` is the support radius over the spacing.
 pub(crate) fn by_itself(solid: &Solid, reach: f64) -> Fineness {
+    match by_itself_unless(solid, reach, &mut |_, _| ControlFlow::Continue(())) {
+        ControlFlow::Continue(found) => found,
+        ControlFlow::Break(()) => unreachable!("nothing stops it"),
+    }
+}
+
+/// [`by_itself`]; `progress` breaks off what is no longer wanted.
+pub(crate) fn by_itself_unless(solid: &Solid, reach: f64, progress: &mut Progress<'_>) -> ControlFlow<(), Fineness> {
+    progress(0, 1)?;
     let found = fineness(solid, BY_ITSELF);
     if found.given_up.is_none() {
-        return found;
+        return ControlFlow::Continue(found);
     }
-    match fill(solid, FillResolution::Particles(found.particles), reach, MOST) {
+    match fill_with_progress(solid, FillResolution::Particles(found.particles), reach, MOST, progress) {
+        Err(FillError::Cancelled) => ControlFlow::Break(()),
         Err(FillError::TooThin { suggested: Some(spacing), .. }) if solid.particles_at(spacing) <= MOST_FORCED => {
-            Fineness { particles: solid.particles_at(spacing), is_forced: true, ..found }
+            ControlFlow::Continue(Fineness { particles: solid.particles_at(spacing), is_forced: true, ..found })
         }
-        _ => found,
+        _ => ControlFlow::Continue(found),
     }
 }
 
 /// As few particles as give every part of a solid two layers: from `least` to `usual`, and up to `most` of them where
 /// much of it would be lost otherwise.
 fn fineness(solid: &Solid, [least, usual, most]: [u32; 3]) -> Fineness {
-    let found = Thickness::of(solid);
+    let found = solid.thickness();
     let Some(thickness) = found.of_all_but(RIMS) else {
         return Fineness { particles: least, given_up: None, is_forced: false };
     };
@@ -111,6 +122,7 @@ impl fmt::Display for ThinParts {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::fill::fill;
     use crate::geometry::lattice::Cuboid;
     use crate::geometry::mesh::box_surface;
     use crate::geometry::model::{MeshData, Model};

@@ -130,7 +130,7 @@ impl OpenSurface {
     /// Looks at rows through (y, z) that will be asked for again.
     pub(crate) fn remember(&mut self, rows: &[[f64; 2]]) {
         let found: Vec<OpenRow> = rows.par_iter().map(|&row| self.look(row)).collect();
-        self.known = rows.iter().map(|row| row.map(f64::to_bits)).zip(found).collect();
+        self.known.extend(rows.iter().map(|row| row.map(f64::to_bits)).zip(found));
     }
 
     /// Forgets those rows.

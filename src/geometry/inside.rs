@@ -4,10 +4,12 @@
 //! around a point more than half a time. It is asked for row by row.
 
 use super::holes::OpenSurface;
+use super::progress::GoOn;
 use super::row_index::RowIndex;
 use super::scanline::{crossings, crossings_within, inside_stretches, joined};
 use glam::DVec3;
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 
 /// What is inside of a surface.
 #[derive(Clone, Debug, Default)]
@@ -40,6 +42,9 @@ pub(crate) struct Measured {
     pub doubtful: f64,
 }
 
+/// Rows after which it is asked whether to go on.
+const AT_ONCE: usize = 512;
+
 impl Inside {
     /// Sorts oriented faces: those of all closed pieces, each with the span of its piece along x [m], and those with
     /// holes, a surface for each group of pieces.
@@ -67,6 +72,12 @@ impl Inside {
         open.fold(closed, |all, open| joined(all, open.row(row).inside))
     }
 
+    /// How often the closed pieces turn around a point.
+    pub(crate) fn turns_around(&self, points: &[DVec3], point: DVec3) -> i32 {
+        let crossings = crossings_within(points, &self.faces, &self.index, [point.y, point.z], [point.x; 2]);
+        crossings.iter().take_while(|(x, _)| *x < point.x).map(|(_, step)| step).sum()
+    }
+
     /// Faces of closed pieces that a row looks at, on average.
     pub(crate) fn faces_a_row(&self) -> f64 {
         self.index.faces_a_row()
@@ -79,9 +90,13 @@ impl Inside {
     }
 
     /// Looks at rows through the surfaces with holes that [`Self::measure`] is going to ask for several times over.
-    pub(crate) fn remember(&mut self, bounds: [DVec3; 2], rows: usize) {
+    pub(crate) fn remember(&mut self, bounds: [DVec3; 2], rows: usize, go_on: &mut GoOn<'_>) -> ControlFlow<()> {
         let rows: Vec<[f64; 2]> = (0..rows).map(|k| row_at(k, bounds)).collect();
-        self.open.iter_mut().for_each(|open| open.remember(&rows));
+        for rows in rows.chunks(AT_ONCE) {
+            go_on()?;
+            self.open.iter_mut().for_each(|open| open.remember(rows));
+        }
+        ControlFlow::Continue(())
     }
 
     /// Forgets those rows.
@@ -96,24 +111,42 @@ impl Inside {
 
     /// What pieces share, so that it counts once, and what is doubtful, within a box that holds whole pieces: summed
     /// over so many rows, spread evenly.
-    pub(crate) fn measure(&self, points: &[DVec3], [min, max]: [DVec3; 2], rows: usize) -> Measured {
-        let sums = self.count(points, [min, max], rows);
+    pub(crate) fn measure(
+        &self,
+        points: &[DVec3],
+        [min, max]: [DVec3; 2],
+        rows: usize,
+        go_on: &mut GoOn<'_>,
+    ) -> ControlFlow<(), Measured> {
+        let sums = self.count(points, [min, max], rows, go_on)?;
         let differs = sums.overlaps || !self.open.is_empty();
         // Without any overlap the two differ by round-off only.
-        Measured { shared: if differs { sums.turned - sums.inside } else { 0.0 }, doubtful: sums.doubtful }
+        let shared = if differs { sums.turned - sums.inside } else { 0.0 };
+        ControlFlow::Continue(Measured { shared, doubtful: sums.doubtful })
     }
 
     /// Sums over rows that are spread evenly over a box.
-    fn count(&self, points: &[DVec3], [min, max]: [DVec3; 2], rows: usize) -> CountedRow {
-        let found: Vec<CountedRow> =
-            (0..rows).into_par_iter().map(|k| self.counted(points, row_at(k, [min, max]), [min, max])).collect();
+    fn count(
+        &self,
+        points: &[DVec3],
+        [min, max]: [DVec3; 2],
+        rows: usize,
+        go_on: &mut GoOn<'_>,
+    ) -> ControlFlow<(), CountedRow> {
+        let mut found: Vec<CountedRow> = Vec::with_capacity(rows);
+        for first in (0..rows).step_by(AT_ONCE) {
+            go_on()?;
+            let these = (first..rows.min(first + AT_ONCE)).into_par_iter();
+            found.par_extend(these.map(|k| self.counted(points, row_at(k, [min, max]), [min, max])));
+        }
         let area = (max.y - min.y) * (max.z - min.z) / rows as f64;
-        found.iter().fold(CountedRow::default(), |sum, row| CountedRow {
+        let sums = found.iter().fold(CountedRow::default(), |sum, row| CountedRow {
             inside: sum.inside + area * row.inside,
             turned: sum.turned + area * row.turned,
             doubtful: sum.doubtful + area * row.doubtful,
             overlaps: sum.overlaps || row.overlaps,
-        })
+        });
+        ControlFlow::Continue(sums)
     }
 
     fn counted(&self, points: &[DVec3], row: [f64; 2], [min, max]: [DVec3; 2]) -> CountedRow {

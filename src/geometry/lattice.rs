@@ -1,10 +1,10 @@
 //! Filling a shape with points on a cubic lattice.
 
+use super::cell_map::CellMap;
 use super::whole_layers::{price, stretch_to, whole_changes};
 use glam::{DMat3, DVec3, IVec3};
 use std::array::from_fn;
 use std::borrow::Cow;
-use std::collections::HashMap;
 
 /// The corners of a cell.
 pub(crate) const CORNERS: [IVec3; 8] = [
@@ -186,7 +186,7 @@ impl LatticeSample {
 
     /// [`Self::pieces`]; none where `stop`, asked again and again, says that they are no longer wanted.
     pub(crate) fn pieces_unless(&self, stop: &mut dyn FnMut() -> bool) -> Option<(Vec<usize>, usize)> {
-        let index: HashMap<IVec3, usize> = self.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
+        let index: CellMap<usize> = self.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
         let mut seen = 0_usize;
         let mut piece = vec![usize::MAX; self.cells.len()];
         let mut count = 0;

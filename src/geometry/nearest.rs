@@ -2,6 +2,7 @@
 
 use super::bvh::{Bvh, Node};
 use super::closest::closest_on_triangle;
+use super::slabs::Slabs;
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -78,15 +79,15 @@ pub(crate) fn nearest_face(
     bvh: &Bvh,
     x: DVec3,
 ) -> Option<(u32, [f64; 3], DVec3)> {
-    nearest_face_within(points, faces, bvh, x, f64::INFINITY)
+    nearest_face_by(points, faces, (bvh, None), x, f64::INFINITY)
 }
 
-/// [`nearest_face`], if it is nearer than a distance [m]. What is about as far from everywhere, as the middle of a ball
-/// is, is found soon to be so.
-pub(crate) fn nearest_face_within(
+/// [`nearest_face`], if it is nearer than a distance [m], sooner with the slabs of the tree's leaves. What is about as
+/// far from everywhere, as the middle of a ball is, is found soon to be so.
+pub(crate) fn nearest_face_by(
     points: &[DVec3],
     faces: &[[u32; 3]],
-    bvh: &Bvh,
+    (bvh, slabs): (&Bvh, Option<&Slabs>),
     x: DVec3,
     distance: f64,
 ) -> Option<(u32, [f64; 3], DVec3)> {
@@ -103,6 +104,9 @@ pub(crate) fn nearest_face_within(
             // The nearer child is looked at first: it mostly rules the other one out.
             children.sort_by(|a, b| b.0.total_cmp(&a.0));
             open.extend(children);
+            continue;
+        }
+        if slabs.is_some_and(|slabs| slabs.distance(index, x).max(0.0).powi(2) > least) {
             continue;
         }
         for &face in bvh.triangles(index) {
@@ -170,8 +174,12 @@ mod tests {
             let x = 2.0 * DVec3::new((1.3 * k).sin(), (2.1 * k).cos(), (0.7 * k).sin());
             let found = nearest_face(points, faces, bvh, x).expect("a surface");
             let distance = x.distance(found.2);
-            assert_eq!(nearest_face_within(points, faces, bvh, x, 1.01 * distance), Some(found));
-            assert_eq!(nearest_face_within(points, faces, bvh, x, 0.99 * distance), None);
+            assert_eq!(nearest_face_by(points, faces, (bvh, None), x, 1.01 * distance), Some(found));
+            assert_eq!(nearest_face_by(points, faces, (bvh, None), x, 0.99 * distance), None);
+            let slabs = Slabs::new(points, faces, bvh);
+            for within in [f64::INFINITY, 1.01 * distance] {
+                assert_eq!(nearest_face_by(points, faces, (bvh, Some(&slabs)), x, within), Some(found));
+            }
         }
     }
 

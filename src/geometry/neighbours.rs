@@ -1,20 +1,20 @@
 //! Fixed-radius neighbour search over points that do not move.
 
+use super::cell_map::CellMap;
 use glam::{DVec3, IVec3};
-use std::collections::HashMap;
 
 /// Points sorted into cells of one search radius.
 #[derive(Clone, Debug)]
 pub(crate) struct PointGrid<'a> {
     points: &'a [DVec3],
     radius: f64,
-    cells: HashMap<IVec3, Vec<u32>>,
+    cells: CellMap<Vec<u32>>,
 }
 
 impl<'a> PointGrid<'a> {
     /// Sorts `points` for searches within `radius` [m].
     pub(crate) fn new(points: &'a [DVec3], radius: f64) -> Self {
-        let mut cells: HashMap<IVec3, Vec<u32>> = HashMap::new();
+        let mut cells: CellMap<Vec<u32>> = CellMap::default();
         for (i, &point) in points.iter().enumerate() {
             cells.entry(cell_of(point, radius)).or_default().push(i as u32);
         }

@@ -20,6 +20,8 @@ pub struct Filling {
     pub thinness: Thinness,
     /// Lattice points inside that were left out because too few others are around them to hold them.
     pub pruned: usize,
+    /// Those [m].
+    pub(crate) left_out: Vec<DVec3>,
     /// What each particle stands for; a whole cell where nothing is said.
     pub(crate) shares: Option<CellShares>,
 }
@@ -154,7 +156,9 @@ pub(crate) fn prune(solid: &Solid, mut sample: LatticeSample, reach: f64) -> Fil
     let before = sample.points.len();
     let (mut found, mut stray) = thinness(&sample.cells, reach);
     // Without the strays others may be strays: at a needle, all of them in turn.
+    let mut left_out = Vec::new();
     while stray.iter().any(|&stray| stray) {
+        left_out.extend(sample.points.iter().zip(&stray).filter(|(_, stray)| **stray).map(|(&at, _)| at));
         let mut keep = stray.iter().map(|stray| !stray);
         sample.points.retain(|_| keep.next().unwrap_or(true));
         let mut keep = stray.iter().map(|stray| !stray);
@@ -162,7 +166,8 @@ pub(crate) fn prune(solid: &Solid, mut sample: LatticeSample, reach: f64) -> Fil
         (found, stray) = thinness(&sample.cells, reach);
     }
     let volume_error = sample.points.len() as f64 * sample.cell_volume() / solid.volume - 1.0;
-    Filling { volume_error, thinness: found, pruned: before - sample.points.len(), shares: None, sample }
+    let pruned = before - sample.points.len();
+    Filling { volume_error, thinness: found, pruned, left_out, shares: None, sample }
 }
 
 /// Rows through a surface with holes from which on the parts of its cells are not measured.

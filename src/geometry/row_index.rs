@@ -20,6 +20,8 @@ pub(crate) struct RowIndex {
     spans: Vec<[f64; 2]>,
     /// The longest span in every cell [m].
     longest: Vec<f64>,
+    /// Least and greatest corner of every face [m]: what tells of most of them that a row passes them by.
+    bounds: Vec<[DVec2; 2]>,
 }
 
 /// Share of the extent by which faces are taken for wider: round-off in the test of a row against an edge is far less.
@@ -143,6 +145,7 @@ impl RowIndex {
             }
         }
         self.starts = starts;
+        self.bounds = seen.iter().map(|seen| [seen.min, seen.max]).collect();
     }
 
     /// Faces that a row looks at, on average over the rows that look at any.
@@ -166,7 +169,7 @@ impl RowIndex {
     /// Calls `found` for every face that the row through (y, z) may meet, in order.
     pub(crate) fn visit(&self, row: [f64; 2], mut found: impl FnMut(u32)) {
         if let Some(cell) = self.cell_of(row) {
-            self.faces_in(cell).iter().for_each(|&face| found(face));
+            self.faces_in(cell).iter().filter(|&&face| self.may_meet(face, row)).for_each(|&face| found(face));
         }
     }
 
@@ -181,10 +184,15 @@ impl RowIndex {
         let least = from - self.longest[cell] - WIDER * from.abs();
         let first = faces.partition_point(|&face| span(face)[0] < least);
         for &face in faces[first..].iter().take_while(|&&face| span(face)[0] <= to) {
-            if span(face)[1] >= from {
+            if span(face)[1] >= from && self.may_meet(face, row) {
                 found(face);
             }
         }
+    }
+
+    fn may_meet(&self, face: u32, [y, z]: [f64; 2]) -> bool {
+        let [min, max] = self.bounds[face as usize];
+        min.x <= y && y <= max.x && min.y <= z && z <= max.y
     }
 
     /// The cell into which a row looks; none where it passes all faces.

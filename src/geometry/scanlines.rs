@@ -14,9 +14,18 @@ pub(crate) trait Scanlines: Sync {
     /// Stretches of the row through (y, z) along x that lie inside [m], in order.
     fn row(&self, y: f64, z: f64) -> Vec<[f64; 2]>;
 
+    /// What a row costs, in faces that are looked at.
+    fn looks_a_row(&self) -> f64 {
+        1.0
+    }
+
     /// Calls `found` with the unit normal of every flat face, a point of it [m] and its area [m²].
     fn visit_faces(&self, found: &mut dyn FnMut(DVec3, DVec3, f64));
 }
+
+/// What a row costs beside the faces that it looks at; where there are holes far fields are looked at.
+const CLOSED_ROW: f64 = 8.0;
+const OPEN_ROW: f64 = 400.0;
 
 impl Scanlines for Solid {
     fn bounds(&self) -> [DVec3; 2] {
@@ -29,6 +38,11 @@ impl Scanlines for Solid {
 
     fn row(&self, y: f64, z: f64) -> Vec<[f64; 2]> {
         self.scanline(y, z)
+    }
+
+    fn looks_a_row(&self) -> f64 {
+        let own = if self.report.closed { CLOSED_ROW } else { OPEN_ROW };
+        own + self.faces_a_row()
     }
 
     fn visit_faces(&self, found: &mut dyn FnMut(DVec3, DVec3, f64)) {

@@ -5,8 +5,10 @@ use super::holes::OpenSurface;
 use super::inside::{Inside, Measured};
 use super::model_report::Refusal;
 use super::orient::Piece;
+use super::progress::GoOn;
 use super::weld::Welded;
 use glam::DVec3;
+use std::ops::ControlFlow;
 
 /// Volume below this share of that of a cube of a piece's diagonal counts as none.
 pub(crate) const NO_VOLUME: f64 = 1e-9;
@@ -42,14 +44,14 @@ struct Tried {
     doubt: f64,
 }
 
-/// Sorts the pieces of an oriented surface.
-pub(crate) fn sort(surface: &Welded, pieces: &[Piece]) -> Sorted {
+/// Sorts the pieces of an oriented surface; `go_on` is asked from time to time.
+pub(crate) fn sort(surface: &Welded, pieces: &[Piece], go_on: &mut GoOn<'_>) -> ControlFlow<(), Sorted> {
     let mut sorted = Sorted::default();
     let is_empty =
         |piece: &Piece| piece.closed && piece.volume.abs() <= NO_VOLUME * (piece.max - piece.min).length().powi(3);
     sorted.nothing = (0..pieces.len()).filter(|&index| is_empty(&pieces[index])).collect();
     for group in clusters(pieces, |index| !pieces[index].closed) {
-        let tried = best(surface, pieces, &group);
+        let tried = best(surface, pieces, &group, go_on)?;
         if tried.doubt > TOO_DOUBTFUL {
             sorted.refused_doubt = Some(sorted.refused_doubt.unwrap_or(0.0).max(tried.doubt));
             sorted.nothing.extend(group.pieces);
@@ -61,7 +63,7 @@ pub(crate) fn sort(surface: &Welded, pieces: &[Piece]) -> Sorted {
         }
     }
     sorted.nothing.sort_unstable();
-    sorted
+    ControlFlow::Continue(sorted)
 }
 
 impl Sorted {
@@ -75,17 +77,18 @@ impl Sorted {
 }
 
 /// The pieces of a group that tell inside from outside most clearly: all of them, or those that are no sheets.
-fn best(surface: &Welded, pieces: &[Piece], group: &Cluster) -> Tried {
-    let all = tried(surface, pieces, group.pieces.clone());
+fn best(surface: &Welded, pieces: &[Piece], group: &Cluster, go_on: &mut GoOn<'_>) -> ControlFlow<(), Tried> {
+    let all = tried(surface, pieces, group.pieces.clone(), go_on)?;
     let bent: Vec<usize> = group.pieces.iter().copied().filter(|&index| !pieces[index].sheet).collect();
     if bent.is_empty() || bent.len() == group.pieces.len() || all.doubt == 0.0 {
-        return all;
+        return ControlFlow::Continue(all);
     }
-    let without = tried(surface, pieces, bent);
-    if without.doubt < all.doubt { without } else { all }
+    let without = tried(surface, pieces, bent, go_on)?;
+    ControlFlow::Continue(if without.doubt < all.doubt { without } else { all })
 }
 
-fn tried(surface: &Welded, pieces: &[Piece], chosen: Vec<usize>) -> Tried {
+fn tried(surface: &Welded, pieces: &[Piece], chosen: Vec<usize>, go_on: &mut GoOn<'_>) -> ControlFlow<(), Tried> {
+    go_on()?;
     let points = &surface.points;
     let every = || chosen.iter().map(|&index| &pieces[index]);
     let faces: Vec<[u32; 3]> =
@@ -98,11 +101,11 @@ fn tried(surface: &Welded, pieces: &[Piece], chosen: Vec<usize>) -> Tried {
     let capped_volume = surface.capped_volume(min);
     let mut alone = Inside::new(points, <(Vec<_>, Vec<_>)>::default(), vec![surface]);
     // Where these are all the pieces there are their volume is measured along the same rows and some more.
-    alone.remember([min, max], rows);
-    let measured = alone.measure(points, [min, max], rows);
+    alone.remember([min, max], rows, go_on)?;
+    let measured = alone.measure(points, [min, max], rows, go_on)?;
     let volume = (capped_volume - measured.shared).min((max - min).element_product());
     let encloses = volume > NO_VOLUME * (max - min).length().powi(3);
     let doubt = if encloses { (measured.doubtful / volume).min(1.0) } else { 1.0 };
     let surface = alone.into_open().swap_remove(0);
-    Tried { pieces: chosen, surface, volume, measured, doubt }
+    ControlFlow::Continue(Tried { pieces: chosen, surface, volume, measured, doubt })
 }

@@ -2,17 +2,21 @@
 
 use super::bvh::Bvh;
 use super::cluster::{Cluster, clusters};
-use super::crossing::crossing_pairs;
+use super::crossing::crossing_pairs_unless;
 use super::edges::{Edges, count_loops};
 use super::holes::OpenSurface;
 use super::inside::Inside;
 use super::model::Model;
 use super::model_report::{LeftOut, ModelReport, Refusal};
 use super::orient::{Orientation, area, orientation};
+use super::progress::{GoOn, Progress, Steps};
 use super::sheets::{NO_VOLUME, Sorted, sort};
+use super::thickness_shares::Thickness;
 use super::weld::Welded;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::ops::ControlFlow;
+use std::sync::OnceLock;
 
 /// A model with an inside.
 #[derive(Clone, Debug)]
@@ -32,6 +36,8 @@ pub struct Solid {
     /// Groups of pieces whose boxes touch.
     clusters: Vec<Cluster>,
     inside: Inside,
+    /// How thick it is, where that was asked.
+    pub(super) known_thickness: OnceLock<Thickness>,
 }
 
 /// Coordinates beyond this are taken for damage [m]: their cubes, and sums of those, must stay far from the greatest
@@ -40,6 +46,9 @@ const LARGEST: f64 = 1e9;
 
 /// Open edges closer than this share of the diagonal are gaps that were never meant.
 const GAP: f64 = 1e-5;
+
+/// Steps in which a model is checked.
+const STEPS: usize = 8;
 
 /// Rows along which what pieces share is measured, in all; for each face of a group that is measured, and the least for
 /// a group.
@@ -53,25 +62,42 @@ impl Solid {
     /// # Errors
     /// [`Refusal`] where nothing can be filled.
     pub fn new(model: &Model) -> Result<Self, Refusal> {
+        match Self::with_progress(model, &mut |_, _| ControlFlow::Continue(())) {
+            ControlFlow::Continue(checked) => checked,
+            ControlFlow::Break(()) => unreachable!("nothing stops it"),
+        }
+    }
+
+    /// [`Self::new`], and `progress` hears how far it has come; it breaks off what is no longer wanted, and is not
+    /// asked again then.
+    pub(crate) fn with_progress(model: &Model, progress: &mut Progress<'_>) -> ControlFlow<(), Result<Self, Refusal>> {
         let mut report = ModelReport { reading: model.notes.clone(), ..ModelReport::default() };
         let model = without_lost(model, &mut report);
-        Self::of_usable(model, report)
+        Self::of_usable(model, report, &mut Steps::new(STEPS, progress))
     }
 
     /// Leaves out the pieces that enclose nothing and begins again without them: they are not to count for the extents
     /// either.
-    fn of_usable(model: Model, mut report: ModelReport) -> Result<Self, Refusal> {
+    fn of_usable(
+        model: Model,
+        mut report: ModelReport,
+        steps: &mut Steps<'_, '_>,
+    ) -> ControlFlow<(), Result<Self, Refusal>> {
         if model.triangles.is_empty() {
-            return Err(Refusal::NoFaces { lost_faces: report.lost_faces });
+            return ControlFlow::Continue(Err(Refusal::NoFaces { lost_faces: report.lost_faces }));
         }
+        steps.reach(0)?;
         let mut surface = Welded::new(&model);
+        steps.reach(1)?;
         let as_given = report.clone();
         drop_duplicates(&mut surface, &mut report);
         let (min, max) = bounds(&surface.points);
         close_gaps(&mut surface, GAP * (max - min).length(), &mut report);
 
+        steps.reach(2)?;
         let edges = Edges::new(&surface.faces);
         let bvh = Bvh::new(&surface.points, &surface.faces);
+        steps.reach(3)?;
         let oriented = orientation(&surface.points, &surface.faces, &edges);
         let open: Vec<_> = edges.open().collect();
         report.open_edges = open.len();
@@ -83,9 +109,10 @@ impl Solid {
                 face.swap(1, 2);
             }
         }
-        let sorted = sort(&surface, &oriented.pieces);
+        steps.reach(4)?;
+        let sorted = sort(&surface, &oriented.pieces, &mut || steps.ask())?;
         if sorted.nothing.len() == oriented.pieces.len() {
-            return Err(sorted.refusal(report.open_edges, report.holes));
+            return ControlFlow::Continue(Err(sorted.refusal(report.open_edges, report.holes)));
         }
         if !sorted.nothing.is_empty() {
             return Self::of_usable(
@@ -94,6 +121,7 @@ impl Solid {
                     left_out: as_given.left_out.with(left_out(&model, &surface, &oriented, &sorted)),
                     ..as_given
                 },
+                steps,
             );
         }
         report.closed = sorted.open.is_empty();
@@ -111,7 +139,8 @@ impl Solid {
         if sorted.volume > 0.0 {
             report.doubtful = sorted.doubtful / sorted.volume;
         }
-        let crossings = crossing_pairs(&surface.points, &surface.faces, &bvh);
+        steps.reach(5)?;
+        let crossings = crossing_pairs_unless(&surface.points, &surface.faces, &bvh, &mut || steps.ask())?;
         report.crossings = crossings.len();
         // Pieces that may share places with themselves.
         let mut crowded = vec![false; oriented.pieces.len()];
@@ -119,16 +148,21 @@ impl Solid {
         for face in crossed.chain(edges.crowded().flatten().map(|half| half.face)) {
             crowded[oriented.piece_of[face as usize] as usize] = true;
         }
+        steps.reach(6)?;
         let clusters = clusters(&oriented.pieces, |_| true);
         let inside = inside(&surface, &oriented, sorted.open);
-        let mut this = Self { model, surface, report, min, max, volume: 0.0, clusters, inside };
-        this.measure(&oriented, &crowded);
+        let mut this =
+            Self { model, surface, report, min, max, volume: 0.0, clusters, inside, known_thickness: OnceLock::new() };
+        steps.reach(7)?;
+        this.measure(&oriented, &crowded, &mut || steps.ask())?;
         this.inside.forget();
+        steps.reach(STEPS)?;
         let room: f64 = this.boxes().map(|[min, max]| (max - min).length().powi(3)).sum();
         if this.volume > NO_VOLUME * room {
-            return Ok(this);
+            return ControlFlow::Continue(Ok(this));
         }
-        Err(Refusal::NothingInside { open_edges: this.report.open_edges, holes: this.report.holes })
+        let ModelReport { open_edges, holes, .. } = this.report;
+        ControlFlow::Continue(Err(Refusal::NothingInside { open_edges, holes }))
     }
 
     /// Stretches of the row through (y, z) along x that lie inside [m].
@@ -151,6 +185,11 @@ impl Solid {
         self.scanline_within([point.y, point.z], [point.x; 2]).iter().any(|[from, to]| (*from..=*to).contains(&point.x))
     }
 
+    /// How many closed pieces turn around a point, cavities counting against them; none where there are open ones.
+    pub(crate) fn turns_around(&self, point: DVec3) -> Option<i32> {
+        self.report.closed.then(|| self.inside.turns_around(&self.surface.points, point))
+    }
+
     /// Boxes outside of which nothing is inside: least and greatest corners [m].
     pub(crate) fn boxes(&self) -> impl Iterator<Item = [DVec3; 2]> {
         self.clusters.iter().map(|cluster| [cluster.min, cluster.max])
@@ -169,7 +208,7 @@ impl Solid {
 
     /// What the faces enclose follows from their corners; what several pieces share counts once, and is measured along
     /// rows wherever pieces may.
-    fn measure(&mut self, oriented: &Orientation, crowded: &[bool]) {
+    fn measure(&mut self, oriented: &Orientation, crowded: &[bool], go_on: &mut GoOn<'_>) -> ControlFlow<()> {
         let pieces = &oriented.pieces;
         let points = &self.surface.points;
         let may_share = |cluster: &Cluster| {
@@ -190,7 +229,7 @@ impl Solid {
                 let is_open = cluster.pieces.iter().any(|&index| !pieces[index].closed);
                 let most = if is_open { LEAST_ROWS } else { ROWS * faces(cluster) / measured };
                 let rows = (ROWS_EACH * faces(cluster)).min(most).max(LEAST_ROWS);
-                let found = self.inside.measure(points, bounds, rows as usize);
+                let found = self.inside.measure(points, bounds, rows as usize, go_on)?;
                 let caps = self.inside.capped_volume(bounds);
                 if found.shared != 0.0 || caps != 0.0 {
                     all = (all + caps - found.shared).min((cluster.max - cluster.min).element_product());
@@ -203,6 +242,7 @@ impl Solid {
         if self.report.closed {
             self.report.shared = shared / volume;
         }
+        ControlFlow::Continue(())
     }
 }
 

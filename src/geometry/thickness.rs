@@ -7,18 +7,12 @@
 
 use super::bvh::Bvh;
 use super::inside::spread;
-use super::nearest::{nearest_face, nearest_face_within};
+use super::nearest::nearest_face_by;
+use super::slabs::Slabs;
 use super::solid::Solid;
+use super::thickness_shares::Thickness;
 use glam::DVec3;
 use rayon::prelude::*;
-
-/// Thicknesses of a solid.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Thickness {
-    /// Thickness [m], the nearest place of the surface, and the share of the matter that is no thicker; in rising
-    /// order.
-    places: Vec<(f64, DVec3, f64)>,
-}
 
 /// Points that are looked at, about.
 const POINTS: f64 = 3000.0;
@@ -34,30 +28,17 @@ const NEARER: f64 = 0.95;
 /// Share of the extent beyond a face at which it is looked whether that lies in another piece.
 const BEYOND: f64 = 1e-8;
 
-impl Thickness {
-    /// Looks at a solid.
-    pub(crate) fn of(solid: &Solid) -> Self {
-        let surface = Surface::of(solid);
-        let points = points_inside(solid);
-        let mut found: Vec<(f64, DVec3)> = points.par_iter().filter_map(|&point| surface.thickness(point)).collect();
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let count = found.len() as f64;
-        let place = |(k, (thickness, place)): (usize, (f64, DVec3))| (thickness, place, (k + 1) as f64 / count);
-        Self { places: found.into_iter().enumerate().map(place).collect() }
+impl Solid {
+    /// How thick it is, looked at once.
+    pub(crate) fn thickness(&self) -> &Thickness {
+        self.known_thickness.get_or_init(|| looked_at(self))
     }
+}
 
-    /// Thickness that all but this share of the matter has at least [m]; none where nothing was found.
-    pub(crate) fn of_all_but(&self, share: f64) -> Option<f64> {
-        let place = self.places.partition_point(|(.., below)| *below <= share);
-        self.places.get(place).or(self.places.last()).map(|(thickness, ..)| *thickness)
-    }
-
-    /// Share of the matter that is thinner than this [m], and where the surface is nearest to the thinnest of it [m].
-    pub(crate) fn thinner_than(&self, thickness: f64) -> Option<(f64, DVec3)> {
-        let count = self.places.partition_point(|(found, ..)| *found < thickness);
-        let (.., share) = self.places.get(count.checked_sub(1)?)?;
-        Some((*share, self.places[0].1))
-    }
+fn looked_at(solid: &Solid) -> Thickness {
+    let surface = Surface::of(solid);
+    let points = points_inside(solid);
+    Thickness::new(points.par_iter().filter_map(|&point| surface.thickness(point)).collect())
 }
 
 /// Points spread evenly through the volume.
@@ -98,13 +79,18 @@ fn points_inside(solid: &Solid) -> Vec<DVec3> {
 
 /// The surface of a solid.
 struct Surface<'a> {
+    solid: &'a Solid,
     points: &'a [DVec3],
     faces: &'a [[u32; 3]],
     bvh: Bvh,
-    /// Those that are not within another piece.
-    skin: Vec<[u32; 3]>,
-    skin_bvh: Bvh,
+    /// Those that are not within another piece, where some are.
+    skin: Option<(Vec<[u32; 3]>, Bvh)>,
+    /// Of the leaves of the skin.
+    slabs: Slabs,
 }
+
+/// How far a ray is looked along at first, in distances from the surface, and by how much further then.
+const AHEAD: f64 = 4.0;
 
 impl<'a> Surface<'a> {
     fn of(solid: &'a Solid) -> Self {
@@ -116,45 +102,73 @@ impl<'a> Surface<'a> {
             !solid.contains((a + b + c) / 3.0 + beyond * outwards)
         };
         let shares = solid.report.closed && (solid.report.pieces > 1 || solid.report.crossings > 0);
-        let skin: Vec<[u32; 3]> =
-            if shares { faces.par_iter().filter(is_skin).copied().collect() } else { faces.to_vec() };
-        let [bvh, skin_bvh] = [faces, skin.as_slice()].map(|faces| Bvh::new(points, faces));
-        Self { points, faces, bvh, skin, skin_bvh }
+        let skin = shares.then(|| {
+            let skin: Vec<[u32; 3]> = faces.par_iter().filter(is_skin).copied().collect();
+            let bvh = Bvh::new(points, &skin);
+            (skin, bvh)
+        });
+        let bvh = Bvh::new(points, faces);
+        let slabs =
+            skin.as_ref().map_or_else(|| Slabs::new(points, faces, &bvh), |(skin, bvh)| Slabs::new(points, skin, bvh));
+        Self { solid, points, faces, bvh, skin, slabs }
+    }
+
+    /// The nearest place of what is not within another piece, if it is nearer than a distance [m].
+    fn nearest(&self, x: DVec3, within: f64) -> Option<DVec3> {
+        let (skin, bvh) = self.skin.as_ref().map_or((self.faces, &self.bvh), |(faces, bvh)| (faces, bvh));
+        nearest_face_by(self.points, skin, (bvh, Some(&self.slabs)), x, within).map(|(.., place)| place)
     }
 
     /// How thick the matter around a point is [m], and the nearest place of the surface [m]; none where the ways out
     /// run through a hole.
     fn thickness(&self, point: DVec3) -> Option<(f64, DVec3)> {
-        let (along, place) = self.normal(point)?;
-        let [ahead, back] = self.through(point, along)?;
+        let place = self.nearest(point, f64::INFINITY)?;
+        let along = (point - place).try_normalize()?;
+        let from = Inner { point, turns: self.solid.turns_around(point), near: AHEAD * point.distance(place) };
+        let [ahead, back] = self.through(&from, along)?;
         // At the middle of a ball or along the axis of a bar all faces are equally near: none counts but one that is
         // nearer.
         let nearer = NEARER * 0.5 * (ahead + back);
         let middle = point + 0.5 * (ahead - back) * along;
-        let across = nearest_face_within(self.points, &self.skin, &self.skin_bvh, middle, nearer);
-        let across = across.and_then(|(.., place)| (middle - place).try_normalize());
-        let across = across.and_then(|across| self.through(point, across));
+        let across = self.nearest(middle, nearer).and_then(|place| (middle - place).try_normalize());
+        let across = across.and_then(|across| self.through(&from, across));
         let way = across.map_or(f64::INFINITY, |[ahead, back]| ahead + back);
         Some((way.min(ahead + back), place))
     }
 
-    /// The direction from the nearest place of the surface to a point inside, and that place [m].
-    fn normal(&self, point: DVec3) -> Option<(DVec3, DVec3)> {
-        let (_, _, place) = nearest_face(self.points, &self.skin, &self.skin_bvh, point)?;
-        Some(((point - place).try_normalize()?, place))
-    }
-
     /// The ways out from a point in a direction and against it [m].
-    fn through(&self, point: DVec3, along: DVec3) -> Option<[f64; 2]> {
-        Some([self.leaves(point, along)?, self.leaves(point, -along)?])
+    fn through(&self, from: &Inner, along: DVec3) -> Option<[f64; 2]> {
+        Some([self.leaves(from, along)?, self.leaves(from, -along)?])
     }
 
     /// How far a ray from a point inside runs until the surface no longer turns around it; none if it gets out by a
-    /// hole.
-    fn leaves(&self, from: DVec3, along: DVec3) -> Option<f64> {
+    /// hole. Where it is known how often it does at the point hardly any ray is followed to its end.
+    fn leaves(&self, from: &Inner, along: DVec3) -> Option<f64> {
+        let mut reach = if from.turns.is_some() { from.near } else { f64::INFINITY };
+        loop {
+            let mut met = self.met(from.point, along, reach);
+            met.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+            // As often as it leaves in the end. Between the two faces of an edge a ray may meet both or none.
+            let in_the_end = || -met.iter().map(|(_, step)| step).sum::<i32>();
+            let mut depth = from.turns.unwrap_or_else(in_the_end).max(1);
+            for (distance, step) in &met {
+                depth += step;
+                if depth <= 0 {
+                    return Some(*distance);
+                }
+            }
+            if reach == f64::INFINITY {
+                return None;
+            }
+            reach = if reach > self.solid.size().length() { f64::INFINITY } else { AHEAD * reach };
+        }
+    }
+
+    /// Faces that a ray meets up to a distance [m]: where, and 1 where it enters there or -1 where it leaves.
+    fn met(&self, from: DVec3, along: DVec3, reach: f64) -> Vec<(f64, i32)> {
         let mut met: Vec<(f64, i32)> = Vec::new();
         self.bvh.visit(
-            |node| meets(from, along, [node.min, node.max]),
+            |node| meets(from, along, reach, [node.min, node.max]),
             |face| {
                 let [a, b, c] = self.faces[face as usize].map(|i| self.points[i as usize]);
                 let (ab, ac) = (b - a, c - a);
@@ -168,30 +182,28 @@ impl<'a> Surface<'a> {
                 let turned = to.cross(ab);
                 let v = along.dot(turned) / determinant;
                 let distance = ac.dot(turned) / determinant;
-                if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 {
+                if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 && distance <= reach {
                     // Seen from its outside the face turns counter-clockwise, and the ray enters.
                     met.push((distance, if determinant > 0.0 { 1 } else { -1 }));
                 }
             },
         );
-        met.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
-        // As often as it leaves in the end.
-        let mut depth = -met.iter().map(|(_, step)| step).sum::<i32>();
-        // Between the two faces of an edge a ray may meet both or none.
-        depth = depth.max(1);
-        for (distance, step) in met {
-            depth += step;
-            if depth <= 0 {
-                return Some(distance);
-            }
-        }
-        None
+        met
     }
 }
 
-/// Whether a ray comes through a box.
-fn meets(from: DVec3, along: DVec3, [min, max]: [DVec3; 2]) -> bool {
-    let (mut enters, mut exits) = (0.0_f64, f64::INFINITY);
+/// A point inside.
+struct Inner {
+    point: DVec3,
+    /// How often the surface turns around it, where that is known.
+    turns: Option<i32>,
+    /// How far a ray from it is looked along at first [m].
+    near: f64,
+}
+
+/// Whether a ray comes through a box before a distance [m].
+fn meets(from: DVec3, along: DVec3, reach: f64, [min, max]: [DVec3; 2]) -> bool {
+    let (mut enters, mut exits) = (0.0_f64, reach);
     for axis in 0..3 {
         let (near, far) = (min[axis] - from[axis], max[axis] - from[axis]);
         if along[axis] != 0.0 {
@@ -251,7 +263,7 @@ mod tests {
     }
 
     fn share(meshes: &[TriangleMesh], thickness: f64) -> f64 {
-        Thickness::of(&solid(meshes)).thinner_than(thickness).map_or(0.0, |(share, _)| share)
+        solid(meshes).thickness().thinner_than(thickness).map_or(0.0, |(share, _)| share)
     }
 
     #[test]
@@ -299,7 +311,8 @@ mod tests {
         let block = box_surface(&Cuboid { center: DVec3::ZERO, size: DVec3::ONE }, 0.25);
         // Sunk into the block, out of which most of it sticks.
         let plate = Cuboid { center: DVec3::new(1.4, 0.0, 0.0), size: DVec3::new(2.0, 0.1, 1.0) };
-        let found = Thickness::of(&solid(&[block, box_surface(&plate, 0.25)]));
+        let solid = solid(&[block, box_surface(&plate, 0.25)]);
+        let found = solid.thickness();
         let thin = found.of_all_but(0.01).unwrap();
         assert!((thin - 0.1).abs() < 1e-6, "{thin}");
         assert!(found.of_all_but(0.7).unwrap() > 0.9);

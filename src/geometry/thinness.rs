@@ -1,8 +1,8 @@
 //! How many layers of a lattice a part is thick.
 
+use super::cell_map::CellMap;
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
-use std::collections::HashMap;
 use std::f64::consts::PI;
 
 /// Particles in thin parts.
@@ -125,7 +125,7 @@ struct Occupied {
 /// Numbers of blocks: in a table, or sorted where that would be too large, as with pieces far apart.
 enum Numbers {
     Table(Vec<u32>),
-    Sorted(HashMap<IVec3, u32>),
+    Sorted(CellMap<u32>),
 }
 
 /// Cells along the edge of a block, as a power of two.
@@ -147,7 +147,7 @@ impl Occupied {
         let number = if size.as_dvec3().element_product() <= TABLE {
             Numbers::Table(vec![0; size.x as usize * size.y as usize * size.z as usize])
         } else {
-            Numbers::Sorted(HashMap::new())
+            Numbers::Sorted(CellMap::default())
         };
         let mut this = Self { first, size, number, blocks: Vec::new() };
         for &cell in cells {

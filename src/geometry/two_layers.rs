@@ -2,7 +2,6 @@
 
 use super::placement::{collect, looked_at, placements, prune};
 use super::solid::Solid;
-use super::thickness::Thickness;
 use std::ops::ControlFlow;
 
 /// Lattice points of the bounding box that are looked at for one particle that is allowed, at most.
@@ -27,7 +26,7 @@ pub(crate) fn two_layer_spacing(
     progress: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> ControlFlow<(), Option<f64>> {
     progress()?;
-    let thin = Thickness::of(solid).of_all_but(FEW).map_or(spacing, |thickness| 0.5 * thickness);
+    let thin = solid.thickness().of_all_but(FEW).map_or(spacing, |thickness| 0.5 * thickness);
     let first = thin.min(FINER * spacing);
     let particles = |spacing: f64| solid.volume / spacing.powi(3);
     let affordable = |spacing: &f64| particles(*spacing) <= limit && looked_at(solid, *spacing) <= BOX_SHARE * limit;

@@ -1,5 +1,6 @@
 //! A scene, its models and what belongs to them in one archive, to be sent.
 
+use super::assets::Stages;
 use super::collect::files_of;
 use super::json_out::write_line;
 use super::read::read_bytes;
@@ -79,25 +80,19 @@ impl Archive {
         &self.missing
     }
 
-    /// Writes it, wholly or not at all; false where it was no longer wanted. `progress` hears what is being worked on.
+    /// Writes it, wholly or not at all; false where `progress`, which hears what is being worked on, broke it off.
     ///
     /// # Errors
     /// A model that cannot be read, or as [`write_atomically`].
-    pub(crate) fn write(
-        &self,
-        path: &Path,
-        progress: &mut dyn FnMut(&str),
-        is_wanted: &dyn Fn() -> bool,
-    ) -> Result<bool, IoError> {
+    pub(crate) fn write(&self, path: &Path, progress: &mut Stages<'_>) -> Result<bool, IoError> {
         let mut ended = false;
         let written = write_atomically(path, |out| {
             let mut zip = ZipWriter::new(out);
             for (name, content) in &self.files {
-                if !is_wanted() {
+                if progress(&format!("{name}: writing")).is_break() {
                     ended = true;
                     return Err(io::ErrorKind::Interrupted.into());
                 }
-                progress(&format!("{name}: writing"));
                 match content {
                     Content::Bytes(bytes) => zip.add(name, bytes)?,
                     Content::File(file) => {

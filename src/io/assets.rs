@@ -8,6 +8,7 @@ use super::model::{is_model, model_bytes, read_cache, read_model, read_skeleton}
 use super::{collect::from_folder, paths::resolved};
 use crate::geometry::solid::Solid;
 use crate::scene::{AnyBody, Assets, Leader, MAX_PARTICLES, ModelFile, Scene, Shape, TwoLayerShape};
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -17,9 +18,34 @@ use std::sync::Arc;
 /// # Errors
 /// [`IoError::Asset`] with the pointer and the file: it cannot be read, or what it holds has no inside.
 pub fn load_assets(scene: &Scene, folder: &Path, progress: &mut dyn FnMut(&str)) -> Result<Assets, IoError> {
+    load_assets_unless(scene, folder, &mut never(progress))
+}
+
+/// Hears what is being worked on; breaks off what is no longer wanted.
+pub(crate) type Stages<'a> = dyn FnMut(&str) -> ControlFlow<()> + 'a;
+
+/// What only hears.
+pub(super) fn never(progress: &mut dyn FnMut(&str)) -> impl FnMut(&str) -> ControlFlow<()> {
+    |said| {
+        progress(said);
+        ControlFlow::Continue(())
+    }
+}
+
+/// [`load_assets`], unless `progress` breaks it off.
+///
+/// # Errors
+/// As [`load_assets`], and [`IoError::Cancelled`].
+pub(crate) fn load_assets_unless(scene: &Scene, folder: &Path, progress: &mut Stages<'_>) -> Result<Assets, IoError> {
     let mut assets = Assets::default();
-    complete_assets(&mut assets, scene, folder, progress)?;
+    let bytes = |path: &Path| model_bytes(path).map_err(|error| error.within(path));
+    complete(&mut assets, scene, folder, &bytes, progress)?;
     Ok(assets)
+}
+
+/// Tells of it.
+fn tell(progress: &mut Stages<'_>, said: &str) -> Result<(), IoError> {
+    if progress(said).is_break() { Err(IoError::Cancelled) } else { Ok(()) }
 }
 
 /// [`load_assets`] for files that lie elsewhere: `bytes` gives those of what a scene names.
@@ -29,7 +55,7 @@ pub fn load_assets(scene: &Scene, folder: &Path, progress: &mut dyn FnMut(&str))
 #[cfg(feature = "gui")]
 pub(crate) fn load_assets_by(scene: &Scene, bytes: &Bytes<'_>) -> Result<Assets, IoError> {
     let mut assets = Assets::default();
-    complete(&mut assets, scene, Path::new(""), bytes, &mut |_| {})?;
+    complete(&mut assets, scene, Path::new(""), bytes, &mut |_| ControlFlow::Continue(()))?;
     Ok(assets)
 }
 
@@ -47,7 +73,7 @@ pub(crate) fn complete_assets(
     progress: &mut dyn FnMut(&str),
 ) -> Result<(), IoError> {
     let bytes = |path: &Path| model_bytes(path).map_err(|error| error.within(path));
-    complete(assets, scene, folder, &bytes, progress)
+    complete(assets, scene, folder, &bytes, &mut never(progress))
 }
 
 fn complete(
@@ -55,7 +81,7 @@ fn complete(
     scene: &Scene,
     folder: &Path,
     bytes: &Bytes<'_>,
-    progress: &mut dyn FnMut(&str),
+    progress: &mut Stages<'_>,
 ) -> Result<(), IoError> {
     let read = |path: &Path| {
         if !is_model(path) {
@@ -69,11 +95,14 @@ fn complete(
         }
         let path = folder.join(shape.path);
         let asset = |error: IoError| IoError::Asset { pointer: format!("{pointer}/path"), error: Box::new(error) };
-        progress(&format!("{}: reading", shape.path));
+        tell(progress, &format!("{}: reading", shape.path))?;
         let mut model = read(&path).map_err(asset)?;
         model.stand_up(shape.up_axis(), shape.scale);
-        progress(&format!("{}: looking for an inside", shape.path));
-        let solid = Solid::new(&model).map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;
+        let mut looked = |done, of| progress(&format!("{}: looking for an inside, {} %", shape.path, 100 * done / of));
+        let ControlFlow::Continue(solid) = Solid::with_progress(&model, &mut looked) else {
+            return Err(IoError::Cancelled);
+        };
+        let solid = solid.map_err(|refusal| asset(IoError::from(refusal).within(&path)))?;
         assets.insert(shape, Arc::new(solid));
     }
     for (pointer, mesh) in scene.collider_meshes() {
@@ -82,7 +111,7 @@ fn complete(
         }
         let path = folder.join(&mesh.path);
         let asset = |error: IoError| IoError::Asset { pointer: format!("{pointer}/path"), error: Box::new(error) };
-        progress(&format!("{}: reading", mesh.path));
+        tell(progress, &format!("{}: reading", mesh.path))?;
         let mut model = read(&path).map_err(asset)?;
         let file = ModelFile::from(mesh);
         model.stand_up(file.up_axis(), file.scale);
@@ -131,7 +160,7 @@ fn complete_leader(
     leader: &Leader,
     folder: &Path,
     bytes: &Bytes<'_>,
-    progress: &mut dyn FnMut(&str),
+    progress: &mut Stages<'_>,
 ) -> Result<(), IoError> {
     let at = |place: &str, error: IoError| {
         let pointer = format!("{pointer}/{place}");
@@ -140,18 +169,18 @@ fn complete_leader(
     let path = folder.join(leader.path());
     match leader {
         Leader::Skeleton(of) if assets.skeleton(&of.path).is_none() => {
-            progress(&format!("{}: reading its skeleton", of.path));
+            tell(progress, &format!("{}: reading its skeleton", of.path))?;
             let skeleton = bytes(&path).and_then(|bytes| read_skeleton(&path, &bytes));
             assets.insert_skeleton(&of.path, skeleton.map_err(|error| at("skeleton/path", error))?);
         }
         Leader::Cache(of) => {
             if assets.cache(&of.path).is_none() {
-                progress(&format!("{}: reading", of.path));
+                tell(progress, &format!("{}: reading", of.path))?;
                 let cache = bytes(&path).and_then(|bytes| read_cache(&path, &bytes));
                 assets.insert_cache(&of.path, cache.map_err(|error| at("cache/path", error))?);
             }
             if let Some(rest) = of.rest.as_ref().filter(|rest| assets.rest_mesh(rest).is_none()) {
-                progress(&format!("{rest}: reading"));
+                tell(progress, &format!("{rest}: reading"))?;
                 let file = folder.join(rest);
                 let model = bytes(&file).and_then(|bytes| read_model(&file, &bytes));
                 let model = model.map_err(|error| at("cache/rest", error))?;
@@ -173,7 +202,7 @@ pub(crate) fn add_leader(
     assets: &mut Assets,
     leader: &Leader,
     folder: &Path,
-    progress: &mut dyn FnMut(&str),
+    progress: &mut Stages<'_>,
 ) -> Result<(), IoError> {
     let bytes = |path: &Path| model_bytes(path).map_err(|error| error.within(path));
     complete_leader(assets, "", leader, folder, &bytes, progress).map_err(|error| match error {
@@ -202,11 +231,11 @@ pub(crate) fn add_collider_model(
     assets: &mut Assets,
     file: &Path,
     folder: &Path,
-    progress: &mut dyn FnMut(&str),
+    progress: &mut Stages<'_>,
 ) -> Result<String, IoError> {
-    progress(&format!("{}: reading", file.display()));
+    tell(progress, &format!("{}: reading", file.display()))?;
     let model = load_model(file)?;
-    progress(&format!("{}: looking at its surface", file.display()));
+    tell(progress, &format!("{}: looking at its surface", file.display()))?;
     let path = path_from(folder, file);
     let refused = |refusal| IoError::from(refusal).within(file);
     assets.insert_obstacle_of(path.as_str(), &model).map_err(refused)?;

@@ -55,6 +55,9 @@ pub enum IoError {
         /// What to change.
         what: &'static str,
     },
+    /// What was read is no longer wanted.
+    #[error("it was no longer wanted")]
+    Cancelled,
     /// The system refused to read.
     #[error("the file cannot be read ({0}); check its permissions")]
     Read(#[source] io::Error),

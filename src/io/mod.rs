@@ -52,6 +52,8 @@ pub(crate) use archive::{Archive, system};
 pub(crate) use assets::complete_assets;
 pub use assets::load_assets;
 #[cfg(feature = "gui")]
+pub(crate) use assets::{Stages, load_assets_unless};
+#[cfg(feature = "gui")]
 pub(crate) use assets::{add_collider_model, add_leader, load_assets_by, path_from};
 pub(crate) use atomic::{check_writable, make_folder, write_atomically};
 #[cfg(feature = "gui")]
@@ -77,6 +79,8 @@ pub use model::quiet_importers;
 pub(crate) use model::read_model;
 pub(crate) use moving::{MovingFormat, MovingPicture, PictureAs};
 pub use obj::write_obj;
+#[cfg(feature = "gui")]
+pub(crate) use open::open_model_unless;
 pub use open::{OpenedModel, open_model};
 pub(crate) use outside::refuse_outside;
 #[cfg(feature = "gui")]

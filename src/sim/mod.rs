@@ -7,6 +7,7 @@ mod convergence;
 mod journal;
 #[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "the window is who keeps journals"))]
 mod journal_line;
+mod not_finite;
 mod performance;
 pub(crate) mod recording;
 mod report;
@@ -27,6 +28,7 @@ pub use convergence::{Convergence, convergence_order};
 pub use journal::{Asked, Journal, JournalEntry};
 #[cfg(feature = "gui")]
 pub(crate) use journal_line::JournalLine;
+pub use not_finite::NotFinite;
 #[cfg(feature = "gui")]
 pub(crate) use recording::DEFAULT_MEMORY;
 pub use report::{AccuracyReport, BodyReport, MeasureReport, Report};

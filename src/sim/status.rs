@@ -1,5 +1,6 @@
 //! What a window is told of a running world.
 
+use crate::bake::ThinPlaces;
 use crate::scene::IntegratorKind;
 use crate::solver::body::Body;
 use crate::solver::measure::MeasureValue;
@@ -26,6 +27,8 @@ pub struct Status {
     pub particles: usize,
     /// Why a body was stopped.
     pub divergence: Option<String>,
+    /// What can no longer be drawn, as it is no number.
+    pub lost: Option<String>,
     /// What gained energy that nothing gave it, the last of it.
     pub unbalanced: Option<String>,
     /// Why there is no world: the scene cannot be put together, or the solver failed.
@@ -197,9 +200,9 @@ pub struct Published {
     pub ghost: Option<Snapshot>,
     /// Every body at rest in its model frame; the same one until the scene is put together again.
     pub at_rest: Arc<Snapshot>,
-    /// Particles of each body in parts of hardly more than one layer, where a note tells of them; the same ones until
-    /// the scene is put together again.
-    pub thin: Arc<[Vec<u32>]>,
+    /// Where each body is thinner than its particles resolve, as far as a note tells of it; the same places until the
+    /// scene is put together again.
+    pub thin: Arc<[ThinPlaces]>,
     /// Opposite corners of the box around all bodies where the scene places them [m], world; none without a body.
     pub placed: Option<[DVec3; 2]>,
     /// Particles that each constraint of each body holds, its pins last; the same ones until the scene is put together

@@ -2,6 +2,7 @@
 
 use crate::io::IoError;
 use crate::scene::one_line;
+use crate::sim::NotFinite;
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -46,17 +47,8 @@ pub(crate) enum TransferError {
         ids: String,
     },
     /// A body in a state that can be neither drawn nor written.
-    #[error(
-        "body \"{}\": at {seconds:.6} s a point of it is no longer a finite number, so that it can be neither drawn nor \
-         written; take a smaller step (/time/step/automatic/safety), or look what its model holds with `sinew check`",
-        one_line(body)
-    )]
-    NotFinite {
-        /// Name of the body.
-        body: String,
-        /// When [s].
-        seconds: f64,
-    },
+    #[error(transparent)]
+    NotFinite(#[from] NotFinite),
     /// A picture cannot be made.
     #[cfg(feature = "render")]
     #[error(transparent)]

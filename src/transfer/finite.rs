@@ -1,6 +1,7 @@
 //! The last line of defence: what is no number goes nowhere without an error.
 
 use super::TransferError;
+use crate::sim::NotFinite;
 use crate::solver::snapshot::Snapshot;
 
 /// Looks whether a state can be drawn and written.
@@ -8,8 +9,5 @@ use crate::solver::snapshot::Snapshot;
 /// # Errors
 /// [`TransferError::NotFinite`] for one that cannot.
 pub(crate) fn check_finite(snapshot: &Snapshot) -> Result<(), TransferError> {
-    match snapshot.not_finite() {
-        Some(body) => Err(TransferError::NotFinite { body: body.to_owned(), seconds: snapshot.time }),
-        None => Ok(()),
-    }
+    NotFinite::of(snapshot).map_or(Ok(()), |lost| Err(lost.into()))
 }

@@ -1,10 +1,11 @@
 //! What the window opens: a scene and the models that it names, or a model alone.
 
 use crate::io::{
-    IoError, OpenedModel, is_model, load_assets, load_scene, open_model, refuse_outside, resolved, scene_from_json,
-    unknown_fields,
+    IoError, OpenedModel, Stages, is_model, load_assets_unless, load_scene, open_model_unless, refuse_outside,
+    resolved, scene_from_json, unknown_fields,
 };
 use crate::scene::{Assets, Scene};
+use std::ops::ControlFlow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
@@ -39,7 +40,7 @@ impl Document {
     /// # Errors
     /// A file that cannot be used.
     pub fn load(path: Option<PathBuf>) -> Result<Self, IoError> {
-        Self::load_with_progress(path, true, &mut |_| {})
+        Self::load_unless(path, true, &mut |_| ControlFlow::Continue(()))
     }
 
     /// [`Self::load`] of a file that may be anybody's: where it names models outside of its folder, the window asks
@@ -48,7 +49,7 @@ impl Document {
     /// # Errors
     /// As [`Self::load`].
     pub fn load_or_ask(path: Option<PathBuf>) -> Result<Self, IoError> {
-        match Self::load_with_progress(path.clone(), false, &mut |_| {}) {
+        match Self::load_unless(path.clone(), false, &mut |_| ControlFlow::Continue(())) {
             Err(error) => match (error.bare(), path) {
                 (IoError::Outside { files }, Some(path)) => {
                     let note =
@@ -61,15 +62,15 @@ impl Document {
         }
     }
 
-    /// [`Self::load`], and `progress` hears what is being worked on. Models outside of the scene's folder are read only
-    /// where `outside` says so.
+    /// [`Self::load`], and `progress` hears what is being worked on and breaks it off. Models outside of the scene's
+    /// folder are read only where `outside` says so.
     ///
     /// # Errors
-    /// As [`Self::load`], and [`IoError::Outside`].
-    pub(super) fn load_with_progress(
+    /// As [`Self::load`], [`IoError::Outside`] and [`IoError::Cancelled`].
+    pub(super) fn load_unless(
         path: Option<PathBuf>,
         outside: bool,
-        progress: &mut dyn FnMut(&str),
+        progress: &mut Stages<'_>,
     ) -> Result<Self, IoError> {
         if let Some(path) = path.as_deref().filter(|path| is_model(path)) {
             return Self::of_model(path, progress);
@@ -79,7 +80,7 @@ impl Document {
         if let Some(path) = path.as_deref().filter(|_| !outside) {
             refuse_outside(&scene, path)?;
         }
-        let assets = Arc::new(load_assets(&scene, &folder, progress)?);
+        let assets = Arc::new(load_assets_unless(&scene, &folder, progress)?);
         let note = path.as_deref().and_then(|path| unknown(path, &scene));
         Ok(Self { scene, assets, path, folder, note, asks: None })
     }
@@ -97,8 +98,8 @@ impl Document {
     }
 
     /// A soft solid in the shape of a model, just above a floor.
-    fn of_model(path: &Path, progress: &mut dyn FnMut(&str)) -> Result<Self, IoError> {
-        let opened = open_model(path, progress)?;
+    fn of_model(path: &Path, progress: &mut Stages<'_>) -> Result<Self, IoError> {
+        let opened = open_model_unless(path, progress)?;
         let note = format!("Opened {} as {}", opened.scene.name, opened.said());
         let OpenedModel { scene, assets, .. } = opened;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
@@ -149,6 +150,7 @@ fn seen_from(path: &Path, folder: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::io::load_assets;
     use crate::scene::Shape;
 
     fn asset(name: &str) -> PathBuf {

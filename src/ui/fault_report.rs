@@ -1,7 +1,7 @@
 //! What somebody needs who looks for a fault, as plain data, and the archive that it is written as.
 
 use super::gallery::shipped_bytes;
-use crate::io::{Archive, IoError, scene_to_json};
+use crate::io::{Archive, IoError, Stages, scene_to_json};
 use crate::scene::Scene;
 use crate::sim::Journal;
 use std::path::{Path, PathBuf};
@@ -31,11 +31,7 @@ impl FaultReport {
     ///
     /// # Errors
     /// A file that cannot be read or written.
-    pub(crate) fn write(
-        self,
-        progress: &mut dyn FnMut(&str),
-        is_wanted: &dyn Fn() -> bool,
-    ) -> Result<Option<Vec<String>>, IoError> {
+    pub(crate) fn write(self, progress: &mut Stages<'_>) -> Result<Option<Vec<String>>, IoError> {
         let mut archive = Archive::default();
         let scene = self.in_archive(&self.scene, &mut archive);
         archive.add("scene.json", scene_to_json(&scene).into_bytes());
@@ -43,10 +39,10 @@ impl FaultReport {
         let journal = journal.with_scenes(|scene| Ok::<_, IoError>(self.in_archive(scene, &mut archive)))?;
         archive.add_json("recording.journal.json", &journal)?;
         archive.add("log.txt", self.log.clone().into_bytes());
-        let missing: String = archive.missing().iter().map(|what| format!("not in here: {what}\n")).collect();
-        archive.add("versions.txt", format!("{}{missing}", self.versions).into_bytes());
+        let missing: Vec<String> = archive.missing().iter().map(|what| format!("not in here: {what}\n")).collect();
+        archive.add("versions.txt", format!("{}{}", self.versions, missing.concat()).into_bytes());
         let missing = archive.missing().to_vec();
-        Ok(archive.write(&self.path, progress, is_wanted)?.then_some(missing))
+        Ok(archive.write(&self.path, progress)?.then_some(missing))
     }
 
     /// A scene as it stands in the archive, whose models go there.

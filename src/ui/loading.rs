@@ -8,13 +8,16 @@ use super::fault_report::FaultReport;
 use super::gallery::shipped_assets;
 use super::theme::GRID;
 use crate::io::{
-    FileStamp, IoError, OpenedModel, Origin, add_collider_model, add_leader, is_model, load_assets, open_model,
+    FileStamp, IoError, OpenedModel, Origin, Stages, add_collider_model, add_leader, is_model, load_assets_unless,
+    open_model_unless,
 };
 use crate::scene::{Assets, Leader};
 use egui::{Context, RichText, Ui};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
-use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// A model that is read within this time is there in the same frame: nothing flashes up for it. A scene without one
@@ -104,13 +107,13 @@ impl Source {
         }
     }
 
-    fn load(self, progress: &mut dyn FnMut(&str), is_wanted: &dyn Fn() -> bool) -> Result<Read, IoError> {
+    fn load(self, progress: &mut Stages<'_>) -> Result<Read, IoError> {
         let document = match self {
             Self::Model(path, layers) => {
-                let opened = Box::new(open_model(&path, progress)?);
+                let opened = Box::new(open_model_unless(&path, progress)?);
                 return Ok(Read::Model { path, layers, opened });
             }
-            Self::Report(report) => return report.write(progress, is_wanted).map(Read::Report),
+            Self::Report(report) => return report.write(progress).map(Read::Report),
             Self::Collider { file, folder } => {
                 let mut models = Assets::default();
                 let path = add_collider_model(&mut models, &file, &folder, progress)?;
@@ -121,11 +124,12 @@ impl Source {
                 add_leader(&mut models, &leader, &folder, progress)?;
                 return Ok(Read::Leader { leader, models });
             }
-            Self::File(path, outside) => Document::load_with_progress(Some(path), outside, progress)?,
+            Self::File(path, outside) => Document::load_unless(Some(path), outside, progress)?,
             Self::Recovery(offer) => {
                 let scene = offer.document.load()?;
                 let Origin { file, folder, shipped, .. } = offer.document.origin;
-                let assets = if shipped { shipped_assets(&scene) } else { load_assets(&scene, &folder, progress) };
+                let assets =
+                    if shipped { shipped_assets(&scene) } else { load_assets_unless(&scene, &folder, progress) };
                 Document { scene, assets: Arc::new(assets?), path: file, folder, note: None, asks: None }
             }
         };
@@ -163,16 +167,21 @@ pub(crate) enum Progress {
     Done(Box<Loaded>),
 }
 
-/// A document that is being read. Dropped, it is not wanted any more: what its thread comes to is heard by nobody.
+/// A document that is being read. Dropped, it is not wanted any more: its thread ends as soon as it asks for that.
 pub(crate) struct Loading {
     /// What is read.
     pub(crate) source: Source,
     /// How the file was before it was read: what is written in between is found later then.
     pub(crate) stamp: Option<FileStamp>,
     stage: Arc<Mutex<String>>,
-    /// There for as long as what is read is wanted.
-    _wanted: Arc<()>,
     loaded: Receiver<Result<Read, IoError>>,
+    is_wanted: Arc<AtomicBool>,
+}
+
+impl Drop for Loading {
+    fn drop(&mut self) {
+        self.is_wanted.store(false, Ordering::Relaxed);
+    }
 }
 
 impl Loading {
@@ -185,12 +194,11 @@ impl Loading {
         };
         let stamp = file.filter(|path| !is_model(path)).and_then(|path| FileStamp::of(path).ok());
         let stage = Arc::new(Mutex::new(String::new()));
-        let wanted = Arc::new(());
-        let held = Arc::downgrade(&wanted);
         let (sender, loaded) = channel();
-        let (what, told, ctx) = (source.clone(), Arc::clone(&stage), ctx.clone());
-        std::thread::spawn(move || read(what, &told, &sender, (&ctx, &held)));
-        Self { source, stamp, stage, _wanted: wanted, loaded }
+        let is_wanted = Arc::new(AtomicBool::new(true));
+        let (what, told, wanted, ctx) = (source.clone(), Arc::clone(&stage), Arc::clone(&is_wanted), ctx.clone());
+        std::thread::spawn(move || read(what, &told, &wanted, &sender, &ctx));
+        Self { source, stamp, stage, loaded, is_wanted }
     }
 
     /// What has been read by now; what is quick is waited for. None while it is not there.
@@ -249,14 +257,18 @@ pub(crate) fn is_known(offer: &RecoveryOffer) -> bool {
 fn read(
     source: Source,
     stage: &Mutex<String>,
+    wanted: &AtomicBool,
     sender: &Sender<Result<Read, IoError>>,
-    (ctx, wanted): (&Context, &Weak<()>),
+    ctx: &Context,
 ) {
-    let mut progress = |said: &str| {
+    let loaded = source.load(&mut |said| {
+        if !wanted.load(Ordering::Relaxed) {
+            return ControlFlow::Break(());
+        }
         said.clone_into(&mut stage.lock().unwrap_or_else(PoisonError::into_inner));
         ctx.request_repaint();
-    };
-    let loaded = source.load(&mut progress, &|| wanted.strong_count() > 0);
+        ControlFlow::Continue(())
+    });
     // Nobody may want it any more.
     let _ = sender.send(loaded);
     ctx.request_repaint();

@@ -10,7 +10,7 @@ use egui::{Label, Panel, RichText, Ui};
 /// A message has so much room at least, however long the hint [points].
 const LEAST_ROOM: f32 = 160.0;
 
-/// Shows what stopped the simulation, or what was said last and what can be done now.
+/// Shows what stopped the simulation or can no longer be drawn, or what was said last and what can be done now.
 pub(super) fn status_bar(ui: &mut Ui, cx: &mut Context, said: &mut Said, remedy: &mut Remedy) {
     said.review(ui, cx);
     Panel::bottom("status").frame(theme::panel(ui)).show(ui, |ui| {
@@ -29,6 +29,10 @@ fn line(ui: &mut Ui, cx: &mut Context, remedy: &mut Remedy) {
     let status = &cx.simulation.published().status;
     if let Some(failure) = &status.failure {
         one_line(ui, format!("Stopped: {}", cx.scene().with_names(failure)), cx.tone.error());
+        return;
+    }
+    if let Some(lost) = &status.lost {
+        one_line(ui, format!("Stopped: {}", cx.scene().with_names(lost)), cx.tone.error());
         return;
     }
     if let Some(divergence) = status.divergence.clone() {

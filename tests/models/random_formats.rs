@@ -7,7 +7,7 @@ use crate::writers::{glb, gltf, obj, ply, stl, stl_text};
 use glam::DVec3;
 use sinew::bake::{BakeError, bake};
 use sinew::geometry::{FillError, FillResolution, Kernel, Model, Solid, fill};
-use sinew::io::load_assets;
+use sinew::io::{load_assets, load_model};
 use sinew::scene::{Assets, Body, Initial, Material, MeshShape, Scene, Shape};
 use sinew::sim::Runner;
 use sinew::test_support::solver::{Skin, SkinShape};
@@ -174,6 +174,77 @@ fn moved(scene: &Scene, assets: &Assets, model: &Model) -> Result<bool, String> 
 fn model_vertices(assets: &Assets, scene: &Scene) -> Vec<DVec3> {
     let Shape::Mesh(shape) = &scene.bodies[0].shape else { return Vec::new() };
     assets.solid(shape).map_or_else(Vec::new, |solid| solid.model.positions.clone())
+}
+
+/// Whether two solids are one, to the bit: what a file does not keep, such as the order of its vertices, leaves no
+/// trace.
+fn same(a: &Solid, b: &Solid) -> bool {
+    a.volume.to_bits() == b.volume.to_bits()
+        && a.surface.points == b.surface.points
+        && a.surface.faces == b.surface.faces
+}
+
+/// One mesh through every format is one solid; in those of single precision that of the rounded mesh.
+#[test]
+fn a_mesh_is_the_same_solid_through_every_format() {
+    for_every(0..2 * KINDS, |seed| {
+        let (points, faces, _) = mesh(seed);
+        let whole = single(points.into_iter().map(DVec3::from_array).collect(), faces);
+        let mut rounded = whole.clone();
+        rounded.positions.iter_mut().for_each(|p| *p = p.as_vec3().as_dvec3());
+        let solid = |model: &Model| Solid::new(model).map_err(|refusal| refusal.to_string());
+        let expected = [solid(&whole)?, solid(&rounded)?];
+        let between = expected[1].volume / expected[0].volume - 1.0;
+        if between.abs() > 1e-4 {
+            return Err(format!("single precision changes the volume by {between:e}"));
+        }
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        for (file, is_single) in FILES {
+            let path = folder.path().join(file);
+            fs::write(&path, written(&whole, file)).map_err(|error| error.to_string())?;
+            let read = solid(&load_model(&path).map_err(|error| error.to_string())?)?;
+            if !same(&read, &expected[usize::from(is_single)]) {
+                return Err(format!("{file}: another solid of {} m³", read.volume));
+            }
+        }
+        Ok(())
+    });
+}
+
+/// Meshes with faces taken away and turned round, some next to nothing: what is said of them is no more than a whole.
+#[test]
+fn no_more_than_all_of_an_inside_is_in_doubt() {
+    let doubted = AtomicUsize::new(0);
+    for_every(0..200, |seed| {
+        let (points, mut faces, _) = mesh(seed);
+        let mut state = seed;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as f64 / f64::from(1_u32 << 31)
+        };
+        let [gone, turned] = [0.9 * random(), 0.5 * random()];
+        faces.retain(|_| random() > gone);
+        for face in &mut faces {
+            if random() < turned {
+                face.swap(0, 1);
+            }
+        }
+        let model = single(points.into_iter().map(DVec3::from_array).collect(), faces);
+        let said = match Solid::new(&model) {
+            Ok(solid) => solid.report.findings().iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"),
+            Err(refusal) => refusal.to_string(),
+        };
+        for (at, _) in said.match_indices(" % of the inside in doubt") {
+            let figure = said[..at].rsplit(' ').next().unwrap_or_default();
+            let doubt: f64 = figure.parse().map_err(|_| format!("{figure} is no number: {said}"))?;
+            if !(0.0..=100.0).contains(&doubt) {
+                return Err(said);
+            }
+            doubted.fetch_add(1, Ordering::Relaxed);
+        }
+        Ok(())
+    });
+    assert!(doubted.into_inner() > 20);
 }
 
 /// Tries all 2,000, each moved in as many particles as `counts` tells.

@@ -300,3 +300,29 @@ fn fibres_that_run_out_of_tips_stay_finite_and_near() {
     }
     assert!(placed > 500, "{placed}");
 }
+
+/// Places that are left without particles are told of and shown where they are: on the spike, wherever that is by now.
+#[test]
+fn what_no_particle_fills_is_said_and_shown_where_it_is() {
+    let (_, model) = shapes().into_iter().find(|(name, _)| *name == "plate with a spike").expect("it is there");
+    let mut assets = Assets::default();
+    let mesh = TriangleMesh { positions: model.positions, triangles: model.triangles };
+    assets.insert_mesh("spiked", &mesh).expect("a solid");
+    let mut said = 0;
+    for count in (200..1400).step_by(150) {
+        let body = Body::from_mesh("spiked", MeshShape::new("spiked").with_particles(count))
+            .with_material(Material::new(1e5, 0.33, 1000.0));
+        let Ok(baked) = bake(&Scene::new("thin").with_body(body), &assets) else { continue };
+        let is_told = |text: &str| text.contains("in parts less than one layer thick were left out (the first at [");
+        let told = baked.notes.iter().any(|note| note.warning && is_told(&note.text));
+        let particles = &baked.world.bodies()[0].state().positions;
+        let by = DVec3::new(3.0, -1.0, 7.0);
+        let moved: Vec<DVec3> = particles.iter().map(|&at| at + by).collect();
+        let places: Vec<DVec3> =
+            baked.thin[0].places(&moved, 300).into_iter().filter(|place| place.y - by.y > 0.95).collect();
+        assert_eq!(told, !places.is_empty(), "{count}: {places:?}");
+        assert!(places.iter().all(|&place| (place - by).with_y(0.0).length() < 0.05), "{count}: {places:?}");
+        said += usize::from(told);
+    }
+    assert!(said > 0);
+}

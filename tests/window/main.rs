@@ -33,6 +33,7 @@ mod running;
 mod seeing;
 mod sheets;
 mod sketching;
+mod starts;
 mod timeline;
 
 use egui::accesskit::Role;

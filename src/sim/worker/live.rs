@@ -1,5 +1,6 @@
 //! The run of the document: what the simulation has come to.
 
+use crate::bake::ThinPlaces;
 use crate::sim::recording::{RestoredRun, StoredState};
 use crate::sim::runner::Runner;
 use crate::solver::body::Body;
@@ -16,14 +17,14 @@ pub(super) struct LiveRun {
     present: Option<Arc<StoredState>>,
     at_rest: Arc<Snapshot>,
     placed: Option<[DVec3; 2]>,
-    thin: Arc<[Vec<u32>]>,
+    thin: Arc<[ThinPlaces]>,
     held: Arc<[Vec<Vec<u32>>]>,
 }
 
 impl LiveRun {
     /// Takes up what was put together anew: from its start, or in the motion of what was there before.
-    /// `thin` are the particles of each body in parts too thin.
-    pub(super) fn take_up(&mut self, fresh: Runner, thin: Vec<Vec<u32>>, keeps_motion: bool) {
+    /// `thin` is where each body is too thin for its particles.
+    pub(super) fn take_up(&mut self, fresh: Runner, thin: Vec<ThinPlaces>, keeps_motion: bool) {
         self.thin = thin.into();
         self.at_rest = Arc::new(Snapshot::in_model_frames(fresh.world()));
         self.placed = fresh.world().placed();
@@ -111,8 +112,8 @@ impl LiveRun {
         self.placed
     }
 
-    /// Particles of each body in parts too thin.
-    pub(super) fn thin(&self) -> &Arc<[Vec<u32>]> {
+    /// Where each body is too thin for its particles.
+    pub(super) fn thin(&self) -> &Arc<[ThinPlaces]> {
         &self.thin
     }
 

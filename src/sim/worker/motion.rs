@@ -17,6 +17,7 @@ use crate::bake::Baked;
 use crate::scene::{Assets, Scene};
 use crate::sim::command::SimCommand;
 use crate::sim::journal::{Asked, Journal};
+use crate::sim::not_finite::NotFinite;
 use crate::sim::recording::RecordedFrame;
 use crate::sim::runner::Runner;
 use crate::sim::status::{Published, Status};
@@ -275,6 +276,7 @@ impl Motion {
         self.outlet.with_series(|series| *series = TimeSeriesSet::default());
         self.runs = Runs::default();
         self.status.divergence = None;
+        self.status.lost = None;
         self.status.unbalanced = None;
         self.status.bodies.clear();
         self.status.measures.clear();
@@ -362,6 +364,10 @@ impl Motion {
         if let Some(runner) = self.replay.shown().or(live.runner()) {
             snapshot = self.views.picture(runner);
             self.status.read(runner.world());
+            self.status.lost = NotFinite::of(&snapshot).map(|lost| lost.to_string());
+            if self.status.lost.is_some() {
+                self.playback.set_playing(false);
+            }
         }
         // In an earlier frame it is the ghost that was there then.
         let ghost = if self.replay.is_active() {

@@ -8,8 +8,10 @@ use super::stop::Stop;
 use crate::scene::Scene;
 use crate::sim::command::SimCommand;
 use crate::sim::runner::Runner;
+use crate::solver::dynamics::Dynamics;
 use crate::solver::energy::Energies;
 use crate::solver::forces::Force;
+use crate::solver::integrators::Integrator;
 use crate::solver::state::ParticleState;
 use glam::DVec3;
 use std::sync::Arc;
@@ -59,6 +61,47 @@ fn a_panic_in_the_solver_is_reported_and_a_reset_goes_on() {
     simulation.handle(SimCommand::Step, 0);
     assert!(simulation.motion.status.failure.is_none());
     assert!(runner(&mut simulation).is_some_and(|runner| runner.world().time() > 0.0));
+}
+
+/// Loses a place, and no velocity by which that would be noticed.
+#[derive(Clone)]
+struct Losing;
+
+impl Integrator for Losing {
+    fn step(&mut self, _dynamics: &mut Dynamics<'_>, state: &mut ParticleState, _time: f64, _dt: f64) {
+        state.positions[1].y = f64::NAN;
+    }
+
+    fn stable_step(&self, _omega: f64, _damping: f64) -> f64 {
+        1.0
+    }
+
+    fn clone_box(&self) -> Box<dyn Integrator> {
+        Box::new(self.clone())
+    }
+}
+
+#[test]
+fn a_place_that_is_no_number_is_said_with_its_body_and_a_reset_goes_on() {
+    let shared = Shared::default();
+    let mut simulation =
+        Simulation::new(scene(4), Arc::default(), true, Outlet::new(shared.clone(), || {}), Stop::default());
+    simulation.start();
+    simulation.motion.publish();
+    assert_eq!(shared.take().unwrap().status.lost, None);
+    runner(&mut simulation).unwrap().body_mut(0).unwrap().set_integrator(Box::new(Losing));
+    simulation.motion.advance();
+    simulation.motion.publish();
+    let status = shared.take().unwrap().status.clone();
+    let said = status.lost.clone().unwrap();
+    assert!(said.starts_with("body \"bar\": at 0.016667 s a point of it is no longer a finite number"), "{said}");
+    assert!(said.contains("take a smaller step (/time/step/automatic/safety)"), "{said}");
+    assert!(!status.playing);
+    simulation.handle(SimCommand::Reset, 0);
+    simulation.motion.publish();
+    assert_eq!(shared.take().unwrap().status.lost, None);
+    simulation.handle(SimCommand::Step, 0);
+    assert!(runner(&mut simulation).is_some_and(|runner| runner.particles().not_finite().is_none()));
 }
 
 /// A box of so many particles along its length.

@@ -58,6 +58,11 @@ impl Springs {
         Self { ends, rest_lengths, groups, active: Vec::new(), done: 0.0 }
     }
 
+    /// Whether a drive shortens any of them.
+    pub(crate) fn is_active(&self) -> bool {
+        !self.active.is_empty()
+    }
+
     /// With springs that act, each of them once.
     #[must_use]
     pub(crate) fn with_active(self, active: Vec<ActiveSprings>) -> Self {

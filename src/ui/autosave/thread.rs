@@ -295,14 +295,13 @@ impl Autosaver {
 
     /// The place where things are kept. A folder that vanished is made again.
     fn place(&mut self, folder: &Path) -> Result<&RecoveryFile, IoError> {
-        let place = match self.place.take().filter(RecoveryFile::is_there) {
-            Some(place) => place,
-            None => {
-                if let Some((recorder, _)) = &mut self.recorder {
-                    recorder.moved();
-                }
-                RecoveryFile::open(folder)?
+        let place = if let Some(place) = self.place.take().filter(RecoveryFile::is_there) {
+            place
+        } else {
+            if let Some((recorder, _)) = &mut self.recorder {
+                recorder.moved();
             }
+            RecoveryFile::open(folder)?
         };
         Ok(self.place.insert(place))
     }

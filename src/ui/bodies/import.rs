@@ -14,6 +14,7 @@ use crate::ui::document::named_from;
 use crate::ui::gallery::{shipped_beside, shipped_or_read};
 use glam::DVec3;
 use std::convert::Infallible;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -130,7 +131,9 @@ fn bring_leaders(body: &mut OwnedBody, cx: &mut Context) -> Result<(), String> {
             }
         };
         if !is_there {
-            let added = cx.add_models(|assets, folder| add_leader(assets, &follow.leader, folder, &mut |_| {}));
+            let added = cx.add_models(|assets, folder| {
+                add_leader(assets, &follow.leader, folder, &mut |_| ControlFlow::Continue(()))
+            });
             added.map_err(|error| error.to_string())?;
         }
     }

@@ -83,8 +83,10 @@ fn paint_swept(painter: &Painter, swept: &Sweep, offset: DVec3, frame: &ViewFram
     }
 }
 
-/// Marks on the parts of bodies that are thinner than their particles resolve, at most for each.
+/// Marks on the parts of bodies that are thinner than their particles resolve, at most for each, and their radius
+/// [points].
 const MARKS: usize = 300;
+const MARK: f32 = 3.0;
 
 /// Marks what the notes call too thin, as long as they do.
 fn paint_thin(painter: &Painter, frame: &ViewFrame, cx: &Context) {
@@ -97,10 +99,8 @@ fn paint_thin(painter: &Painter, frame: &ViewFrame, cx: &Context) {
         if cx.scene().any_body(index).is_some_and(AnyBody::hidden) {
             continue;
         }
-        for &particle in thin.iter().step_by(thin.len().div_ceil(MARKS).max(1)) {
-            if let Some(at) = body.particles.get(particle as usize).and_then(|&at| frame.screen(at)) {
-                painter.circle_stroke(at, 3.0, edge);
-            }
+        for at in thin.places(&body.particles, MARKS).into_iter().filter_map(|at| frame.screen(at)) {
+            painter.circle_stroke(at, MARK, edge);
         }
     }
 }

@@ -15,12 +15,10 @@ fn models_that_lie_elsewhere_are_read_where_that_is_said() {
     for folder in ["scenes", "models", "assets"] {
         fs::create_dir(desk.path(folder)).expect("made");
     }
-    let corners: String = (0..8)
-        .map(|k| {
-            format!("v {} {} {}\n", 0.03 * f64::from(k & 1), 0.03 * f64::from(k >> 1 & 1), 0.03 * f64::from(k >> 2))
-        })
-        .collect();
-    let cube = corners + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    let corner =
+        |k| format!("v {} {} {}\n", 0.03 * f64::from(k & 1), 0.03 * f64::from(k >> 1 & 1), 0.03 * f64::from(k >> 2));
+    let corners: Vec<String> = (0..8).map(corner).collect();
+    let cube = corners.concat() + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
     for model in ["models/cube.obj", "assets/cube.obj"] {
         fs::write(desk.path(model), &cube).expect("written");
     }

@@ -210,9 +210,11 @@ impl Placing<'_> {
         let (ea, _) = fibre.stiffness.rigidity(material.spacing().powi(3));
         let displaced = material.young_modulus * 0.2 * PI * material.support_radius.powi(2);
         if ea < displaced && fibre.greatest_fraction(&self.body.drives) > 0.0 {
+            let contracts = fibre.activation.as_ref().is_some_and(|of| of.contract != 0.0);
+            let lost = if contracts { ", and its contraction is lost in it" } else { "" };
             let text = format!(
                 "EA = {ea:.3e} N is less than the {displaced:.3e} N of the material that the fibre displaces, so it \
-                 weakens the solid; raise EA or lower the material's Young's modulus"
+                 weakens the solid{lost}; raise EA or lower the material's Young's modulus"
             );
             self.note(&format!("{path}/stiffness"), true, text);
         }

@@ -16,6 +16,7 @@ use crate::solver::constraint::{Constraint, PrescribedMotion};
 use crate::solver::forces::{Force, LedSprings, StepLimit};
 use crate::solver::led::{self, BoundToFace, BoundToJoints, Led, Playing};
 use crate::solver::state::ParticleState;
+use crate::text::number::compact;
 use glam::{BVec3, DMat4, DVec3};
 use std::sync::Arc;
 
@@ -97,8 +98,10 @@ impl Followers<'_> {
                 let bound = self.to_joints(skeleton, &frame, &format!("{path}/leader/skeleton"), notes)?;
                 let (skeleton, clip, candidates) = bound;
                 let [first, last] = skeleton.clips[clip].span;
+                let from = self.from(of, last - first, path, notes);
                 let bound = kept(candidates, &mut choose);
-                (led::Leader::Skeleton { skeleton, clip, bound }, last - first)
+                let skeleton = begun_at(skeleton, clip, from);
+                (led::Leader::Skeleton { skeleton, clip, bound }, last - first - from)
             }
             Leader::Cache(cache) => {
                 let candidates = self.to_faces(cache, &frame, &format!("{path}/leader/cache"), notes)?;
@@ -106,7 +109,8 @@ impl Followers<'_> {
                 let rate = cache.frames_per_second.unwrap_or(self.scene.time.frames_per_second);
                 let (seconds, bound) = (cached.seconds(rate), kept(candidates, &mut choose));
                 let length = seconds * cached.length();
-                (led::Leader::Cache { cache: Arc::clone(cached), seconds, bound }, length)
+                let from = self.from(of, length, path, notes);
+                (led::Leader::Cache { cache: Arc::clone(cached), seconds, from, bound }, length - from)
             }
         };
         if chosen.is_empty() {
@@ -115,6 +119,18 @@ impl Followers<'_> {
         let led = Led { leader, playing: playing(of, length), frame: to_world(self.body.placement()) * frame };
         let (particles, shares) = chosen.into_iter().unzip();
         Ok(Bound { id: of.id.clone(), particles, shares, led: Arc::new(led), hold: of.hold.clone() })
+    }
+
+    /// From which time of a motion of so many seconds it is played [s]; says where that is past its end.
+    fn from(&self, of: &Follow, length: f64, path: &str, notes: &mut Vec<Note>) -> f64 {
+        if of.from > length {
+            let text = format!(
+                "is past the end of the motion, which is {} s long: it stays in its last frame",
+                compact(length)
+            );
+            notes.push(Note { path: format!("{path}/from"), text, warning: true });
+        }
+        of.from.min(length)
     }
 
     /// Binds every particle to the joints of a skeleton, as its skin is where that is nearest.
@@ -238,44 +254,26 @@ fn kept<B>(candidates: Vec<Candidate<B>>, choose: &mut dyn FnMut(usize, f64, f64
     candidates.filter(|(i, of)| choose(*i, of.held, of.distance)).map(|(_, of)| of.bound).collect()
 }
 
+/// The skeleton with a clip of it that begins so much later [s].
+pub(super) fn begun_at(skeleton: Arc<Skeleton>, clip: usize, from: f64) -> Arc<Skeleton> {
+    if from == 0.0 {
+        return skeleton;
+    }
+    let mut begun = Arc::unwrap_or_clone(skeleton);
+    begun.clips[clip].span[0] += from;
+    Arc::new(begun)
+}
+
 /// When a motion of so many seconds is played.
-fn playing(of: &Follow, length: f64) -> Playing {
+pub(super) fn playing(of: &Follow, length: f64) -> Playing {
     let after = super::drives::after(of.after);
     Playing { start: of.start, pre_roll: of.pre_roll, speed: of.speed, length, after }
 }
 
 /// From a leader's space to the model frame.
-fn frame_of(leader: &Leader) -> DMat4 {
+pub(super) fn frame_of(leader: &Leader) -> DMat4 {
     let (scale, up) = leader.units();
     frame(ModelFile { path: leader.path(), scale, up }.up_axis(), scale)
-}
-
-/// The bones that a body follows without or with springs, as they are at a time [s]; none of what is not loaded.
-#[cfg(feature = "gui")]
-pub(crate) fn followed_bones(body: AnyBody<'_>, assets: &Assets, time: f64) -> Vec<[DVec3; 2]> {
-    let mut found: Vec<[DVec3; 2]> = Vec::new();
-    for of in body.follows() {
-        let Leader::Skeleton(leader) = &of.leader else { continue };
-        let Some(skeleton) = assets.skeleton(&leader.path) else { continue };
-        let is_meant =
-            |clip: &&crate::geometry::skeleton::Clip| leader.animation.as_ref().is_none_or(|name| *name == clip.name);
-        let Some((clip, [first, last])) =
-            skeleton.clips.iter().enumerate().find(|(_, clip)| is_meant(clip)).map(|(index, clip)| (index, clip.span))
-        else {
-            continue;
-        };
-        let worlds = skeleton.worlds(clip, playing(of, last - first).at(time));
-        let frame = to_world(body.placement()) * frame_of(&of.leader);
-        let is_chosen = |name: &String| leader.joints.is_empty() || leader.joints.contains(name);
-        let chosen = skeleton.joints.iter().enumerate().filter(|(_, joint)| is_chosen(&joint.name));
-        for bone in chosen.flat_map(|(joint, _)| skeleton.bones(joint, &worlds)) {
-            let bone = bone.map(|end| frame.transform_point3(end));
-            if !found.contains(&bone) {
-                found.push(bone);
-            }
-        }
-    }
-    found
 }
 
 /// From a file's space to the model frame.
@@ -284,7 +282,7 @@ fn frame(up: UpAxis, scale: f64) -> DMat4 {
     DMat4::from_cols(x, y, z, glam::DVec4::W)
 }
 
-fn to_world(placement: &Placement) -> DMat4 {
+pub(super) fn to_world(placement: &Placement) -> DMat4 {
     DMat4::from_rotation_translation(placement.rotation.quaternion(), DVec3::from_array(placement.translation))
 }
 

@@ -10,6 +10,8 @@ mod elements;
 mod error;
 mod falloff;
 mod fibres;
+#[cfg(feature = "gui")]
+mod followed_bones;
 mod follows;
 mod fractions;
 mod integrator;
@@ -46,7 +48,7 @@ pub use elements::OwnElements;
 pub use error::BakeError;
 pub use fibres::PlacedFibre;
 #[cfg(feature = "gui")]
-pub(crate) use follows::followed_bones;
+pub(crate) use followed_bones::followed_bones;
 pub use note::Note;
 pub use stage::BakeStage;
 pub use thin_places::ThinPlaces;

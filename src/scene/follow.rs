@@ -1,5 +1,6 @@
 //! What bodies follow: the skeleton of an animated model, or a cache of points.
 
+use super::extra::is_zero;
 use super::{AfterLast, Axis, Dab, Extra, painted};
 use glam::DVec3;
 use schemars::JsonSchema;
@@ -20,6 +21,9 @@ pub struct Follow {
     /// that.
     #[serde(default)]
     pub pre_roll: f64,
+    /// Time in the motion [s] of the frame that is the first to be played; what comes before is left out.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub from: f64,
     /// How many times as fast as it was made the motion is played.
     #[serde(default = "one")]
     pub speed: f64,
@@ -49,6 +53,7 @@ impl Follow {
             leader: leader.into(),
             start: 0.0,
             pre_roll: 0.0,
+            from: 0.0,
             speed: one(),
             after: AfterLast::default(),
             select: FollowSelect::default(),
@@ -56,6 +61,12 @@ impl Follow {
             paint: Vec::new(),
             extra: Extra::new(),
         }
+    }
+
+    /// Played from this time of the motion on [s].
+    #[must_use]
+    pub fn with_from(self, from: f64) -> Self {
+        Self { from, ..self }
     }
 
     /// Only the particles that are chosen so.

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Air or water that moves as one and pushes on the surfaces of solid bodies across them: at rest it is what a tail
-/// swims in, in motion what a leaf flutters in.
+/// swims in, in motion what bends a leaf.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Wind {

@@ -18,6 +18,7 @@ impl Journal {
     /// the same again, to the bit; none where nothing was played on it. The frames of the scene that the motion started
     /// from are counted.
     pub fn performed(&self, body: usize, id: &str, drive: &Drive) -> Option<Drive> {
+        let [least, greatest] = solver_drive(drive, &[]).in_hand();
         let mut drive = drive.clone();
         let mut hold: Option<Hold> = None;
         let mut was_performed = false;
@@ -37,7 +38,7 @@ impl Journal {
             }
             was_performed = true;
             match aim {
-                Some(aim) => held.keys.push((end, aim.clamp(own.least(), own.greatest()))),
+                Some(aim) => held.keys.push((end, aim.clamp(least, greatest))),
                 None => held.back_in = Some(end - start),
             }
             if aim.is_none()

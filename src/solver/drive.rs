@@ -167,7 +167,7 @@ impl Drive {
             Self::Constant(value) => *value,
             Self::Keys { keys, between, .. } => extremes(keys, *between)[1],
             Self::Wave(wave) => (wave.mean + wave.amplitude.abs()).max(0.0),
-            Self::Shared { own, .. } => own.greatest(),
+            Self::Shared { own, .. } => own.in_hand()[1],
             Self::Over { keys, own, .. } => keys.greatest().max(own.greatest()),
         }
     }
@@ -178,9 +178,15 @@ impl Drive {
             Self::Constant(value) => *value,
             Self::Keys { keys, between, .. } => extremes(keys, *between)[0],
             Self::Wave(wave) => (wave.mean - wave.amplitude.abs()).min(0.0),
-            Self::Shared { own, .. } => own.least(),
+            Self::Shared { own, .. } => own.in_hand()[0],
             Self::Over { keys, own, .. } => keys.least().min(own.least()),
         }
+    }
+
+    /// The least and the greatest value to which a hand may bring it where it is shared: as far as it goes by itself,
+    /// and to nothing.
+    pub(crate) fn in_hand(&self) -> [f64; 2] {
+        [self.least().min(0.0), self.greatest().max(0.0)]
     }
 
     /// The greatest size of its values.
@@ -251,10 +257,13 @@ impl Drive {
         }
     }
 
-    /// The hand that leads it within two times [s] to a value, no further than it ever goes by itself, or lets go of
+    /// The hand that leads it within two times [s] to a value, no further than [`Self::in_hand`] says, or lets go of
     /// it; none where there is nothing to let go of.
     pub(crate) fn led(&self, times: [f64; 2], aim: Option<f64>) -> Option<Hand> {
-        let aim = aim.map(|aim| aim.clamp(self.least(), self.greatest()));
+        let aim = aim.map(|aim| {
+            let [least, greatest] = self.in_hand();
+            aim.clamp(least, greatest)
+        });
         let is_led = aim.is_some() || self.hand().is_some_and(|hand| hand.holds());
         is_led.then(|| Hand::new(times, self.at(times[0]).0, aim, self.hand()))
     }

@@ -28,8 +28,8 @@ pub(crate) struct Led {
 pub(crate) enum Leader {
     /// A clip of a skeleton.
     Skeleton { skeleton: Arc<Skeleton>, clip: usize, bound: Vec<BoundToJoints> },
-    /// A cache; the units of its times take so many seconds.
-    Cache { cache: Arc<PointCache>, seconds: f64, bound: Vec<BoundToFace> },
+    /// A cache; the units of its times take so many seconds, and so many seconds of it are left out.
+    Cache { cache: Arc<PointCache>, seconds: f64, from: f64, bound: Vec<BoundToFace> },
 }
 
 /// How a particle hangs on joints.
@@ -127,10 +127,10 @@ impl Led {
                 let maps: Vec<_> = maps.iter().map(|map| product(&frame, map)).collect();
                 bound.iter().map(|particle| particle.place(&maps)).collect()
             }
-            Leader::Cache { cache, seconds, bound } => {
+            Leader::Cache { cache, seconds, from, bound } => {
                 let [x, v] = [self.frame, DMat4 { w_axis: glam::DVec4::W, ..self.frame }];
                 let place = |particle: &BoundToFace| {
-                    let [at, rate] = particle.place(cache, *seconds, moment);
+                    let [at, rate] = particle.place(cache, [*seconds, *from], moment);
                     [x.transform_point3(at), v.transform_vector3(rate)]
                 };
                 bound.iter().map(place).collect()
@@ -157,14 +157,14 @@ impl BoundToJoints {
 }
 
 impl BoundToFace {
-    fn place(&self, cache: &PointCache, seconds: f64, moment: Moment) -> [DVec3; 2] {
+    fn place(&self, cache: &PointCache, [seconds, from]: [f64; 2], moment: Moment) -> [DVec3; 2] {
         match moment {
             Moment::Eased { share: 0.0, .. } => [self.rest, DVec3::ZERO],
             Moment::Eased { share, rate } => {
-                let way = self.on(cache, 0.0, 0.0)[0] - self.rest;
+                let way = self.on(cache, from / seconds, 0.0)[0] - self.rest;
                 [self.rest + share * way, rate * way]
             }
-            Moment::Played { time, rate } => self.on(cache, time / seconds, rate / seconds),
+            Moment::Played { time, rate } => self.on(cache, (from + time) / seconds, rate / seconds),
         }
     }
 
@@ -222,7 +222,7 @@ mod tests {
         let bound = BoundToFace { corners: [0, 1, 2], shares: [0.4, 0.4, 0.2], height: 0.2, rest };
         let frame = DMat4::from_scale_rotation_translation(DVec3::splat(2.0), glam::DQuat::from_rotation_y(1.0), rest);
         let led = Led {
-            leader: Leader::Cache { cache: Arc::new(cache), seconds: 0.5, bound: vec![bound] },
+            leader: Leader::Cache { cache: Arc::new(cache), seconds: 0.5, from: 0.0, bound: vec![bound] },
             playing: Playing { start: 0.1, pre_roll: 0.2, speed: 1.3, length: 0.75, after: After::Mirror },
             frame,
         };

@@ -175,7 +175,7 @@ pub(super) fn twisting_field(ui: &mut Ui, stiffness: &mut Stiffness) {
         "N m²",
         0.0..=1e6,
         Some(0.0),
-        "Twisting stiffness, l_f GJ / 2 L0 per vertex; without it a fibre does not feel twist",
+        "Twisting stiffness: l_f GJ / 2 l0 times the square of the twist at each edge, l0 its own length; 0 does not feel twist",
     );
     if let Stiffness::Rigidity(of) = stiffness {
         GJ.show(ui, &mut of.gj);

@@ -13,7 +13,9 @@ pub(super) fn conductor(ui: &mut Ui, cx: &mut Context) {
         ui.weak("No drive is shared yet: \"Share it\" in a lane under Drives makes one");
         return;
     }
-    ui.weak("Drag: what follows moves now").on_hover_text("Up to the least and the greatest value of the drive itself");
+    ui.weak("Drag: what follows moves now").on_hover_text(
+        "From the least to the greatest value of the drive itself, and to 0: so one that stays the same has a range, too",
+    );
     for of in &drives {
         knob(ui, cx, of);
     }
@@ -39,7 +41,8 @@ fn knob(ui: &mut Ui, cx: &Context, of: &DriveStatus) {
     let label = RichText::new(&title).small();
     let text = ui.label(if of.is_led { label.strong() } else { label });
     if least >= most {
-        ui.weak("the same at all times").on_hover_text("Keys or a wave in its lane give it a range to be played in");
+        ui.weak("0 at all times")
+            .on_hover_text("Another value, keys or a wave in its lane give it a range to be played in");
         return;
     }
     let mut value = of.value;

@@ -21,6 +21,13 @@ const PRE_ROLL: NumberField = NumberField::new(
     Some(0.0),
     "How long the body is eased then from its rest pose into that of the first frame, before the motion begins",
 );
+const FROM: NumberField = NumberField::new(
+    "From",
+    "s",
+    0.0..=1e6,
+    Some(0.0),
+    "Time in the motion of the frame that is the first to be played",
+);
 const SPEED: NumberField =
     NumberField::new("Speed", "", 1e-3..=1e3, Some(1.0), "How many times as fast as it was made the motion is played");
 const WEIGHT: NumberField =
@@ -108,6 +115,7 @@ fn show_follow(ui: &mut Ui, cx: &Context, body: AnyBody<'_>, follow: &mut Follow
     }
     START.show(ui, &mut follow.start);
     PRE_ROLL.show(ui, &mut follow.pre_roll);
+    FROM.show(ui, &mut follow.from);
     SPEED.show(ui, &mut follow.speed);
     let afters = [AfterLast::Hold, AfterLast::Repeat, AfterLast::Mirror];
     let present = afters.iter().position(|after| *after == follow.after).unwrap_or(0);

@@ -18,6 +18,30 @@ pub(super) enum Runs {
     Round,
 }
 
+impl Runs {
+    /// Which of the frames 0 to `last` is shown after so many have gone by; none where it does not play.
+    fn shown(self, frames: Option<f64>, last: usize) -> usize {
+        match (self, frames) {
+            (Self::ForthAndBack, Some(frames)) => swing(frames, last),
+            (Self::ForthAndBack, None) => last,
+            (Self::Round, Some(frames)) => frames.max(0.0) as usize % (last + 1),
+            (Self::Round, None) => last.div_ceil(2),
+        }
+    }
+}
+
+/// How many frames of this width over their height a strip of this size has, one at least.
+fn frames([width, height]: [usize; 2], form: f32) -> usize {
+    let high = (width as f32 / form).max(1.0);
+    ((height as f32 / high).round() as usize).max(1)
+}
+
+/// How many frames of this width over their height a strip has; none where it is no picture.
+#[cfg(test)]
+pub(super) fn frames_of(png: &[u8], form: f32) -> Option<usize> {
+    decode(png).map(|image| frames(image.size, form))
+}
+
 /// Pictures by name, as far as they have been seen.
 #[derive(Default)]
 pub(super) struct Thumbs {
@@ -63,19 +87,13 @@ impl Thumbs {
         plays: bool,
     ) {
         let Some(texture) = self.get(ui.ctx(), name, png) else { return };
-        let [width, height] = texture.size();
-        let high = (width as f32 * place.height() / place.width()).max(1.0);
-        let last = ((height as f32 / high).round() as usize).saturating_sub(1);
+        let height = texture.size()[1];
+        let last = frames(texture.size(), place.width() / place.height()) - 1;
         if plays && last > 0 {
             ui.ctx().request_repaint_after_secs(1.0 / FRAMES_PER_SECOND as f32);
         }
         let frames = ui.input(|input| input.time) * FRAMES_PER_SECOND;
-        let frame = match runs {
-            Runs::ForthAndBack if plays => swing(frames, last),
-            Runs::ForthAndBack => last,
-            Runs::Round if plays => frames.max(0.0) as usize % (last + 1),
-            Runs::Round => last.div_ceil(2),
-        };
+        let frame = runs.shown(plays.then_some(frames), last);
         // Half a pixel of each side is left out: what lies above and below is another frame.
         let half = 0.5 / height as f32;
         let share = |k: usize| k as f32 / (last + 1) as f32;
@@ -110,6 +128,21 @@ mod tests {
         let shown: Vec<usize> = (0..8).map(|k| swing(f64::from(k), 3)).collect();
         assert_eq!(shown, [0, 1, 2, 3, 2, 1, 0, 1]);
         assert_eq!(swing(5.0, 0), 0);
+    }
+
+    #[test]
+    fn what_goes_round_begins_again_after_its_last_frame_and_stands_half_way() {
+        let shown: Vec<usize> = (0..8).map(|k| Runs::Round.shown(Some(f64::from(k)), 3)).collect();
+        assert_eq!(shown, [0, 1, 2, 3, 0, 1, 2, 3]);
+        assert_eq!([9, 0].map(|last| Runs::Round.shown(None, last)), [5, 0]);
+        let shown: Vec<usize> = (0..5).map(|k| Runs::ForthAndBack.shown(Some(f64::from(k)), 2)).collect();
+        assert_eq!((shown.as_slice(), Runs::ForthAndBack.shown(None, 9)), ([0, 1, 2, 1, 0].as_slice(), 9));
+    }
+
+    #[test]
+    fn a_strip_has_as_many_frames_as_its_form_says() {
+        let found = [[128, 1280], [128, 128], [240, 150], [240, 1800]];
+        assert_eq!(found.map(|size| frames(size, if size[0] == 128 { 1.0 } else { 1.6 })), [10, 1, 1, 12]);
     }
 
     #[test]

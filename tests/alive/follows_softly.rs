@@ -1,9 +1,11 @@
 //! Bodies that are eased into a motion, or led by springs, all over alike or here more than there.
 
 use crate::follows::{run_to, scene, skeleton, solid, started};
-use crate::rig::{Rig, write_cache};
+use crate::rig::{ANGLE, ELBOW, Rig, SECONDS, write_cache};
 use glam::{DQuat, DVec3};
-use sinew::scene::{CacheLeader, ClosedMesh, Dab, Follow, FollowSprings, Scene, TwoLayer};
+use sinew::bake::bake;
+use sinew::io::load_assets;
+use sinew::scene::{AfterLast, CacheLeader, ClosedMesh, Dab, Follow, FollowSprings, Scene, TwoLayer};
 
 #[test]
 fn a_two_layer_body_follows_a_cache_held_and_by_springs() {
@@ -59,6 +61,64 @@ fn a_body_is_eased_into_a_first_frame_that_is_not_its_rest() {
         let found = way(time);
         assert!(found.distance(expected) < 1e-6, "{found}, not {expected} at {time} s");
     }
+}
+
+/// The frame at `from` is the one that is eased into, and the first of every round.
+#[test]
+fn a_motion_is_played_from_a_frame_within_it_after_a_pre_roll() {
+    let rig = Rig::column();
+    let away = |time: f64| DVec3::new(0.05, 0.02, 0.03 * time);
+    write_cache(rig.path(), "away.mdd", &[0.0, 0.2, 0.5], |at, time| at + away(time));
+    write_cache(rig.path(), "away.pc2", &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], |at, time| at + away(0.1 * time));
+    let in_frames = CacheLeader { frames_per_second: Some(10.0), ..CacheLeader::new("away.pc2") };
+    for leader in [CacheLeader::new("away.mdd"), in_frames] {
+        let follow = Follow { start: 0.05, pre_roll: 0.2, from: 0.4, ..Follow::new("bones", leader) };
+        for (after, time, expected) in [
+            (AfterLast::Hold, 0.15, 0.5 * away(0.4)),
+            (AfterLast::Hold, 0.25, away(0.4)),
+            (AfterLast::Hold, 0.3, away(0.45)),
+            (AfterLast::Hold, 0.5, away(0.5)),
+            (AfterLast::Repeat, 0.38, away(0.43)),
+            (AfterLast::Mirror, 0.38, away(0.47)),
+        ] {
+            let mut runner = started(&scene(solid(Follow { after, ..follow.clone() })), &rig);
+            run_to(&mut runner, time);
+            let body = &runner.world().bodies()[0];
+            for (at, x) in body.parts().rest.iter().zip(&body.state().positions) {
+                assert!((*x - *at).distance(expected) < 1e-6, "{after:?} {time} s: {}, not {expected}", *x - *at);
+            }
+        }
+    }
+    // Joints: eased by half of the angle that the clip has there, and on from that.
+    let follow = Follow { start: 0.05, pre_roll: 0.2, from: 0.1, ..Follow::new("bones", skeleton()) };
+    let there = ANGLE * 0.1 / SECONDS;
+    for (after, time, angle) in [
+        (AfterLast::Hold, 0.15, 0.5 * there),
+        (AfterLast::Hold, 0.25, there),
+        (AfterLast::Hold, 0.4, ANGLE * 0.25 / SECONDS),
+        (AfterLast::Hold, 0.6, ANGLE),
+        (AfterLast::Repeat, 0.6, ANGLE * 0.15 / SECONDS),
+    ] {
+        let mut runner = started(&scene(solid(Follow { after, ..follow.clone() })), &rig);
+        run_to(&mut runner, time);
+        let body = &runner.world().bodies()[0];
+        for (at, x) in body.parts().model.iter().zip(&body.state().positions).filter(|(at, _)| at.y > 0.0701) {
+            let expected = ELBOW + DQuat::from_rotation_z(angle) * (*at - ELBOW);
+            assert!(x.distance(expected) < 1e-6, "{after:?} {time} s: {x}, not {expected}");
+        }
+    }
+    // Past its end there is only its last frame, and that is said.
+    let follow = Follow::new("bones", skeleton()).with_from(2.0 * SECONDS);
+    let scene = scene(solid(follow));
+    let assets = load_assets(&scene, rig.path(), &mut |_| {}).expect("files that are there");
+    let notes = bake(&scene, &assets).expect("a scene that bakes").notes;
+    assert!(notes.iter().any(|note| note.warning && note.path == "/bodies/0/follows/0/from"), "{notes:?}");
+    let mut runner = started(&scene, &rig);
+    run_to(&mut runner, 0.1);
+    let body = &runner.world().bodies()[0];
+    let turned = |at: &DVec3| ELBOW + DQuat::from_rotation_z(ANGLE) * (*at - ELBOW);
+    let ends = body.parts().model.iter().zip(&body.state().positions).filter(|(at, _)| at.y > 0.0701);
+    assert!(ends.map(|(at, x)| x.distance(turned(at))).fold(0.0, f64::max) < 1e-6);
 }
 
 #[test]

@@ -1,19 +1,30 @@
-//! The motion of the character as its file says it, read by a reader of its own: joints alone, and what hangs on one of
-//! them.
+//! The motion of the character as its file says it, read by a reader of its own: joints, and what hangs on them, linearly
+//! blended.
 
 use glam::{DMat4, DQuat, DVec3, DVec4};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
 
-/// A chain of joints with cubic keys.
+/// A chain of joints with cubic keys, and the skin on them.
 pub struct Greeting {
-    json: Value,
+    pub json: Value,
     bin: Vec<u8>,
     parents: Vec<Option<usize>>,
+    /// Nodes of the joints.
+    nodes: Vec<usize>,
+    inverse_binds: Vec<DMat4>,
     points: Vec<DVec3>,
-    joints: Vec<[u8; 4]>,
-    weights: Vec<[f32; 4]>,
+    triangles: Vec<[usize; 3]>,
+    /// Joints that hold a vertex, and their shares.
+    pub held: Vec<[(usize, f64); 4]>,
+}
+
+/// How a place hangs on joints.
+pub struct Hung {
+    joints: Vec<(usize, f64)>,
+    /// Where it is in the frame in which the skin was bound.
+    point: DVec3,
 }
 
 impl Greeting {
@@ -24,8 +35,9 @@ impl Greeting {
         let text = length(12);
         let json: Value = serde_json::from_slice(&bytes[20..20 + text]).expect("a document");
         let bin = bytes[28 + text..].to_vec();
-        let mut this =
-            Self { json, bin, parents: Vec::new(), points: Vec::new(), joints: Vec::new(), weights: Vec::new() };
+        let (parents, inverse_binds) = (Vec::new(), Vec::new());
+        let (nodes, points, triangles, held) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut this = Self { json, bin, parents, nodes, inverse_binds, points, triangles, held };
         let nodes = this.json["nodes"].as_array().expect("nodes").clone();
         this.parents = vec![None; nodes.len()];
         for (parent, node) in nodes.iter().enumerate() {
@@ -33,12 +45,25 @@ impl Greeting {
                 this.parents[child.as_u64().expect("a number") as usize] = Some(parent);
             }
         }
-        let attributes = this.json["meshes"][0]["primitives"][0]["attributes"].clone();
+        let skin = this.json["skins"][0].clone();
+        let joints = skin["joints"].as_array().expect("joints");
+        this.nodes = joints.iter().map(|node| node.as_u64().expect("a number") as usize).collect();
+        let binds = this.floats(&skin["inverseBindMatrices"]);
+        this.inverse_binds = binds.chunks(16).map(DMat4::from_cols_slice).collect();
+        let primitive = this.json["meshes"][0]["primitives"][0].clone();
+        let attributes = &primitive["attributes"];
         let points = this.floats(&attributes["POSITION"]);
         this.points = points.chunks(3).map(|p| DVec3::new(p[0], p[1], p[2])).collect();
+        let accessor = &this.json["accessors"][primitive["indices"].as_u64().expect("an accessor") as usize];
+        // Two bytes each, or four.
+        let width = if accessor["componentType"] == 5123 { 2 } else { 4 };
+        let index = |bytes: &[u8]| bytes.iter().rev().fold(0, |sum, byte| 256 * sum + usize::from(*byte));
+        let indices: Vec<usize> = this.view(&primitive["indices"]).chunks(width).map(index).collect();
+        this.triangles = indices.chunks(3).map(|corners| [corners[0], corners[1], corners[2]]).collect();
         let weights = this.floats(&attributes["WEIGHTS_0"]);
-        this.weights = weights.chunks(4).map(|w| [0, 1, 2, 3].map(|k| w[k] as f32)).collect();
-        this.joints = this.view(&attributes["JOINTS_0"]).chunks(4).map(|j| [j[0], j[1], j[2], j[3]]).collect();
+        let joints = this.view(&attributes["JOINTS_0"]).chunks(4).zip(weights.chunks(4));
+        let held = joints.map(|(joints, weights)| [0, 1, 2, 3].map(|k| (usize::from(joints[k]), weights[k])));
+        this.held = held.collect();
         this
     }
 
@@ -49,7 +74,8 @@ impl Greeting {
         &self.bin[number("byteOffset")..number("byteOffset") + number("byteLength")]
     }
 
-    fn floats(&self, accessor: &Value) -> Vec<f64> {
+    /// The numbers of an accessor.
+    pub fn floats(&self, accessor: &Value) -> Vec<f64> {
         let number = |four: &[u8]| f64::from(f32::from_le_bytes(four.try_into().expect("four bytes")));
         self.view(accessor).chunks(4).map(number).collect()
     }
@@ -92,33 +118,66 @@ impl Greeting {
         self.parents[node].map_or(own, |parent| self.world(parent, time) * own)
     }
 
-    /// Where a point near a bone is at a time, where all of the skin that is nearest to it hangs on one joint; before
-    /// the motion begins none.
-    pub fn held_by_one(&self, at: DVec3, time: f64) -> Option<DVec3> {
-        const BONES: [(usize, [f64; 3], [f64; 3]); 3] = [
-            (1, [0.0, 0.15, -0.005], [0.0, 0.19, 0.0]),
-            (3, [0.075, 0.164, 0.0], [0.12, 0.154, 0.0]),
-            (5, [-0.075, 0.164, 0.0], [-0.12, 0.154, 0.0]),
-        ];
-        if time < 0.0 {
-            return None;
-        }
-        let near = |(_, from, to): &&(usize, [f64; 3], [f64; 3])| {
-            let (from, to) = (DVec3::from_array(*from), DVec3::from_array(*to));
-            let s = (at - from).dot(to - from) / (to - from).length_squared();
-            (0.0..=1.0).contains(&s) && at.distance(from.lerp(to, s)) < 0.014
-        };
-        let (joint, ..) = BONES.iter().find(near)?;
-        let mut nearest: Vec<usize> = (0..self.points.len()).collect();
-        nearest.sort_by(|&a, &b| self.points[a].distance(at).total_cmp(&self.points[b].distance(at)));
-        let alone = |&vertex: &usize| {
-            let held = self.joints[vertex].iter().zip(self.weights[vertex]);
-            held.filter(|(of, _)| **of as usize == *joint).map(|(_, weight)| weight).sum::<f32>() > 0.999
-        };
-        if !nearest[..12].iter().all(alone) {
-            return None;
-        }
-        let moved = self.world(*joint, Some(time)) * self.world(*joint, None).inverse();
-        Some(moved.transform_point3(at))
+    /// Whether a place is as near as this [m] to a bone, which leads from a joint to one that hangs on it.
+    pub fn is_near_a_bone(&self, at: DVec3, distance: f64) -> bool {
+        let joint = |node: usize| self.world(node, None).w_axis.truncate();
+        let ends = self.nodes.iter().filter_map(|&node| Some([joint(self.parents[node]?), joint(node)]));
+        ends.into_iter().any(|[from, to]| {
+            let s = ((at - from).dot(to - from) / (to - from).length_squared()).clamp(0.0, 1.0);
+            at.distance(from.lerp(to, s)) <= distance
+        })
     }
+
+    /// How a place at rest hangs on joints: as the skin does where that is nearest.
+    pub fn hung(&self, at: DVec3) -> Hung {
+        let mut nearest = (f64::INFINITY, [0; 3], [0.0; 3]);
+        for &corners in &self.triangles {
+            let shares = closest(corners.map(|corner| self.points[corner]), at);
+            let foot: DVec3 = corners.iter().zip(shares).map(|(&corner, share)| share * self.points[corner]).sum();
+            if at.distance(foot) < nearest.0 {
+                nearest = (at.distance(foot), corners, shares);
+            }
+        }
+        let mut shares = vec![0.0; self.nodes.len()];
+        for (corner, share) in nearest.1.into_iter().zip(nearest.2) {
+            let whole: f64 = self.held[corner].iter().map(|(_, weight)| weight).sum();
+            for (joint, weight) in self.held[corner] {
+                shares[joint] += share * weight / whole;
+            }
+        }
+        let joints: Vec<_> = shares.into_iter().enumerate().filter(|(_, share)| *share != 0.0).collect();
+        let point = self.blend(&joints, None).inverse().transform_point3(at);
+        Hung { joints, point }
+    }
+
+    fn blend(&self, joints: &[(usize, f64)], time: Option<f64>) -> DMat4 {
+        let map = |joint: usize| self.world(self.nodes[joint], time) * self.inverse_binds[joint];
+        joints.iter().fold(DMat4::ZERO, |sum, &(joint, share)| sum + map(joint) * share)
+    }
+
+    /// Where what hangs so is at a time of the motion.
+    pub fn place(&self, hung: &Hung, time: f64) -> DVec3 {
+        self.blend(&hung.joints, Some(time)).transform_point3(hung.point)
+    }
+}
+
+/// The shares of the corners of a triangle in the point of it that is nearest to a place.
+fn closest([a, b, c]: [DVec3; 3], at: DVec3) -> [f64; 3] {
+    let normal = (b - a).cross(c - a);
+    let share = |one: DVec3, other: DVec3| (one - at).cross(other - at).dot(normal) / normal.length_squared();
+    let within = [share(b, c), share(c, a), share(a, b)];
+    if within.iter().all(|share| *share >= 0.0) {
+        return within;
+    }
+    let mut nearest = (f64::INFINITY, [0.0; 3]);
+    for (k, [from, to]) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
+        let s = ((at - from).dot(to - from) / (to - from).length_squared()).clamp(0.0, 1.0);
+        let far = at.distance(from.lerp(to, s));
+        if far < nearest.0 {
+            let mut shares = [0.0; 3];
+            (shares[k], shares[(k + 1) % 3]) = (1.0 - s, s);
+            nearest = (far, shares);
+        }
+    }
+    nearest.1
 }

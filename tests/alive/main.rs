@@ -2,6 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
 
+mod bits;
 #[path = "../physics/common.rs"]
 #[allow(dead_code, reason = "the physics tests use the rest of it")]
 mod common;
@@ -12,6 +13,7 @@ mod follows_chosen;
 mod follows_softly;
 mod greeting;
 mod moved;
+mod pitfalls;
 mod rig;
 mod rules;
 mod scenes;

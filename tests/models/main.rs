@@ -7,6 +7,9 @@ mod filling;
 mod formats;
 mod gltf;
 mod gltf_document;
+#[path = "../alive/greeting.rs"]
+#[allow(dead_code, reason = "the tests of scenes use the rest of it")]
+mod greeting;
 mod obj;
 mod odd_files;
 mod overlaps;

@@ -1,5 +1,7 @@
 //! The models in assets/: what the code makes, closed, and of the sizes of Table 1.
 
+use crate::greeting::Greeting;
+use serde_json::Value;
 use sinew::cli::{Cli, Console, run};
 use sinew::geometry::Solid;
 use sinew::geometry::{FillResolution, fill};
@@ -61,4 +63,51 @@ fn the_code_makes_them_anew() {
         total += fs::metadata(assets().join(&file)).unwrap().len();
     }
     assert!(total < 4 << 20, "{total} bytes");
+    the_same_skeleton(&folder.path().join("character.glb"), &assets().join("character.glb"));
+}
+
+/// Checks that two files have the same joints, the same skin on them, and the same clip.
+fn the_same_skeleton(made: &Path, kept: &Path) {
+    let [made, kept] = [made, kept].map(Greeting::read);
+    // Places and turns of nodes are numbers, all else are names and indices.
+    let near = |a: &Value, b: &Value| match (a.as_f64(), b.as_f64()) {
+        (Some(a), Some(b)) => (a - b).abs() < 1e-6,
+        _ => a == b,
+    };
+    let [nodes, others] = [&made, &kept].map(|of| of.json["nodes"].as_array().expect("nodes"));
+    assert!(nodes.len() == others.len() && nodes.len() > 7);
+    for (node, other) in nodes.iter().zip(others) {
+        assert_eq!((&node["name"], &node["children"]), (&other["name"], &other["children"]));
+        for part in ["translation", "rotation", "scale"] {
+            let [a, b] = [node, other].map(|node| node[part].as_array().cloned().unwrap_or_default());
+            assert!(a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| near(a, b)), "{node} {other}");
+        }
+    }
+    let of = |of: &Greeting, path: &str| of.json.pointer(path).cloned().unwrap_or_else(|| panic!("no {path}"));
+    for path in ["/skins/0/joints", "/animations/0/name", "/animations/0/channels"] {
+        assert_eq!(of(&made, path), of(&kept, path));
+    }
+    let alike = |path: &str| {
+        let [a, b] = [&made, &kept].map(|file| file.floats(&of(file, path)));
+        let far = a.iter().zip(&b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(!a.is_empty() && a.len() == b.len() && far < 1e-6, "{path}: {far}");
+    };
+    alike("/skins/0/inverseBindMatrices");
+    for k in 0..of(&made, "/animations/0/samplers").as_array().expect("samplers").len() {
+        for end in ["input", "output"] {
+            alike(&format!("/animations/0/samplers/{k}/{end}"));
+        }
+        let between = |file| of(file, &format!("/animations/0/samplers/{k}/interpolation"));
+        assert_eq!(between(&made), between(&kept));
+    }
+    assert!(made.held.len() == kept.held.len() && !made.held.is_empty());
+    for (made, kept) in made.held.iter().zip(&kept.held) {
+        for ((joint, share), (other, others)) in made.iter().zip(kept) {
+            // By so small a share it is no matter which joint holds it.
+            assert!(
+                (share - others).abs() < 1e-4 && (joint == other || share.max(*others) < 1e-4),
+                "{made:?} {kept:?}"
+            );
+        }
+    }
 }

@@ -27,6 +27,7 @@ mod meeting;
 mod paint;
 mod panels;
 mod patterns;
+mod patterns_fit;
 mod press;
 mod printed;
 mod region_materials;

@@ -148,6 +148,7 @@ fn numbers_out_of_range_are_refused() {
         ("/bodies/0/follows/0/leader/skeleton/joints/1", json!("Hips"), ["is taken by another joint", "of its own"]),
         ("/bodies/0/follows/0/start", json!(-1), ["-1", "from 0"]),
         ("/bodies/0/follows/0/pre_roll", json!(-1), ["-1", "from 0"]),
+        ("/bodies/0/follows/0/from", json!(-1), ["-1", "from 0"]),
         ("/bodies/0/follows/0/speed", json!(0), ["is not above zero", "above 0"]),
         ("/bodies/0/follows/0/select/skin_weight", json!(1.5), ["1.5", "from 0 to 1"]),
         ("/bodies/0/follows/1/select/distance", json!(0), ["is not above zero", "above 0 m"]),

@@ -1,11 +1,12 @@
-//! What is keyed beside its field, acts at once, is seen to act and is led by hand.
+//! What is keyed beside its field, acts at once, and is seen to act.
 
-use super::drives::{FRAME, SCENE, at, fibre, is_near, keys_of, lane, lanes, one_step, pairs, pull, type_into, undo};
+use super::drive_waves::paths_in;
+use super::drives::{FRAME, SCENE, at, fibre, is_near, lane, lanes, one_step, pairs, pull, type_into, undo};
 use super::{Window, advance, click, click_on, drag, hold, is_settled, open, press_key, reset, scene, until};
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers, Vec2};
+use egui::{Color32, Event, Key, Modifiers, Rect, Vec2};
 use egui_kittest::kittest::Queryable;
-use sinew::scene::{Drivable, Drive, Interpolation, Motion};
+use sinew::scene::{Drivable, Drive, Motion};
 
 #[test]
 fn a_diamond_sets_and_removes_a_key_at_the_time_that_is_shown() {
@@ -30,8 +31,74 @@ fn a_diamond_sets_and_removes_a_key_at_the_time_that_is_shown() {
     until(&mut window, is_settled);
 }
 
+/// What fills the polygons that are drawn in a button.
+fn fills(window: &Window, button: Rect) -> Vec<Color32> {
+    paths_in(window, button).into_iter().filter(|path| path.closed).map(|path| path.fill).collect()
+}
+
+fn is_red(of: Color32) -> bool {
+    let [r, g, b, a] = of.to_array();
+    a == 255 && r > 150 && u32::from(r) > 3 * u32::from(g.max(b)) / 2
+}
+
+/// Clicks the diamond of something that is not keyed yet, and checks that it is red then wherever it is shown.
+fn keyed(window: &mut Window, of: &Drivable) {
+    let name = format!("Set a key of {}", of.title(window.state().scene()));
+    window.run_steps(3);
+    let button = window.query_all_by_label(&name).next().unwrap_or_else(|| panic!("{name}")).rect();
+    assert!(fills(window, button).iter().all(|fill| !is_red(*fill)), "{of:?} is not keyed yet");
+    window.query_all_by_label(&name).next().expect("a button").click();
+    window.run_steps(2);
+    assert_eq!(window.state().undo_name(), Some("Set key"));
+    assert!(matches!(of.drive(window.state().scene()), Some(Drive::Keyframes(_))), "{of:?}");
+    window.run_steps(2);
+    let name = format!("Remove the key of {}", of.title(window.state().scene()));
+    let buttons: Vec<_> = window.query_all_by_label(&name).map(|node| node.rect()).collect();
+    assert!(!buttons.is_empty(), "{of:?}");
+    for button in buttons {
+        // What does not fit into its panel is not drawn.
+        assert!(fills(window, button).iter().all(|fill| is_red(*fill)), "{of:?}: {:?}", fills(window, button));
+    }
+    let first = window.query_all_by_label(&name).next().expect("a button").rect();
+    assert!(matches!(fills(window, first)[..], [fill] if is_red(fill)), "{of:?}: {:?}", fills(window, first));
+}
+
+/// The window on the scene with a sheet, with the inspector of what has a name.
+fn inspected(name: &str, of: &Drivable) -> Window {
+    let more = SCENE.replacen(
+        r#""regions": [{"id": "end""#,
+        r#""sheets": [{"id": "s", "name": "Skin", "source": {"strokes": {
+               "first": {"view": "front", "points": [[-0.025, 0.004], [0.025, 0.004]]},
+               "second": {"view": "side", "points": [[-0.006, 0.004], [0.006, 0.004]]}}},
+               "stiffness": {"et": 900}}],
+           "regions": [{"id": "end""#,
+        1,
+    );
+    let mut window = open(scene(&more));
+    hold(&mut window);
+    reset(&mut window);
+    click(&mut window, name);
+    click(&mut window, "Activation");
+    window.run_steps(20);
+    let button = format!("Set a key of {}", of.title(window.state().scene()));
+    assert!(window.query_all_by_label(&button).next().is_some(), "{button}");
+    window
+}
+
 #[test]
-fn whatever_a_drive_can_move_has_its_diamond() {
+fn a_fibre_has_its_diamond() {
+    let of = fibre("c");
+    keyed(&mut inspected("Gamma", &of), &of);
+}
+
+#[test]
+fn a_sheet_has_its_diamond() {
+    let of = Drivable::Sheet { body: "bar".to_owned(), sheet: "s".into() };
+    keyed(&mut inspected("Skin", &of), &of);
+}
+
+#[test]
+fn whatever_else_a_drive_can_move_has_its_diamond() {
     let more = SCENE.replacen(
         r#""bodies":"#,
         r#""wind": {"velocity": [1, 0, 0]},
@@ -52,16 +119,6 @@ fn whatever_a_drive_can_move_has_its_diamond() {
     hold(&mut window);
     reset(&mut window);
     window.set_size(Vec2::new(1280.0, 3000.0));
-    let keyed = |window: &mut Window, of: &Drivable| {
-        let name = format!("Set a key of {}", of.title(window.state().scene()));
-        window.run_steps(3);
-        one_step(window, "Set key", |window| window.get_by_label(&name).click());
-        assert!(matches!(of.drive(window.state().scene()), Some(Drive::Keyframes(_))), "{of:?}");
-        // There is a key at the time that is shown now, and it is red.
-        window.run_steps(2);
-        let name = format!("Remove the key of {}", of.title(window.state().scene()));
-        assert_eq!(window.query_all_by_label(&name).count(), 1, "{of:?}");
-    };
     click(&mut window, "World");
     for of in [
         Drivable::Wind,
@@ -276,37 +333,4 @@ fn fibres_show_that_they_act() {
     advance(&mut window);
     let snapshot = &window.state().published().snapshot;
     assert!(snapshot.activation.is_none() && snapshot.tension.is_some());
-}
-
-#[test]
-fn a_slider_leads_a_shared_drive_and_what_was_played_is_recorded() {
-    let mut window = lanes();
-    press_key(&mut window, Modifiers::ALT, Key::D);
-    click(&mut window, "World");
-    window.set_size(Vec2::new(1280.0, 1600.0));
-    window.run_steps(3);
-    let slider = window.get_by_role_and_label(Role::Slider, "pull, Bar").rect();
-    let led = |app: &sinew::test_support::ui::App| app.published().status.drives.iter().any(|drive| drive.is_led);
-    assert!(!led(window.state()));
-    // To the right end of its rail.
-    drag(&mut window, &[slider.left_center() + Vec2::new(6.0, 0.0), slider.center(), slider.right_center()]);
-    until(&mut window, led);
-    let before = window.state().scene().clone();
-    for _ in 0..5 {
-        advance(&mut window);
-    }
-    let value = window.state().published().status.drives[0].value;
-    assert!(value > 0.9, "{value}: much more than {} by itself", 0.02);
-    assert_eq!(*window.state().scene(), before, "nothing of the scene has changed");
-    click(&mut window, "Record");
-    window.run_steps(2);
-    assert_eq!(window.state().undo_name(), Some("Record performance"));
-    let keys = keys_of(window.state().scene(), &pull());
-    assert_eq!(keys.between, Interpolation::Linear);
-    assert_eq!(keys.keys.last().map(|key| key.value), Some(value));
-    until(&mut window, |app| is_settled(app) && !led(app));
-    let now = window.state().published().status.drives[0].value;
-    assert!((now - value).abs() < 1e-9, "it goes on where it was: {now}");
-    undo(&mut window);
-    assert_eq!(*window.state().scene(), before);
 }

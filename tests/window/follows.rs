@@ -79,6 +79,8 @@ fn a_body_is_made_to_follow_a_skeleton_step_by_step() {
     assert!(window.state().published().held[0][0].len() > held);
     write(&mut window, "Pre-roll", "0.3");
     assert_eq!(follows(&window)[0].pre_roll, 0.3);
+    write(&mut window, "From", "0.15");
+    assert_eq!(follows(&window)[0].from, 0.15);
     choose(&mut window, "Held", "by springs");
     write(&mut window, "Stiffness", "900");
     let Hold::Springs(springs) = &follows(&window)[0].hold else { panic!("no springs") };
@@ -86,7 +88,7 @@ fn a_body_is_made_to_follow_a_skeleton_step_by_step() {
     settle(&mut window);
     assert!(window.state().published().held[0].is_empty() && window.state().published().status.failure.is_none());
     // Step by step back to where nothing is followed, and the last of them again.
-    for _ in 0..5 {
+    for _ in 0..6 {
         press_key(&mut window, Modifiers::COMMAND, Key::Z);
     }
     assert!(follows(&window).is_empty());

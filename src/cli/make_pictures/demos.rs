@@ -18,7 +18,8 @@ const CRAWLING: &str = include_str!("../../../assets/patterns/crawling_bar.json"
 const SWIMMING: &str = include_str!("../../../assets/patterns/swimming_bar.json");
 const CUBE: &str = include_str!("../../../assets/patterns/floating_cube.json");
 const ARM: &str = include_str!("../../../assets/patterns/standing_arm.json");
-const FLOATING_PLATE: &str = include_str!("../../../assets/patterns/floating_plate.json");
+const BALL: &str = include_str!("../../../assets/patterns/floating_ball.json");
+const STAR: &str = include_str!("../../../assets/patterns/floating_star.json");
 
 /// What a pattern does, as a scene.
 #[derive(Clone, Debug)]
@@ -69,10 +70,10 @@ const ROWS: [Row; 20] = [
     ("tail", SWIMMING, [1.0, 1.45], ABOVE, &[("contract", 0.6), ("period", 0.5)]),
     ("finger", ARM, SWING, ASIDE, &[]),
     ("rings", CUBE, SWING, STANDING, &[]),
-    ("starfish", FLOATING_PLATE, SWING, FLAT, &[]),
+    ("starfish", STAR, SWING, FLAT, &[]),
     ("tentacle", ARM, SWING, STANDING, &[]),
     ("trunk", ARM, SWING, STANDING, &[]),
-    ("spokes", CUBE, SWING, STANDING, &[]),
+    ("spokes", BALL, SWING, STANDING, &[]),
 ];
 
 /// Bodies whose fibres hold against something: what they do shows only beside the same body without them.
@@ -92,8 +93,9 @@ pub fn demo(pattern: &Pattern) -> Result<Option<Demo>, IoError> {
         *value = changed.iter().find(|(id, _)| *id == parameter.id).map_or(*value, |(_, other)| *other);
     }
     for body in &mut scene.bodies {
-        let Shape::Box(shape) = &body.shape else { continue };
-        let (middle, half) = (DVec3::from_array(shape.center), 0.5 * DVec3::from_array(shape.size));
+        let Some(size) = body.shape.size() else { continue };
+        let middle = if let Shape::Box(shape) = &body.shape { DVec3::from_array(shape.center) } else { DVec3::ZERO };
+        let half = 0.5 * DVec3::from_array(size);
         let lines = pattern.lay(&values, middle - half, middle + half);
         let spacing = body.material.spacing();
         let called = Called { id: pattern.id, title: pattern.title, bending: pattern.bending, spacing };

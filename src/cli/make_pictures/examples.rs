@@ -124,6 +124,7 @@ pub(super) const EXAMPLES: [ExamplePicture; 91] = [
 #[cfg(test)]
 mod tests {
     use super::EXAMPLES;
+    use crate::cli::make_pictures::gallery::{EXAMPLE, EXAMPLE_FRAMES};
     use crate::io::load_scene;
     use std::collections::BTreeSet;
     use std::fs;
@@ -145,6 +146,12 @@ mod tests {
             let last = example.until.unwrap_or(example.at);
             assert!(last > 0.0 && last <= scene.time.duration + 1e-9, "{} at {last} s", example.name);
             assert!((0.0..=last).contains(&example.at), "{} at {} s", example.name, example.at);
+            let picture = folder.join(format!("../assets/examples/{}.png", example.name));
+            let bytes = fs::read(picture).unwrap_or_else(|error| panic!("{}: {error}", example.name));
+            // Width and height stand at the head of a PNG file.
+            let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().expect("four bytes"));
+            let frames = if example.until.is_some() { EXAMPLE_FRAMES } else { 1 };
+            assert_eq!([number(16), number(20)], [EXAMPLE[0], frames * EXAMPLE[1]], "{}", example.name);
         }
     }
 }

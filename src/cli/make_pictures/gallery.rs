@@ -18,9 +18,9 @@ const FRAMES: u32 = 10;
 /// Width and height of each [pixels].
 const FRAME: u32 = 128;
 /// Width and height of an example's picture [pixels].
-const EXAMPLE: [u32; 2] = [240, 150];
+pub(super) const EXAMPLE: [u32; 2] = [240, 150];
 /// Pictures in the strip of an example.
-const EXAMPLE_FRAMES: u32 = 12;
+pub(super) const EXAMPLE_FRAMES: u32 = 12;
 /// The camera frames with room to spare; small pictures need less.
 const CLOSER: f64 = 0.88;
 /// Examples show balls around particles at their edge, too.

@@ -20,6 +20,7 @@ fn follow(at: &At<'_>, of: &Follow, regions: &Ids<'_>) -> Checked {
     leader(&at.field("leader"), &of.leader)?;
     not_negative(&at.field("start"), of.start, "s")?;
     not_negative(&at.field("pre_roll"), of.pre_roll, "s")?;
+    not_negative(&at.field("from"), of.from, "s")?;
     positive(&at.field("speed"), of.speed, "")?;
     select(&at.field("select"), of, regions)?;
     if let Hold::Springs(springs) = &of.hold {

@@ -4,6 +4,7 @@ use super::handle::handles;
 use super::key_button::diamond;
 use super::keys::value_of;
 use super::value_scale::ValueScale;
+use super::wave_handle::WaveHandle;
 use crate::bake::solver_drive;
 use crate::scene::{Drivable, Drive, DriveKeys, Scene};
 use crate::text::number::compact;
@@ -72,6 +73,7 @@ pub(super) fn paint_lane(
         Drive::Wave(wave) => {
             let at = Pos2::new(scale.place(wave.start), values.place(0.0));
             painter.circle_stroke(at, 3.0, Stroke::new(1.0, line));
+            WaveHandle::of(wave, scale, values).paint(&painter, accent, visuals.extreme_bg_color);
         }
         Drive::Constant(_) | Drive::Shared(_) => {}
     }

@@ -8,6 +8,7 @@ use super::key_button::{key_button, point_at};
 use super::keys::{first_key, on_frame, with_key};
 use super::lane::{LOW, TALL, faint, key_places, paint_lane, words_at};
 use super::value_scale::{REACH, ValueScale, round};
+use super::wave_handle::{WaveDrag, WaveHandle};
 use crate::scene::{Drivable, Drive, Scene};
 use crate::text::number::{compact, moment};
 use crate::ui::context::{Context, Severity, Step};
@@ -34,6 +35,7 @@ pub(crate) struct Columns {
 pub(crate) struct DriveLanes {
     drag: Option<KeyDrag>,
     turned: Option<HandleDrag>,
+    swung: Option<WaveDrag>,
     boxed: Option<KeyBox>,
 }
 
@@ -43,6 +45,7 @@ struct ShownLane {
     values: ValueScale,
     keys: Vec<(f64, Pos2)>,
     handles: Vec<Handle>,
+    wave: Option<WaveHandle>,
     response: Response,
 }
 
@@ -68,7 +71,8 @@ impl DriveLanes {
 
     /// The scale of time to be shown, where what is dragged has set one.
     pub(crate) fn held_scale(&self) -> Option<TimeScale> {
-        self.drag.as_ref().map(KeyDrag::scale).or(self.turned.as_ref().map(HandleDrag::scale))
+        let turned = self.turned.as_ref().map(HandleDrag::scale);
+        self.drag.as_ref().map(KeyDrag::scale).or(turned).or(self.swung.as_ref().map(WaveDrag::scale))
     }
 
     /// Shows the lanes over what is left of the panel.
@@ -104,7 +108,7 @@ impl DriveLanes {
         let follows = matches!(of.drive(cx.scene()), Some(Drive::Shared(_)));
         let height = if follows { LOW } else { TALL };
         let (row, _) = ui.allocate_exact_size([ui.available_width(), height].into(), Sense::hover());
-        let is_idle = self.drag.is_none() && self.turned.is_none() && self.boxed.is_none();
+        let is_idle = self.held_scale().is_none() && self.boxed.is_none();
         // Passes that are not drawn take hold of keys, too.
         if !ui.clip_rect().intersects(row) && is_idle {
             return None;
@@ -112,6 +116,7 @@ impl DriveLanes {
         let place = Rect::from_x_y_ranges(columns.courses, row.y_range());
         let values = self.drag.as_ref().and_then(|drag| drag.values(&of));
         let values = values.or_else(|| self.turned.as_ref().and_then(|turned| turned.values(&of)));
+        let values = values.or_else(|| self.swung.as_ref().and_then(|swung| swung.values(&of)));
         let values = values.unwrap_or_else(|| ValueScale::of(&drive, place.shrink2([0.0, 2.0].into()).y_range()));
         let title = of.title(cx.scene());
         let part = |columns: Rangef| UiBuilder::new().max_rect(Rect::from_x_y_ranges(columns, row.y_range()));
@@ -138,14 +143,17 @@ impl DriveLanes {
             if follows {
                 return None;
             }
-            let (keys, handles) = match &drive {
+            let mut shown = ShownLane { of, values, keys: Vec::new(), handles: Vec::new(), wave: None, response };
+            match &drive {
                 Drive::Keyframes(keys) => {
                     let places = keys.keys.iter().map(|key| key.time).zip(key_places(keys, scale, &values));
-                    (places.collect(), handles(keys, &cx.keys.of(&of), scale, &values))
+                    shown.keys = places.collect();
+                    shown.handles = handles(keys, &cx.keys.of(&shown.of), scale, &values);
                 }
-                _ => (Vec::new(), Vec::new()),
-            };
-            Some(ShownLane { of, values, keys, handles, response })
+                Drive::Wave(wave) => shown.wave = Some(WaveHandle::of(wave, scale, &values)),
+                Drive::Constant(_) | Drive::Shared(_) => {}
+            }
+            Some(shown)
         })
         .inner
     }
@@ -157,14 +165,19 @@ impl DriveLanes {
         for lane in shown {
             let at = lane.response.hover_pos().or_else(|| lane.response.interact_pointer_pos());
             if let Some(at) = at.filter(|_| lane.response.hovered()) {
-                cx.status.hint = "Double click: another key. Drag: keys, on frames but for Shift, handles, or a box. Delete, Ctrl+C, V";
+                cx.status.hint = "Double click: another key. Drag: keys and the crest of a wave, on frames but for Shift, handles, or a box. Delete, Ctrl+C, V";
                 cx.pointed = Some(lane.of.clone());
                 hint_at(lane, cx, scale, at);
             }
             if lane.response.drag_started() {
                 let origin = ui.input(|input| input.pointer.press_origin()).or(at).unwrap_or_default();
                 let turned = lane.handles.iter().find_map(|handle| Some((*handle, handle.hit(origin)?)));
+                let wave = lane.wave.filter(|wave| wave.is_hit(origin));
                 match hit(lane, origin) {
+                    None if wave.is_some() => {
+                        let with = (scale, &lane.values);
+                        self.swung = wave.and_then(|wave| WaveDrag::begin(cx, &lane.of, (wave, origin), with));
+                    }
                     None if turned.is_some() => {
                         let with = (scale, &lane.values);
                         self.turned = turned.and_then(|turned| HandleDrag::begin(cx, &lane.of, turned, with));
@@ -209,12 +222,19 @@ impl DriveLanes {
             if let Some(turned) = self.turned.take() {
                 turned.abandon(cx);
             }
+            if let Some(swung) = self.swung.take() {
+                swung.abandon(cx);
+            }
             self.boxed = None;
             cx.keys.clear();
         }
         if let (Some(turned), Some(pointer)) = (&self.turned, pointer) {
             turned.follow(cx, pointer, shift);
             cx.status.gesture = Some("Turning the handle".to_owned());
+        }
+        if let (Some(swung), Some(pointer)) = (&self.swung, pointer) {
+            swung.follow(cx, pointer, shift);
+            cx.status.gesture = Some("Changing the wave".to_owned());
         }
         if let (Some(drag), Some(pointer)) = (&self.drag, pointer) {
             drag.follow(cx, pointer, shift);
@@ -236,7 +256,7 @@ impl DriveLanes {
             }
         }
         if !is_down {
-            (self.drag, self.turned, self.boxed) = (None, None, None);
+            (self.drag, self.turned, self.swung, self.boxed) = (None, None, None, None);
         }
     }
 }
@@ -257,7 +277,7 @@ fn add_key(lane: &ShownLane, cx: &mut Context, scale: &TimeScale, at: Pos2) {
     let (keys, index) = match lane.of.drive(&scene) {
         Some(Drive::Keyframes(keys)) => with_key(keys, time, value, frame),
         Some(Drive::Wave(_)) => {
-            cx.say(Severity::Note, "A wave has no keys: choose Keys in its lane first");
+            cx.say(Severity::Note, "A wave has no keys: drag its crest, or choose Keys in its lane first");
             return;
         }
         _ => (first_key(time, value), 0),

@@ -15,6 +15,7 @@ mod keys;
 mod lane;
 mod lanes;
 mod value_scale;
+mod wave_handle;
 
 pub(crate) use actions::{KEYS, copied_keys, delete_keys, paste_keys, toggle_key};
 pub(crate) use key_button::{key_button, keyed_field, point_at};

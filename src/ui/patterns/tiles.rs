@@ -113,11 +113,13 @@ pub(super) fn paint_words(ui: &Ui, place: Rect, does: &str) {
 mod tests {
     use super::*;
     use crate::sketch::pattern::PATTERNS;
+    use crate::ui::thumbs::frames_of;
 
     #[test]
     fn every_pattern_has_its_strip_and_all_are_small() {
         for pattern in &PATTERNS {
-            assert!(STRIPS.iter().any(|(id, _)| *id == pattern.id), "{}", pattern.id);
+            let (_, png) = STRIPS.iter().find(|(id, _)| *id == pattern.id).unwrap_or_else(|| panic!("{}", pattern.id));
+            assert_eq!(frames_of(png, 1.0), Some(10), "{}", pattern.id);
         }
         assert_eq!(STRIPS.len(), PATTERNS.len());
         let bytes: usize = STRIPS.iter().map(|(_, png)| png.len()).sum();

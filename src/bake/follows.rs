@@ -98,7 +98,7 @@ impl Followers<'_> {
                 let bound = self.to_joints(skeleton, &frame, &format!("{path}/leader/skeleton"), notes)?;
                 let (skeleton, clip, candidates) = bound;
                 let [first, last] = skeleton.clips[clip].span;
-                let from = self.from(of, last - first, path, notes);
+                let from = played_from(of, last - first, path, notes);
                 let bound = kept(candidates, &mut choose);
                 let skeleton = begun_at(skeleton, clip, from);
                 (led::Leader::Skeleton { skeleton, clip, bound }, last - first - from)
@@ -109,7 +109,7 @@ impl Followers<'_> {
                 let rate = cache.frames_per_second.unwrap_or(self.scene.time.frames_per_second);
                 let (seconds, bound) = (cached.seconds(rate), kept(candidates, &mut choose));
                 let length = seconds * cached.length();
-                let from = self.from(of, length, path, notes);
+                let from = played_from(of, length, path, notes);
                 (led::Leader::Cache { cache: Arc::clone(cached), seconds, from, bound }, length - from)
             }
         };
@@ -119,18 +119,6 @@ impl Followers<'_> {
         let led = Led { leader, playing: playing(of, length), frame: to_world(self.body.placement()) * frame };
         let (particles, shares) = chosen.into_iter().unzip();
         Ok(Bound { id: of.id.clone(), particles, shares, led: Arc::new(led), hold: of.hold.clone() })
-    }
-
-    /// From which time of a motion of so many seconds it is played [s]; says where that is past its end.
-    fn from(&self, of: &Follow, length: f64, path: &str, notes: &mut Vec<Note>) -> f64 {
-        if of.from > length {
-            let text = format!(
-                "is past the end of the motion, which is {} s long: it stays in its last frame",
-                compact(length)
-            );
-            notes.push(Note { path: format!("{path}/from"), text, warning: true });
-        }
-        of.from.min(length)
     }
 
     /// Binds every particle to the joints of a skeleton, as its skin is where that is nearest.
@@ -370,4 +358,14 @@ pub(super) fn step_limit(springs: &[LedSprings], state: &ParticleState) -> StepL
         frequency_squared: sum.frequency_squared + of.frequency_squared,
         damping_rate: sum.damping_rate + of.damping_rate,
     })
+}
+
+/// From which time of a motion of so many seconds it is played [s]; says where that is past its end.
+fn played_from(of: &Follow, length: f64, path: &str, notes: &mut Vec<Note>) -> f64 {
+    if of.from > length {
+        let text =
+            format!("is past the end of the motion, which is {} s long: it stays in its last frame", compact(length));
+        notes.push(Note { path: format!("{path}/from"), text, warning: true });
+    }
+    of.from.min(length)
 }

@@ -263,7 +263,8 @@ fn active_springs(
 const PAST: f64 = 1.45;
 
 /// By what factor gas is stiffer where active springs have made the body as small as it ever gets: a body that is
-/// smaller by a factor s all over has `1 / s²` times the slope of its pressure by a move, in two dimensions and in three.
+/// smaller by a factor s all over has `1 / s²` times the slope of its pressure by a move, in two dimensions and in
+/// three.
 fn squeeze(springs: &Springs, gas: &[Pressure], state: &ParticleState) -> f64 {
     if gas.is_empty() || !springs.is_active() {
         return 1.0;

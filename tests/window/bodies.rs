@@ -261,12 +261,10 @@ fn a_model_joins_the_scene_and_goes_with_it_to_another_window() {
 fn the_support_radius_of_a_model_is_that_of_its_particles_and_fills_it_anew() {
     let mut window = open(Document::load(Some(asset("short_bar.glb"))).expect("the model"));
     hold(&mut window);
-    let count = |window: &Window| match body(window, 0) {
-        OwnedBody::Solid(body) => match body.shape {
-            Shape::Mesh(shape) => shape.particles.expect("a count"),
-            other => panic!("{other:?}"),
-        },
-        other => panic!("{other:?}"),
+    let count = |window: &Window| {
+        let OwnedBody::Solid(body) = body(window, 0) else { panic!("a solid") };
+        let Shape::Mesh(shape) = body.shape else { panic!("a mesh") };
+        shape.particles.expect("a count")
     };
     let before = count(&window);
     let there = window.state().published().status.particles;

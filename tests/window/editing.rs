@@ -70,7 +70,7 @@ fn a_support_radius_samples_the_shape_anew_and_changes_neither_mass_nor_stiffnes
     for (edits, (field, value)) in [("Support radius", "0.02"), ("Spacing D / h", "0.5")].into_iter().enumerate() {
         set(&mut window, field, value);
         until(&mut window, |app| app.published().status.edits == 1 + edits as u64 && is_settled(app));
-        let after = of_the_body(&window.state().scene());
+        let after = of_the_body(window.state().scene());
         for (after, before) in after.iter().zip(before) {
             assert!((after / before - 1.0).abs() < 0.02, "{field}: {after}, before {before}");
         }

@@ -2,10 +2,11 @@
 
 mod hands;
 mod looking;
+mod publishing;
 
 use super::build::guarded;
 use super::comparison::Comparison;
-use super::grabs::{PointerGrab, pinned_points};
+use super::grabs::PointerGrab;
 use super::playback::Playback;
 use super::replay::Replay;
 use super::runs::Runs;
@@ -17,12 +18,10 @@ use crate::bake::Baked;
 use crate::scene::{Assets, Scene};
 use crate::sim::command::SimCommand;
 use crate::sim::journal::{Asked, Journal};
-use crate::sim::not_finite::NotFinite;
 use crate::sim::recording::RecordedFrame;
 use crate::sim::runner::Runner;
-use crate::sim::status::{Published, Status};
+use crate::sim::status::Status;
 use crate::sim::taken::TakenMotion;
-use crate::solver::snapshot::Snapshot;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -354,50 +353,5 @@ impl Motion {
     pub(super) fn record_series(&self) {
         let [live, ghost] = [self.runs.live.runner(), self.runs.ghost.runner()].map(|run| run.map(Runner::world));
         self.outlet.with_series(|series| series.record(live, ghost));
-    }
-
-    /// Hands the newest picture over, of what is shown.
-    pub(super) fn publish(&mut self) {
-        let _publish = tracing::info_span!("publish").entered();
-        let live = &self.runs.live;
-        let mut snapshot = Snapshot::default();
-        if let Some(runner) = self.replay.shown().or(live.runner()) {
-            snapshot = self.views.picture(runner);
-            self.status.read(runner.world());
-            self.status.lost = NotFinite::of(&snapshot).map(|lost| lost.to_string());
-            if self.status.lost.is_some() {
-                self.playback.set_playing(false);
-            }
-        }
-        // In an earlier frame it is the ghost that was there then.
-        let ghost = if self.replay.is_active() {
-            self.replay.ghost().filter(|_| self.runs.ghost.is_wanted())
-        } else {
-            self.runs.ghost.runner()
-        };
-        let mut ghost = ghost.map(Runner::particles);
-        let pointer = self.grab.body().filter(|_| !self.replay.is_active());
-        let pinned = self.shown().map_or_else(Vec::new, |runner| pinned_points(runner, pointer));
-        let mut compared = Vec::new();
-        if let Some((side_by_side, runs)) = self.comparison.picture() {
-            self.status.time = side_by_side.time;
-            (snapshot, ghost, compared) = (side_by_side, None, runs);
-        }
-        self.status.playing = self.playback.is_playing();
-        [self.status.frames_per_second, self.status.real_time_factor] = self.playback.rates();
-        self.status.recording = self.replay.status(live.start());
-        let (at_rest, placed, thin) = (Arc::clone(live.at_rest()), live.placed(), Arc::clone(live.thin()));
-        let held = Arc::clone(live.held());
-        self.outlet.publish(Published {
-            snapshot,
-            ghost,
-            at_rest,
-            thin,
-            placed,
-            held,
-            pinned,
-            status: self.status.clone(),
-            compared,
-        });
     }
 }

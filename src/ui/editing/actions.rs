@@ -102,7 +102,7 @@ pub(crate) fn mirror(cx: &mut Context, normal: DVec3) {
     }
 }
 
-/// Copies of the selected fibres or sheet, mirrored in the plane through the middle of the body; they are selected then.
+/// Copies of the selected fibres or sheet, mirrored in the plane through the middle of the body, and selected.
 pub(crate) fn mirror_copies(cx: &mut Context, normal: DVec3) {
     let middle = cx.active.bounds().map_or(DVec3::ZERO, |bounds| bounds.center());
     let by = match Transform::reflection(middle, normal) {

@@ -1,5 +1,5 @@
-//! The motion of the character as its file says it, read by a reader of its own: joints, and what hangs on them, linearly
-//! blended.
+//! The motion of the character as its file says it, read by a reader of its own: joints, and what hangs on them,
+//! linearly blended.
 
 use glam::{DMat4, DQuat, DVec3, DVec4};
 use serde_json::Value;

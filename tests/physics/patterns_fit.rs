@@ -1,4 +1,5 @@
-//! Patterns that act, laid into bodies of any shape: some of their fibres hold there, and move them the way they should.
+//! Patterns that act, laid into bodies of any shape: some of their fibres hold there, and move them the way they
+//! should.
 
 use crate::common::*;
 use glam::DVec3;

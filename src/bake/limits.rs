@@ -15,6 +15,7 @@ use crate::solver::integrators::Integrator;
 use crate::solver::modes::{Modes, greatest_stable_step};
 use crate::solver::stable_step::highest_frequency_squared;
 use crate::solver::state::ParticleState;
+use glam::DVec3;
 
 /// A parameter that raises the step by less than this share does not set it.
 const NOTICEABLE: f64 = 0.01;
@@ -86,7 +87,8 @@ impl Layered<'_> {
     /// another shape after a step or two, of which those modes tell nothing: from rest no particle may go further than
     /// half the distance to its neighbours in one step, `a dt² / 2`. Implicit steps, which have no limit, get none.
     pub(super) fn stable_step(&self, by_modes: f64, burst: f64) -> f64 {
-        let share = if self.body.active_springs.is_empty() { 1.0 } else { OF_CHANGING_SHAPE };
+        let changes = self.body.active_springs.iter().any(|of| of.contract != 0.0);
+        let share = if changes { OF_CHANGING_SHAPE } else { 1.0 };
         if by_modes.is_finite() { share * by_modes.min((self.model.least_spacing() / burst).sqrt()) } else { by_modes }
     }
 
@@ -99,23 +101,25 @@ impl Layered<'_> {
                 None => force.clone_box(),
             })
             .collect();
-        let forces = total_forces(&mut own, self.state);
+        let mut still = self.state.clone();
+        still.velocities.fill(DVec3::ZERO);
+        let forces = total_forces(&mut own, &still);
         forces.iter().zip(&self.state.masses).map(|(force, mass)| force.length() / mass).fold(0.0, f64::max)
     }
 
     /// The pointer to the parameter that sets its step; none where no single one does. `forces_of` gives the forces of
-    /// a body with other parameters.
+    /// a body with other parameters that its modes are found under, `own_forces_of` those that it starts with.
     pub(super) fn limited_by(
         &self,
         modes: &Modes,
         integrator: &dyn Integrator,
         forces_of: impl Fn(&TwoLayer) -> Vec<Box<dyn Force>>,
+        own_forces_of: impl Fn(&TwoLayer) -> Vec<Box<dyn Force>>,
     ) -> Option<String> {
         let shapes = modes.limiting(integrator, MODES);
         let step = |body: &TwoLayer, wind: f64| {
-            let mut forces = forces_of(body);
-            let burst = self.burst(&forces);
-            let modes = modes.under(&mut forces, self.state, self.model.radius, &shapes);
+            let burst = self.burst(&own_forces_of(body));
+            let modes = modes.under(&mut forces_of(body), self.state, self.model.radius, &shapes);
             self.stable_step(greatest_stable_step(integrator, modes, wind), burst)
         };
         let present = step(self.body, self.wind);

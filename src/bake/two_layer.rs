@@ -100,8 +100,8 @@ pub(super) fn draft(
     let step = |integrator: &dyn Integrator| layered.stable_step(modes.greatest_stable_step(integrator, wind), burst);
     let stable_dt = step(integrator.as_ref());
     let stable_steps = stable_steps(step);
-    let explicit_dt = step(&LeapFrog::default());
-    let limited_by = layered.limited_by(&modes, integrator.as_ref(), probed);
+    let plain = |body: &TwoLayer| own_forces(scene, body, (&model, &active), &layers, (&state, &followed));
+    let limited_by = layered.limited_by(&modes, integrator.as_ref(), probed, plain);
     let law = contact.law;
     if !contact.planes.is_empty() {
         forces.push(Box::new(contact));
@@ -112,6 +112,7 @@ pub(super) fn draft(
     constraints.extend(follows::constraints(&followed, &rest));
     constraints.extend(supports::constraints((&body.pins, &body.drives), &regions, &rest, &state, path)?);
     let parts = BodyParts {
+        explicit_dt: step(&LeapFrog::default()),
         id: body.id.clone(),
         pointer: path.to_owned(),
         name: name.to_owned(),
@@ -137,7 +138,6 @@ pub(super) fn draft(
         state,
         dt: stable_dt,
         stable_dt,
-        explicit_dt,
         limited_by,
         step_parameter: step_parameter(scene).to_owned(),
     };

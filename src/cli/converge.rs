@@ -8,7 +8,8 @@ use super::prepare::{Sets, Span, Threads, bake_with_notes, load, load_models, te
 use super::svg::{Canvas, Scale};
 use super::table::{Align, Table};
 use super::{CliError, Console, Outcome};
-use crate::scene::{Assets, Body, Mass, MeshShape, Scene, Shape, one_line};
+use crate::edit::body_ops::of_any_filling;
+use crate::scene::{Assets, Body, MeshShape, Scene, Shape, one_line};
 use crate::sim::{MeasureReport, Report, Runner};
 use crate::text::number::four_figures;
 use clap::Args;
@@ -88,10 +89,13 @@ pub(super) fn run(args: &Converge, interruption: &Interruption, console: &mut Co
 fn converge(args: &Converge, interruption: &Interruption, console: &mut Console) -> Result<Outcome, CliError> {
     let mut loaded = load(Some(&args.scene), &args.sets, args.span.fps, console)?;
     tell(loaded.made(), console);
-    let base = loaded.scene.clone();
+    let mut base = loaded.scene.clone();
     let index = chosen(args, &base)?;
     load_models(&mut loaded, Some(&args.scene), console)?;
     let thickness = thickness(&base.bodies[index].shape, &loaded.assets);
+    let as_it_is = bake_with_notes(&mut loaded, Some(&args.scene), console)?;
+    let volume = as_it_is.world.bodies()[index].particle_volume();
+    base.bodies[index] = of_any_filling(&base.bodies[index], volume.expect("it is a fibre solid"));
     let inputs = output::inputs(Some(&args.scene), &base);
     output::check(&inputs, &[("--report", args.report.as_ref()), ("--plot", args.plot.as_ref())])?;
     if base.measures.is_empty() {
@@ -111,7 +115,7 @@ fn converge(args: &Converge, interruption: &Interruption, console: &mut Console)
     let (mut diverged, mut interrupted) = (false, None);
     for (done, &layers) in layers.iter().enumerate() {
         console.progress(done as u64, args.layers.len() as u64, "runs");
-        loaded.scene = refined(&base, index, &loaded.assets, thickness / f64::from(layers));
+        loaded.scene = refined(&base, index, thickness / f64::from(layers));
         let spacing = loaded.scene.bodies[index].material.spacing();
         let baked = bake_with_notes(&mut loaded, Some(&args.scene), console)?;
         let mut runner = Runner::new(baked);
@@ -166,15 +170,14 @@ fn thickness(shape: &Shape, assets: &Assets) -> f64 {
     found.expect("models are loaded, and other shapes have one")
 }
 
-/// The scene with a body at another spacing [m] of its particles; it stays as large and as heavy as it is.
-fn refined(scene: &Scene, index: usize, assets: &Assets, spacing: f64) -> Scene {
+/// The scene with a body at another spacing [m] of its particles, of which nothing is said particle by particle: it
+/// stays as large, as heavy and as stiff as it is.
+fn refined(scene: &Scene, index: usize, spacing: f64) -> Scene {
     let mut scene = scene.clone();
     let Body { material, shape, .. } = &mut scene.bodies[index];
-    // A count of particles sets the spacing in place of the radius.
-    let counted = if let Shape::Mesh(mesh) = shape { assets.solid(&*mesh).zip(mesh.particles.take()) } else { None };
-    if let Mass::PerParticle(mass) = material.mass {
-        let volume = counted.map_or_else(|| material.spacing().powi(3), |(solid, n)| solid.volume / f64::from(n));
-        material.mass = Mass::Density(mass / volume);
+    if let Shape::Mesh(mesh) = shape {
+        // A count would set the spacing.
+        mesh.particles = None;
     }
     material.support_radius = spacing / material.spacing_ratio;
     scene

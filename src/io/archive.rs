@@ -65,10 +65,13 @@ impl Archive {
         match files_of(source) {
             Ok((files, missing)) => {
                 self.missing.extend(missing.into_iter().map(|file| format!("{own} names {file}, which is not there")));
-                self.files.extend(files.into_iter().map(|file| {
+                for file in files {
                     let name = file.name.to_string_lossy().replace('\\', "/");
-                    (format!("{folder}/{name}"), Content::File(file.source))
-                }));
+                    match fs::metadata(&file.source) {
+                        Ok(about) if about.len() > LARGEST => self.missing.push(format!("{name} is larger than 1 GiB")),
+                        _ => self.files.push((format!("{folder}/{name}"), Content::File(file.source))),
+                    }
+                }
             }
             Err(error) => self.missing.push(error.to_string()),
         }
@@ -100,6 +103,10 @@ impl Archive {
                         zip.add(name, &bytes)?;
                     }
                 }
+            }
+            if progress("ending the archive").is_break() {
+                ended = true;
+                return Err(io::ErrorKind::Interrupted.into());
             }
             zip.end()
         });

@@ -79,6 +79,7 @@ impl Status {
             stable_dt: body.parts().stable_dt,
             limited_by: body.parts().limited_by.clone(),
             substeps: count * plan.outer_steps,
+            particle_volume: body.particle_volume(),
         };
         self.time = world.time();
         self.bodies = world.bodies().iter().zip(&plan.substeps).map(stepping).collect();
@@ -144,6 +145,8 @@ pub struct Stepping {
     pub limited_by: Option<String>,
     /// Steps in a frame.
     pub substeps: u32,
+    /// Volume of a material particle at rest [m³]; none of a two-layer body.
+    pub particle_volume: Option<f64>,
 }
 
 /// One of the runs that are compared side by side.

@@ -32,6 +32,9 @@ impl FaultReport {
     /// # Errors
     /// A file that cannot be read or written.
     pub(crate) fn write(self, progress: &mut Stages<'_>) -> Result<Option<Vec<String>>, IoError> {
+        if progress("Gathering the scene, its models and what was done").is_break() {
+            return Ok(None);
+        }
         let mut archive = Archive::default();
         let scene = self.in_archive(&self.scene, &mut archive);
         archive.add("scene.json", scene_to_json(&scene).into_bytes());

@@ -6,6 +6,7 @@ use super::context::{Context, Step};
 use super::controls::button;
 use super::field::NumberField;
 use super::inelastic_fields::yield_fields;
+use super::sampling::material_in_truth;
 use super::stroke_choices::stroke_choices;
 use super::theme::GRID;
 use crate::edit::Command;
@@ -47,7 +48,7 @@ const TIMES: std::ops::RangeInclusive<f64> = 0.1..=1000.0;
 /// Shows what the selected fibres of a body are like.
 pub(super) fn inspector(ui: &mut Ui, cx: &mut Context, body: &str) {
     let Some((of, fibre)) = cx.selected_fibre() else { return };
-    let (material, fibre) = (of.material.clone(), fibre.clone());
+    let (material, fibre) = (material_in_truth(cx, of), fibre.clone());
     let count = cx.selection.fibres().len();
     ui.heading(if count > 1 { format!("{count} fibres") } else { fibre.title().to_owned() });
     let mut edited = fibre.clone();

@@ -34,6 +34,7 @@ pub(super) fn report(path: PathBuf, cx: &Context, adapter: Option<&str>) -> Faul
         ("failed", &status.failure),
         ("diverged", &status.divergence),
         ("out of balance", &status.unbalanced),
+        ("no longer a number", &status.lost),
         ("putting together", &status.baking),
     ] {
         if let Some(said) = said {

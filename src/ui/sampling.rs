@@ -53,10 +53,6 @@ fn counted<'a>(cx: &'a Context, body: &Body) -> Option<(&'a Arc<Solid>, u32)> {
 
 /// Volume of a particle of the active body as it is filled [m³]; by its spacing before it is.
 fn particle_volume(cx: &Context, body: &Body) -> f64 {
-    let particles = cx.active.model.bodies.first().map_or(0, |body| body.particles.len());
-    let volume = match &body.shape {
-        Shape::Mesh(shape) => cx.document.assets().solid(shape).map(|solid| solid.volume),
-        other => other.volume(),
-    };
-    volume.filter(|_| particles > 0).map_or_else(|| body.material.spacing().powi(3), |volume| volume / particles as f64)
+    let found = cx.simulation.published().status.bodies.get(cx.active.index).and_then(|of| of.particle_volume);
+    found.unwrap_or_else(|| body.material.spacing().powi(3))
 }

@@ -34,10 +34,13 @@ fn bits(scene: &Scene) -> Vec<u64> {
     (0..6).for_each(|_| runner.advance_frame());
     let world = runner.world();
     assert!(world.divergence().is_none(), "{:?}", world.divergence());
-    let states = world.bodies().iter().map(|body| body.state());
+    let states = world.bodies().iter().map(sinew::solver::Body::state);
     let places = states.flat_map(|state| state.positions.iter().chain(&state.velocities)).flat_map(DVec3::to_array);
     places.chain(world.bodies().iter().flat_map(|body| body.tensions().concat())).map(f64::to_bits).collect()
 }
+
+/// A change by its name.
+type Change<'a> = (&'a str, &'a dyn Fn(&mut Scene));
 
 #[test]
 fn drives_and_stiffnesses_that_change_nothing_change_no_bit() {
@@ -47,7 +50,6 @@ fn drives_and_stiffnesses_that_change_nothing_change_no_bit() {
         let Stiffness::Rigidity(rigidity) = stiffness else { panic!("a rigidity") };
         Stiffness::from(rigidity.clone().with_twisting(gj))
     };
-    type Change<'a> = (&'a str, &'a dyn Fn(&mut Scene));
     let cases: &[Change<'_>] = &[
         ("gravity times one", &|scene| scene.gravity_drive = Some(1.0.into())),
         ("gravity by keys", &|scene| scene.gravity_drive = Some(DriveKeys::new([(0.0, 1.0), (0.05, 1.0)]).into())),

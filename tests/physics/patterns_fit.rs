@@ -1,7 +1,6 @@
 //! Patterns that act, laid into bodies of any shape: some of their fibres hold there, and move them the way they
 //! should.
 
-use crate::common::*;
 use glam::DVec3;
 use sinew::bake::bake;
 use sinew::edit::fibre_ops::{Called, laid, made_to_act};

@@ -20,6 +20,7 @@ use crate::sim::command::SimCommand;
 use crate::sim::journal::{Asked, Journal};
 use crate::sim::recording::RecordedFrame;
 use crate::sim::runner::Runner;
+use crate::sim::side_by_side::SideBySide;
 use crate::sim::status::Status;
 use crate::sim::taken::TakenMotion;
 use std::sync::Arc;
@@ -266,8 +267,16 @@ impl Motion {
         self.status.warns = true;
     }
 
-    /// Nothing is left of the last document.
-    pub(super) fn forget(&mut self) {
+    /// Compares what was put together, from the live run on: an earlier frame that is looked at is left.
+    pub(super) fn compare(&mut self, runs: SideBySide) {
+        self.replay.return_to_live(&mut self.playback);
+        self.comparison.start(runs);
+    }
+
+    /// Nothing is left of the last document; what is done from now on is done to this scene.
+    pub(super) fn forget(&mut self, scene: Arc<Scene>) {
+        self.scene = scene;
+        self.begin_journal();
         self.grab.pin();
         self.owed = 0;
         self.comparison.choose(Vec::new(), 0.0);

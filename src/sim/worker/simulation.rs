@@ -117,7 +117,7 @@ impl Simulation {
     fn open(&mut self, scene: Arc<Scene>, assets: Arc<Assets>) {
         (self.scene, self.assets) = (scene, assets);
         self.is_new = true;
-        self.motion.forget();
+        self.motion.forget(Arc::clone(&self.scene));
         self.rebuild(false);
         self.motion.record_series();
     }
@@ -173,7 +173,7 @@ impl Simulation {
         let Some(chosen) = self.motion.comparison.replace() else { return };
         let (scene, assets) = (Arc::clone(&self.scene), self.models());
         match self.told(|tell| side_by_side(&scene, &assets, &chosen, tell)) {
-            Ok(Some(runs)) => self.motion.comparison.start(runs),
+            Ok(Some(runs)) => self.motion.compare(runs),
             Ok(None) => self.note_stopped(),
             Err(problem) => self.motion.status.failure = Some(problem),
         }

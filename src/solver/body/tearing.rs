@@ -1,4 +1,4 @@
-//! Seams of a body that tear, and its skin along them.
+//! The matrix of a body: its particles, seams of it that tear, and the skin along them.
 
 use super::Body;
 use crate::solver::forces::{MatrixForce, SeamTear};
@@ -20,6 +20,11 @@ impl Body {
     /// When the first pair across a seam tore [s].
     pub(crate) fn first_tear(&self) -> Option<f64> {
         self.tears().iter().filter_map(|seam| seam.first).reduce(f64::min)
+    }
+
+    /// Volume of a material particle at rest [m³]; none of a two-layer body.
+    pub fn particle_volume(&self) -> Option<f64> {
+        self.matrix().map(MatrixForce::particle_volume)
     }
 
     /// The matrix of a fibre solid.

@@ -25,7 +25,7 @@ impl App {
         }
         match Document::load(None) {
             Ok(document) => {
-                self.take_up(document, None);
+                self.take_up(document, None, false);
                 self.cx.say(Severity::Note, "Opened the soft bar".to_owned());
             }
             Err(error) => self.cx.say(Severity::Error, error.to_string()),
@@ -98,8 +98,7 @@ impl App {
             (Ok(Read::Leader { leader, models }), _) => add_follow(&mut self.cx, leader, models),
             (Ok(Read::Report(missing)), source) => self.reported(source, missing.as_deref()),
             (Ok(Read::Document(document)), Source::Recovery(offer)) => {
-                self.take_up(*document, stamp);
-                self.cx.document.is_example = offer.document.origin.shipped;
+                self.take_up(*document, stamp, offer.document.origin.shipped);
                 self.cx.document.mark_unsaved();
                 self.autosave.recovered(offer, &self.cx.document);
                 self.cx.say(Severity::Note, format!("Recovered {}; save it to keep it", offer.name()));
@@ -109,7 +108,7 @@ impl App {
                     self.recent.add(path);
                     opened(&document, path)
                 });
-                self.take_up(*document, stamp);
+                self.take_up(*document, stamp, false);
                 self.cx.say(Severity::Note, said.unwrap_or_default());
             }
             (Err(Unread::Outside(files)), source) => {
@@ -126,7 +125,7 @@ impl App {
 
     /// Opens a scene with nothing in it but a floor.
     pub(super) fn open_empty(&mut self) {
-        self.take_up(Document::empty(), None);
+        self.take_up(Document::empty(), None, false);
         self.cx.say(
             Severity::Note,
             "Nothing but a floor: the menu Body adds bodies, and so does a model that is dropped here",
@@ -138,17 +137,17 @@ impl App {
         match Document::of_example(example) {
             Ok(document) => {
                 let said = document.note.clone().unwrap_or_default();
-                self.take_up(document, None);
-                self.cx.document.is_example = true;
+                self.take_up(document, None, true);
                 self.cx.say(Severity::Note, said);
             }
             Err(error) => self.cx.say(Severity::Error, error.to_string()),
         }
     }
 
-    /// Shows another document.
-    fn take_up(&mut self, document: Document, stamp: Option<FileStamp>) {
+    /// Shows another document; the models of one that `ships` come with the program.
+    fn take_up(&mut self, document: Document, stamp: Option<FileStamp>, ships: bool) {
         self.cx.document = OpenDocument::new(document);
+        self.cx.document.is_example = ships;
         // Nothing of the last document stands for this one until it is put together.
         self.cx.active = ActiveBody::default();
         self.cx.forget_selection();

@@ -51,9 +51,9 @@ pub struct App {
     opening: Opening,
     said: Said,
     recent: RecentFiles,
-    /// What is open over the window.
     /// Scenes that may read models wherever they lie: the person let them, or they were saved here.
     trusted: Vec<PathBuf>,
+    /// What is open over the window.
     dialog: Option<Dialog>,
     title: String,
 }

@@ -93,11 +93,18 @@ pub(crate) struct RecordingOffer {
 }
 
 impl RecordingOffer {
-    /// Offers a recording; none where nothing can be made of it.
+    /// Offers a recording; none where it cannot be read. One of a motion that never went on is removed.
     pub(super) fn new(left: LeftRecording) -> Option<Self> {
-        let (_, journal) = read(&left).ok()??;
-        let frames = journal.frames();
-        (frames > 0).then(|| Self { left, name: journal.scene.name.clone(), frames })
+        match read(&left).ok()? {
+            Some((_, journal)) if journal.frames() > 0 => {
+                Some(Self { name: journal.scene.name.clone(), frames: journal.frames(), left })
+            }
+            _ => {
+                // Where it stays, it is met again.
+                left.discard().ok();
+                None
+            }
+        }
     }
 
     /// The scene's name.
@@ -121,7 +128,7 @@ impl RecordingOffer {
     /// # Errors
     /// What cannot be read or written.
     pub(crate) fn save(&self, path: &Path) -> Result<(), IoError> {
-        let Some((place, journal)) = read(&self.left)? else { return Ok(()) };
+        let Some((place, journal)) = read(&self.left)? else { return Err(IoError::Missing) };
         let to = path.parent().unwrap_or(Path::new(""));
         let journal = journal.with_scenes(|scene: &Scene| placed(scene, &place.folder, place.shipped, to))?;
         write_json(path, &journal)

@@ -54,6 +54,16 @@ fn works_until_killed() {
     }
 }
 
+/// A program that is killed, whatever happens to the test.
+struct Killed(std::process::Child);
+
+impl Drop for Killed {
+    fn drop(&mut self) {
+        self.0.kill().expect("killed");
+        self.0.wait().expect("ended");
+    }
+}
+
 #[test]
 fn a_program_that_is_killed_leaves_the_recording_up_to_then() {
     let (root, kept) = (folder(), folder());
@@ -64,13 +74,14 @@ fn a_program_that_is_killed_leaves_the_recording_up_to_then() {
         .env(SCENE, &path)
         .env(KEPT, kept.path())
         .stdout(Stdio::piped())
+        .stderr(Stdio::null())
         .spawn()
+        .map(Killed)
         .expect("started");
-    let mut lines = BufReader::new(child.stdout.take().expect("piped")).lines();
+    let mut lines = BufReader::new(child.0.stdout.take().expect("piped")).lines();
     assert!(lines.any(|line| line.expect("text") == "recorded"), "it ended before that");
     assert!(left_recordings(kept.path()).is_empty(), "it is still open");
-    child.kill().expect("killed");
-    child.wait().expect("ended");
+    drop(child);
     assert_eq!(left_recordings(kept.path()).len(), 1);
     // The next start offers it, and it can be saved from there.
     let mut window = recording(Document::load(None).expect("the built-in scene"), kept.path());

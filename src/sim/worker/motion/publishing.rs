@@ -18,7 +18,7 @@ impl Motion {
             snapshot = self.views.picture(runner);
             self.status.read(runner.world());
             self.status.lost = NotFinite::of(&snapshot).map(|lost| lost.to_string());
-            if self.status.lost.is_some() {
+            if self.status.lost.is_some() && !self.comparison.is_running() {
                 self.playback.set_playing(false);
             }
         }

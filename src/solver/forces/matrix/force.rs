@@ -149,6 +149,11 @@ impl MatrixForce {
         (0..self.reference.positions.len()).map(of).collect()
     }
 
+    /// Volume of a particle within at rest [m³]; one at the surface stands for a share of it.
+    pub(crate) fn particle_volume(&self) -> f64 {
+        self.reference.volume
+    }
+
     /// Volume that every particle counts as [m³].
     pub fn volumes(&self) -> Vec<f64> {
         let of = |i: usize| self.reference.volume * self.reference.volume_share(i);

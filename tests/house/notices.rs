@@ -4,6 +4,7 @@
 
 use crate::licences::features;
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -112,25 +113,25 @@ fn notices() -> (String, Vec<Crate>) {
     let mut without = Vec::new();
     let mut put = |text: &mut String, of: &str, file: &str, words: &str| {
         let plain = words.split_whitespace().collect::<Vec<_>>().join(" ");
-        match told.get(&plain) {
-            Some(first) => *text += &format!("{file}: as of {first}\n"),
-            None => {
-                told.insert(plain, format!("{of}, {file}"));
-                *text += &format!("{file}:\n\n{}\n\n", words.trim());
-            }
-        }
+        let written = if let Some(first) = told.get(&plain) {
+            writeln!(text, "{file}: as of {first}")
+        } else {
+            told.insert(plain, format!("{of}, {file}"));
+            writeln!(text, "{file}:\n\n{}\n", words.trim())
+        };
+        written.expect("text takes all");
     };
     for (font, of, files) in FONTS {
         let Some(found) = crates.iter().find(|each| each.name == *of) else { continue };
         let folder = &sources[&format!("{}-{}", found.name, found.version)];
-        text += &format!("== font {font}\n");
+        writeln!(text, "== font {font}").expect("text takes all");
         for file in *files {
             let words = fs::read_to_string(folder.join(file)).unwrap_or_else(|error| panic!("{font}, {file}: {error}"));
             put(&mut text, font, file, &words);
         }
     }
     for each in &crates {
-        text += &format!("== {} {}: {}\n", each.name, each.version, each.licence);
+        writeln!(text, "== {} {}: {}", each.name, each.version, each.licence).expect("text takes all");
         let folder = &sources[&format!("{}-{}", each.name, each.version)];
         let texts = texts(folder);
         for (file, words) in &texts {

@@ -123,11 +123,13 @@ impl RecoveryFile {
     }
 
     /// Where the recording of the session is kept as it grows.
+    #[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "the window is who keeps recordings"))]
     pub(crate) fn recording(&self) -> GrowingLines {
         GrowingLines::at(self.lock.with_extension(RECORDING))
     }
 
     /// Whether a document is kept just now.
+    #[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "the window is who keeps recordings"))]
     pub(crate) fn has_document(&self) -> bool {
         self.document.exists()
     }
@@ -136,6 +138,7 @@ impl RecoveryFile {
     ///
     /// # Errors
     /// The file cannot be removed.
+    #[cfg_attr(not(feature = "gui"), allow(dead_code, reason = "the window is who keeps recordings"))]
     pub(crate) fn clear_recording(&self) -> Result<(), IoError> {
         removed(&self.lock.with_extension(RECORDING))
     }

@@ -223,7 +223,7 @@ fn a_frame_goes_on_for_a_while_after_something_waits_however_much_comes_behind()
         std::thread::yield_now();
     }
     // Those that were heard before it do not give it more time.
-    assert_eq!(receiver.begin(None), Some(4));
+    assert_eq!(receiver.begin(None), Some(5));
     receiver.next().unwrap();
     assert!(ends());
     let (sender, receiver) = command_queue();

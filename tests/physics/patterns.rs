@@ -185,10 +185,10 @@ fn a_heart_gets_narrow_and_tall_and_a_breath_small_all_round() {
     };
     let ([narrow, again], [tall, _]) = (size("rings", "width"), size("rings", "height"));
     assert!(narrow < 0.92 && tall > 1.01 && (again - 1.0).abs() < 0.05, "{narrow}, {again}, {tall}");
-    // A ball breathes: it stays as high as it is wide and deep.
+    // A ball breathes: it is as high as it is wide, and gets smaller along the axis of its spokes, too.
     let [[wide, again], [high, _], [deep, _]] = ["width", "height", "depth"].map(|axis| size("spokes", axis));
     assert!(wide < 0.95 && (again - 1.0).abs() < 0.05, "{wide}, {again}");
-    assert!((wide - high).abs() < 0.01 && (wide - deep).abs() < 0.01, "{wide}, {high}, {deep}");
+    assert!((wide - high).abs() < 0.01 && deep < 0.97, "{wide}, {high}, {deep}");
 }
 
 #[test]

@@ -273,6 +273,11 @@ fn the_support_radius_of_a_model_is_that_of_its_particles_and_fills_it_anew() {
         value.split_whitespace().next().and_then(|number| number.parse().ok()).unwrap_or_else(|| panic!("{value}"))
     };
     let radius = shown(&window);
+    let set = |window: &mut Window, label: &str, value: &str| {
+        window.get_by_role_and_label(Role::SpinButton, label).scroll_to_me();
+        window.run_steps(20);
+        set(window, label, value);
+    };
     // An eighth of the particles have twice the spacing.
     set(&mut window, "Particles", &(before / 8).to_string());
     until(&mut window, |app| is_settled(app) && app.published().status.particles < there / 4);

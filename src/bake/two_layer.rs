@@ -273,6 +273,7 @@ fn squeeze(springs: &Springs, gas: &[Pressure], state: &ParticleState) -> f64 {
     let mut forces: Vec<Box<dyn Force>> = vec![springs.clone_at_extreme(true)];
     forces.extend(gas.iter().map(|gas| gas.clone_at_extreme(false)));
     let mut scaled = state.clone();
+    scaled.velocities.fill(DVec3::ZERO);
     // Which way the forces move all of it: what they do as it grows by a share.
     let mut grows = |by: f64| {
         for (to, from) in scaled.positions.iter_mut().zip(&state.positions) {

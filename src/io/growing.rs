@@ -35,7 +35,8 @@ impl GrowingLines {
     /// As every write; it has to begin anew then.
     pub(crate) fn begin(&mut self, lines: &[impl Serialize]) -> Result<(), IoError> {
         self.file = None;
-        let bytes = self.whole(lines)?;
+        let mut bytes = self.whole(lines)?;
+        cut(&mut bytes, LIMIT as usize);
         let begun = Draft::begin(&self.path).and_then(|mut draft| {
             draft.write_all(&bytes)?;
             draft.replace()
@@ -70,6 +71,14 @@ impl GrowingLines {
     }
 }
 
+/// Leaves as many whole lines as fit a length [bytes].
+fn cut(bytes: &mut Vec<u8>, most: usize) {
+    if bytes.len() > most {
+        let end = bytes[..most].iter().rposition(|&byte| byte == b'\n').map_or(0, |at| at + 1);
+        bytes.truncate(end);
+    }
+}
+
 /// The lines of such a file, up to the first that is not whole: the program may have ended in it.
 ///
 /// # Errors
@@ -85,6 +94,15 @@ mod tests {
     use super::*;
     use crate::io::door::{Fate, Step, judged};
     use std::fs;
+
+    #[test]
+    fn what_is_too_long_is_cut_behind_a_line() {
+        for (most, left) in [(100, "ab\ncd\n"), (6, "ab\ncd\n"), (5, "ab\n"), (3, "ab\n"), (2, "")] {
+            let mut bytes = b"ab\ncd\n".to_vec();
+            cut(&mut bytes, most);
+            assert_eq!(String::from_utf8_lossy(&bytes), left, "{most}");
+        }
+    }
 
     #[test]
     fn what_was_written_until_the_end_is_read() {

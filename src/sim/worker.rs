@@ -70,10 +70,11 @@ impl Worker {
     }
 
     /// Asks for something, which is done in the order in which it was asked for, within 0.2 s: a frame that is being
-    /// computed is ended for it if it takes longer, also one that was asked for before, which then follows. What only
-    /// looks at the motion or holds it is done while a scene is put together, too. What a later request makes pointless
-    /// may be left out: of a drag, of settings and of documents that follow each other only the newest counts. False if
-    /// the thread is gone.
+    /// computed is ended for it if it takes longer, also one that was asked for before, which then follows. Not so for
+    /// what only further frames show: another place of a grab, a drive that is led, a step, the speed, the memory. What
+    /// only looks at the motion or holds it is done while a scene is put together, too. What a later request makes
+    /// pointless may be left out: of a drag, of settings and of documents that follow each other only the newest
+    /// counts. False if the thread is gone.
     pub fn send(&self, command: SimCommand) -> bool {
         if matches!(command, SimCommand::Open(..)) {
             self.models.set(None);

@@ -99,11 +99,13 @@ impl RecordingOffer {
             Some((_, journal)) if journal.frames() > 0 => {
                 Some(Self { name: journal.scene.name.clone(), frames: journal.frames(), left })
             }
-            _ => {
+            Some(_) => {
                 // Where it stays, it is met again.
                 left.discard().ok();
                 None
             }
+            // Perhaps a later version of the program can read it.
+            None => None,
         }
     }
 

@@ -27,7 +27,7 @@ const PAPERS: f64 = 4.0;
 
 /// Adds a body in the shape of a model, which was read from a file, to the scene.
 pub(crate) fn add_model(path: &Path, opened: OpenedModel, layers: Layers, cx: &mut Context) {
-    let made = match layers {
+    let mut what = match layers {
         Layers::Filled => format!(", {}", opened.said()),
         Layers::Two => String::new(),
     };
@@ -62,7 +62,6 @@ pub(crate) fn add_model(path: &Path, opened: OpenedModel, layers: Layers, cx: &m
     let (found, usual) = (solid.size().max_element(), usual_size(cx));
     let is_odd = cx.scene().all_bodies().next().is_some() && !(usual / ODD..=usual * ODD).contains(&found);
     let mut bounds = Bounds { min: solid.min, max: solid.max };
-    let mut what = made;
     if is_odd && let Ok(sized) = scaled(&body, DVec3::ZERO, usual / found) {
         let larger = resized(&solid, usual / found);
         insert(&sized, &larger, cx);

@@ -11,6 +11,9 @@ use std::sync::Arc;
 pub enum SimCommand {
     /// Run; where an earlier frame is shown, replay from there to the last one, then go on.
     Play,
+    /// Compute so much simulated time [s] from where the simulation has come to, as fast as it can be, then replay it
+    /// from there. What moves the motion otherwise, or looks at it, ends that; what was computed until then is kept.
+    Compute(f64),
     /// Hold still.
     Pause,
     /// Advance by one frame, then hold still; while an earlier frame is shown, show the next one.

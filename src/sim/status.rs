@@ -15,6 +15,8 @@ use std::sync::Arc;
 pub struct Status {
     /// Whether time runs.
     pub playing: bool,
+    /// From when until when [s] is being computed ahead, if anything is.
+    pub ahead: Option<[f64; 2]>,
     /// Simulated time [s].
     pub time: f64,
     /// Simulated frames a wall second.

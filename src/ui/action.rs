@@ -90,6 +90,7 @@ actions! {
     Paste in Edit [ctrl(Key::V)] "Paste": "Puts fibres, a sheet or a pattern of the clipboard into the body, or its body into the scene";
     SelectAll in Edit [plain(Key::A), ctrl(Key::A)] "Select all": "Selects every fibre of the body, or every vertex of the fibre";
     BoxSelect in Edit [plain(Key::B)] "Select by a box": "Selects what a box is dragged around; Shift adds";
+    Preferences in Edit [ctrl(Key::Comma)] "Preferences…": "Gestures of the camera, theme, size of the interface, memory";
     AddBox in Body [] "Add a box": "Adds a soft box where there is room";
     AddBall in Body [] "Add a ball": "Adds a soft ball where there is room";
     AddCylinder in Body [] "Add a cylinder": "Adds a soft cylinder where there is room";
@@ -142,6 +143,8 @@ actions! {
     Hide in Edit [plain(Key::H)] "Hide": "Hides the selected fibres, sheet or body; they act all the same";
     ShowAll in Edit [alt(Key::H)] "Show all": "Shows every hidden body, and fibre and sheet of the body";
     PlayPause in Simulation [plain(Key::Space)] "Play or pause": "Runs or holds the simulation";
+    ComputeAhead in Simulation [] "Compute ahead…":
+        "Computes some seconds of a motion that is slow to compute, then plays them at full speed";
     Step in Simulation [plain(Key::Period), plain(Key::ArrowRight)] "Advance one frame":
         "Shows the next frame and holds the simulation; at the end of what is kept it is computed";
     StepBack in Simulation [plain(Key::ArrowLeft)] "Step back": "Shows the frame before and holds the simulation";
@@ -246,8 +249,8 @@ impl std::ops::Index<Action> for ActionStates {
     }
 }
 
-/// Gestures of the pointer and single keys that are no actions, for the help.
-pub(crate) const GESTURES: [(&str, &str); 21] = [
+/// Gestures of the pointer and single keys that are no actions, for the help; those of the cameras are the navigation's.
+pub(crate) const GESTURES: [(&str, &str); 18] = [
     ("Click on a body in the result view", "selects it: G, R, S and its handles move, turn and scale it"),
     ("Click on a fibre, Shift + click", "selects it, selects it too"),
     ("Drag an arrow, the square, the ring", "moves along an axis, moves freely, turns"),
@@ -262,9 +265,6 @@ pub(crate) const GESTURES: [(&str, &str); 21] = [
     ("Drag in the timeline", "shows the motion at another time"),
     ("I over a field with a diamond", "sets a key there in the frame that is shown, or takes it away"),
     ("Double click, drag, Shift in a lane", "adds a key, moves keys or draws a box around them, off the frames"),
-    ("Middle drag, Alt + left drag", "turns the result view, moves a drawing view"),
-    ("Shift + middle drag, Alt + middle drag", "moves the view"),
-    ("Wheel, Alt + right drag", "moves nearer or further"),
     ("1, 3, 7, the ends of the axes", "shows the result from the front, the side, the top"),
     ("Ctrl + 1, 3, 7", "shows it from the other side"),
     ("5", "changes between parallel and perspective"),

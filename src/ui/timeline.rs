@@ -4,6 +4,7 @@ use super::action::Action;
 use super::context::{Context, Request, Severity};
 use super::controls::{button, key_of};
 use super::drives::{Columns, DriveLanes};
+use super::preferences::MEMORY;
 use super::theme::{self, GRID};
 use super::timescale::TimeScale;
 use crate::sim::{DEFAULT_MEMORY, Published, SimCommand};
@@ -26,8 +27,6 @@ const LANES: f32 = 52.0 * GRID;
 const LEAST: f32 = 26.0 * GRID;
 /// Half the width of a mark [points].
 const MARK: f32 = GRID;
-/// Memory that can be chosen [MiB].
-const CHOICES: [usize; 7] = [128, 256, 512, 1024, 2048, 4096, 8192];
 const MIB: usize = 1 << 20;
 
 /// What is remembered of the timeline from one start to the next.
@@ -78,7 +77,7 @@ impl Timeline {
     /// Goes on with the timeline of the last time.
     pub(super) fn recall(&mut self, last: RememberedTimeline, cx: &Context) {
         (self.remembered.shown, self.remembered.drives) = (last.shown, last.drives);
-        self.choose_memory(last.memory.clamp(CHOICES[0], CHOICES[CHOICES.len() - 1]), cx);
+        self.choose_memory(last.memory.clamp(MEMORY[0], MEMORY[MEMORY.len() - 1]), cx);
     }
 
     /// Whether it is shown rather than folded away.
@@ -102,7 +101,13 @@ impl Timeline {
         self.remembered.shown |= self.remembered.drives;
     }
 
-    fn choose_memory(&mut self, mebibytes: usize, cx: &Context) {
+    /// Memory that frames may take [MiB].
+    pub(crate) fn memory(&self) -> usize {
+        self.remembered.memory
+    }
+
+    /// Takes another.
+    pub(crate) fn choose_memory(&mut self, mebibytes: usize, cx: &Context) {
         self.remembered.memory = mebibytes;
         cx.ask(SimCommand::Memory(mebibytes * MIB));
     }
@@ -199,7 +204,7 @@ impl Timeline {
             ui.set_min_width(MEMORY_WIDTH);
             let menu = ui.menu_button(egui::RichText::new(text).small(), |ui| {
                 ui.label(egui::RichText::new("Memory for the motion").weak());
-                for choice in CHOICES {
+                for choice in MEMORY {
                     let name = if choice < 1024 { format!("{choice} MiB") } else { format!("{} GiB", choice / 1024) };
                     if ui.selectable_label(self.remembered.memory == choice, name).clicked() {
                         self.choose_memory(choice, cx);

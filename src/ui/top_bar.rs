@@ -1,6 +1,7 @@
 //! The bar of menus and play controls above, with the read-out of the running simulation.
 
 use super::action::Action;
+use super::ahead::told;
 use super::context::Context;
 use super::controls::{button, menu_entry};
 use super::menu::Menu;
@@ -82,6 +83,10 @@ impl TopBar {
                 cx.simulation.stop_building();
             }
         }
+        let is_ahead = cx.simulation.published().status.ahead.is_some();
+        if is_ahead && ui.button("Stop").on_hover_text("Stops computing; what is there is kept").clicked() {
+            cx.ask(SimCommand::Pause);
+        }
         let status = &cx.simulation.published().status;
         let slow = status.real_time_factor < 0.9 * self.speed;
         let now = |time| moment(time, cx.scene().time.frame_seconds());
@@ -89,6 +94,8 @@ impl TopBar {
             format!("Putting together {baking}…")
         } else if status.stopped {
             "Stopped before it was put together; Reset does that".to_owned()
+        } else if let Some(ahead) = status.ahead {
+            told(ahead, status.time, status.real_time_factor)
         } else if status.real_time_factor > 0.0 && status.playing {
             let pace = if slow { "slow motion, " } else { "" };
             let pace = format!("{pace}{} × real time", ratio(status.real_time_factor));
@@ -113,7 +120,7 @@ impl TopBar {
                 body.substeps, body.dt, body.name, body.stable_dt
             ));
         }
-        if slow && status.playing {
+        if slow && status.playing && !is_ahead {
             let slow = "Slow motion: these steps take longer to compute than they last. Softer materials and fibres, \
                         fewer particles or a greater density need fewer";
             why.push(slow.to_owned());

@@ -1,5 +1,6 @@
 //! What the simulation thread keeps of a motion: frames are shown again, replayed and gone on from, bit for bit.
 
+mod ahead;
 mod changes;
 mod leading;
 

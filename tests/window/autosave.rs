@@ -265,7 +265,7 @@ fn the_history_outlives_a_save() {
 
 /// What the window remembers, without a file.
 #[derive(Default)]
-struct Memory(HashMap<String, String>);
+pub(super) struct Memory(HashMap<String, String>);
 
 impl eframe::Storage for Memory {
     fn get_string(&self, key: &str) -> Option<String> {

@@ -1,5 +1,6 @@
 //! What moves, and what is shown of it: the live run and its ghost, what was recorded of them, and a comparison.
 
+mod ahead;
 mod hands;
 mod looking;
 mod publishing;
@@ -70,7 +71,9 @@ impl Motion {
 
     /// Does what concerns the motion; other commands change the document or what is put together of it.
     pub(super) fn handle(&mut self, command: &SimCommand) {
+        self.leave_ahead_for(command);
         match *command {
+            SimCommand::Compute(seconds) => self.compute_ahead(seconds),
             SimCommand::Play => {
                 self.note(Asked::Play);
                 self.owed = 0;
@@ -155,6 +158,7 @@ impl Motion {
         }
         if self.advance() {
             self.playback.plan_next(self.frame_seconds());
+            self.show_what_was_ahead();
         }
         true
     }
@@ -230,6 +234,7 @@ impl Motion {
 
     /// Takes up a scene that was put together: from its start, or in the present motion.
     pub(super) fn take_up(&mut self, scene: Arc<Scene>, mut baked: Baked, keeps_motion: bool) {
+        self.leave_ahead();
         // After a failure there is none to be kept.
         let goes_on = keeps_motion && self.runs.live.runner().is_some();
         self.scene = scene;
@@ -269,12 +274,14 @@ impl Motion {
 
     /// Compares what was put together, from the live run on: an earlier frame that is looked at is left.
     pub(super) fn compare(&mut self, runs: SideBySide) {
+        self.leave_ahead();
         self.replay.return_to_live(&mut self.playback);
         self.comparison.start(runs);
     }
 
     /// Nothing is left of the last document; what is done from now on is done to this scene.
     pub(super) fn forget(&mut self, scene: Arc<Scene>) {
+        self.leave_ahead();
         self.scene = scene;
         self.begin_journal();
         self.grab.pin();
@@ -300,6 +307,7 @@ impl Motion {
 
     /// Back to the start, the ghost too, with nothing held; false where the scene has not been put together yet.
     pub(super) fn restart(&mut self) -> bool {
+        self.leave_ahead();
         self.grab.pin();
         self.owed = 0;
         self.views.forget_ranges();

@@ -16,6 +16,8 @@ pub(super) struct Playback {
     playing: bool,
     /// Simulated over wall time that is aimed at.
     speed: f64,
+    /// Whether frames follow each other as fast as they can.
+    hurries: bool,
     /// When the next frame is due; at once where none is planned.
     due: Option<Instant>,
     /// Frames since a time.
@@ -27,7 +29,7 @@ pub(super) struct Playback {
 impl Playback {
     /// At normal speed.
     pub(super) fn new(playing: bool) -> Self {
-        Self { playing, speed: 1.0, due: None, counted: (0, Instant::now()), rates: [0.0; 2] }
+        Self { playing, speed: 1.0, hurries: false, due: None, counted: (0, Instant::now()), rates: [0.0; 2] }
     }
 
     /// Whether time runs.
@@ -49,6 +51,11 @@ impl Playback {
     /// Aims at so much simulated over wall time.
     pub(super) fn set_speed(&mut self, speed: f64) {
         self.speed = speed;
+    }
+
+    /// Has frames follow each other as fast as they can, or by the clock again.
+    pub(super) fn hurry(&mut self, hurries: bool) {
+        self.hurries = hurries;
     }
 
     /// Forgets what went before in the rates to come.
@@ -73,6 +80,10 @@ impl Playback {
 
     /// Plans the next frame after one of so much simulated time [s].
     pub(super) fn plan_next(&mut self, frame_seconds: f64) {
+        if self.hurries {
+            self.due = None;
+            return;
+        }
         let frame = frame_seconds / self.speed.max(1e-3);
         let now = Instant::now();
         let earliest = now.checked_sub(GREATEST_DEBT).unwrap_or(now);

@@ -20,6 +20,7 @@ fn patience(command: &SimCommand) -> Option<Duration> {
         SimCommand::Open(..) | SimCommand::Reset => Some(Duration::ZERO),
         SimCommand::Pause
         | SimCommand::Play
+        | SimCommand::Compute(_)
         | SimCommand::Edit(_)
         | SimCommand::Grab { .. }
         | SimCommand::Release

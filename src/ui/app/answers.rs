@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::io::{IoError, is_there};
+use crate::sim::SimCommand;
 use crate::ui::autosave::{Loss, Question, Reply};
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{self, Answer, Dialog, PathPurpose};
@@ -31,6 +32,11 @@ impl App {
                 let look = self.views.look(&self.cx, ctx.pixels_per_point());
                 let goes_on = self.transfer.answered(ctx, question, answer, look, &mut self.cx);
                 self.dialog = goes_on.map(Dialog::Transfer);
+            }
+            (Answer::Compute(seconds), _) => self.cx.ask(SimCommand::Compute(seconds)),
+            (Answer::Preferred(preferences), dialog) => {
+                self.prefer(ctx, preferences);
+                self.dialog = Some(dialog);
             }
             (Answer::Loaded(loaded), Dialog::Loading(loading)) => self.loaded(&loading, *loaded),
             (Answer::Recent(path), _) => self.open_recent(ctx, path),

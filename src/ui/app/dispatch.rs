@@ -8,6 +8,7 @@ use crate::draw::SkinStyle;
 use crate::scene::AnyBody;
 use crate::sim::SimCommand;
 use crate::ui::action::{Action, ActionState, ActionStates};
+use crate::ui::ahead::AheadQuestion;
 use crate::ui::autosave::Question;
 use crate::ui::bodies::{self, Layers, NewBody};
 use crate::ui::clipboard;
@@ -159,6 +160,7 @@ impl App {
             Action::Paste => always(|_, ctx| ctx.send_viewport_cmd(ViewportCommand::RequestPaste)),
             Action::SelectAll => self.with_fibres(|app, _| editing::select_all(&mut app.cx)),
             Action::BoxSelect => self.with_fibres(|app, _| app.views.editing_mut().begin_box()),
+            Action::Preferences => always(|app, ctx| app.dialog = Some(Dialog::Preferences(app.preferences(ctx)))),
             Action::AddBox => always(|app, _| bodies::add(NewBody::Box, &mut app.cx)),
             Action::AddBall => always(|app, _| bodies::add(NewBody::Ball, &mut app.cx)),
             Action::AddCylinder => always(|app, _| bodies::add(NewBody::Cylinder, &mut app.cx)),
@@ -242,6 +244,12 @@ impl App {
                 let playing = app.cx.simulation.is_playing();
                 app.cx.ask(if playing { SimCommand::Pause } else { SimCommand::Play });
             }),
+            Action::ComputeAhead => {
+                let is_live = !simulation.is_comparing();
+                when(is_live, "Integrators are being compared", |app, _| {
+                    app.dialog = Some(Dialog::Ahead(AheadQuestion::default()));
+                })
+            }
             Action::Step => always(|app, _| app.cx.ask(SimCommand::Step)),
             Action::StepBack => replay(|app, _| app.cx.simulation.replay(SimCommand::StepBack)),
             Action::FirstFrame => replay(|app, _| app.cx.simulation.show_first()),

@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::io::RecentFiles;
+use crate::ui::navigation::Navigation;
 use crate::ui::theme::Tone;
 use crate::ui::timeline::RememberedTimeline;
 use crate::ui::views::Pane;
@@ -22,6 +23,8 @@ struct Remembered<V> {
     timeline: RememberedTimeline,
     #[serde(default)]
     plots: bool,
+    #[serde(default)]
+    navigation: Navigation,
 }
 
 impl App {
@@ -35,9 +38,12 @@ impl App {
             self.recent = recent;
         }
         let Some(last) = eframe::get_value::<Remembered<Tree<Pane>>>(storage, WINDOW) else { return };
+        // egui remembers the size of the interface itself.
+        self.suits_the_screen = true;
         self.views.recall(last.views, last.coach);
         self.timeline.recall(last.timeline, &self.cx);
         self.time_series.open = last.plots;
+        self.cx.navigation = last.navigation;
         if last.light != (self.cx.tone == Tone::Light) {
             self.cx.tone = self.cx.tone.other();
             self.cx.tone.apply(ctx);
@@ -52,6 +58,7 @@ impl App {
             coach: self.views.coach(),
             timeline: self.timeline.to_remember(),
             plots: self.time_series.open,
+            navigation: self.cx.navigation,
         };
         eframe::set_value(storage, WINDOW, &now);
         eframe::set_value(storage, RECENT, &self.recent);

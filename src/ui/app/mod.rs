@@ -6,6 +6,7 @@ mod files;
 mod leaving;
 mod listening;
 mod memory;
+mod preferences;
 mod probe;
 mod requests;
 
@@ -56,6 +57,8 @@ pub struct App {
     /// What is open over the window.
     dialog: Option<Dialog>,
     title: String,
+    /// Whether the size of the interface has been chosen, or fitted to the screen.
+    suits_the_screen: bool,
 }
 
 impl App {
@@ -97,6 +100,7 @@ impl App {
             trusted: Vec::new(),
             dialog: asks.map(|(path, files)| Dialog::Question(Question::Outside { path, files })),
             title: String::new(),
+            suits_the_screen: false,
         }
     }
 
@@ -131,6 +135,7 @@ impl App {
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
         self.listen(&ctx);
+        self.suit_the_screen(&ctx);
         self.top_bar.count_frame(&ctx);
         self.prepare();
         let in_software = self.views.draws_in_software();

@@ -32,6 +32,7 @@ pub(crate) use simulation::{Ghost, Grabbed, Simulation};
 pub(crate) use status::{Severity, StatusLine};
 
 use super::action::ActionStates;
+use super::navigation::Navigation;
 use super::theme::Tone;
 use crate::edit::Command;
 use crate::scene::{Assets, Drivable, Drive, Scene};
@@ -62,6 +63,8 @@ pub(super) struct Context {
     pub pointed: Option<Drivable>,
     /// Light or dark.
     pub tone: Tone,
+    /// Whose gestures move the cameras.
+    pub navigation: Navigation,
     /// What is said at the foot of the window.
     pub status: StatusLine,
     /// Which actions can be asked for in this frame, and which switches are on.
@@ -94,6 +97,7 @@ impl Context {
             keys: ChosenKeys::default(),
             pointed: None,
             tone,
+            navigation: Navigation::default(),
             status: StatusLine::default(),
             actions: ActionStates::default(),
             pattern: PatternPreview::default(),

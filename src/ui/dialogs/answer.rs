@@ -4,6 +4,7 @@ use crate::ui::action::Action;
 use crate::ui::autosave::Reply;
 use crate::ui::gallery::Example;
 use crate::ui::loading::Loaded;
+use crate::ui::preferences::Preferences;
 use crate::ui::transfer::TransferAnswer;
 use std::path::PathBuf;
 
@@ -21,6 +22,10 @@ pub(crate) enum Answer {
     Picked(PathBuf),
     /// A file was chosen among those that were used.
     Recent(PathBuf),
+    /// So much is to be computed ahead [s].
+    Compute(f64),
+    /// Preferences were changed; their dialog stays open.
+    Preferred(Preferences),
     /// A question was answered.
     Reply(Reply),
     /// An example was chosen.

@@ -1,10 +1,12 @@
 //! What can open over the window, as plain data.
 
+use crate::ui::ahead::AheadQuestion;
 use crate::ui::autosave::Question;
 use crate::ui::bodies::Layers;
 use crate::ui::loading::Loading;
 use crate::ui::next::Next;
 use crate::ui::patterns::PatternQuestion;
+use crate::ui::preferences::Preferences;
 use crate::ui::transfer::TransferQuestion;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Receiver;
@@ -41,6 +43,10 @@ pub(crate) enum Dialog {
     },
     /// Lists keys and gestures.
     Help,
+    /// Asks how much is to be computed ahead.
+    Ahead(AheadQuestion),
+    /// Asks how the window is to be.
+    Preferences(Preferences),
     /// Tells how a first scene is made.
     FirstScene,
     /// Asks for a path.

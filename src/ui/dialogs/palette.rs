@@ -3,6 +3,7 @@
 use super::answer::Answer;
 use crate::ui::action::{Action, ActionStates, GESTURES, Menu};
 use crate::ui::controls::key_of;
+use crate::ui::navigation::Navigation;
 use crate::ui::theme::GRID;
 use egui::{Key, RichText, ScrollArea, TextEdit, Ui};
 
@@ -49,12 +50,12 @@ pub(super) fn palette(ui: &mut Ui, text: &mut String, chosen: &mut usize, action
 }
 
 /// Lists every key and gesture.
-pub(super) fn help(ui: &mut Ui) -> Answer {
+pub(super) fn help(ui: &mut Ui, navigation: Navigation) -> Answer {
     ui.set_width(520.0);
     ui.heading("Keys and gestures");
     ScrollArea::vertical().max_height(0.7 * ui.ctx().content_rect().height()).show(ui, |ui| {
         egui::Grid::new("gestures").num_columns(2).spacing([6.0 * GRID, GRID]).show(ui, |ui| {
-            for (gesture, effect) in GESTURES {
+            for (gesture, effect) in GESTURES.into_iter().chain(navigation.gestures()) {
                 ui.label(gesture);
                 ui.label(RichText::new(effect).weak());
                 ui.end_row();

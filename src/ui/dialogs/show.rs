@@ -5,11 +5,14 @@ use super::dialog::Dialog;
 use super::first_scene::first_scene;
 use super::palette::{help, palette};
 use super::path::ask_path;
+use crate::ui::action::Action;
+use crate::ui::ahead::AheadAnswer;
 use crate::ui::autosave::{About, RecordingOffer, RecoveryOffer, ask};
 use crate::ui::context::Context;
 use crate::ui::gallery::{Choice, Gallery};
 use crate::ui::loading::Progress;
 use crate::ui::patterns;
+use crate::ui::preferences::Asked;
 use crate::ui::theme::GRID;
 use crate::ui::transfer::{self, TransferAnswer};
 use egui::{Id, Modal};
@@ -29,7 +32,20 @@ pub(crate) fn show(
         About { name: cx.document.name(), path: cx.document.path.as_deref(), offers, recordings, tone: cx.tone };
     let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| match dialog {
         Dialog::Palette { text, chosen } => palette(ui, text, chosen, &cx.actions),
-        Dialog::Help => help(ui),
+        Dialog::Help => help(ui, cx.navigation),
+        Dialog::Preferences(preferences) => match preferences.ask(ui) {
+            Some(Asked::Changed) => Answer::Preferred(*preferences),
+            Some(Asked::Closed) => Answer::Closed,
+            Some(Asked::Keys) => Answer::Do(Action::Help),
+            None => Answer::None,
+        },
+        Dialog::Ahead(question) => {
+            match question.ask(ui, (&cx.simulation.published().status, cx.scene().time.frame_seconds()), cx.tone) {
+                Some(AheadAnswer::Compute(seconds)) => Answer::Compute(seconds),
+                Some(AheadAnswer::Closed) => Answer::Closed,
+                None => Answer::None,
+            }
+        }
         Dialog::FirstScene => first_scene(ui),
         Dialog::Path { purpose, text, browsing, .. } => ask_path(ui, *purpose, text, browsing, recent),
         Dialog::Question(question) => ask(ui, question, &about).map_or(Answer::None, Answer::Reply),

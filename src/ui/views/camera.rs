@@ -9,7 +9,8 @@ use crate::draw::Bounds;
 use crate::render::{Camera, Facing, Projection};
 use crate::solver::snapshot::BodySnapshot;
 use crate::ui::context::Context;
-use egui::{Key, PointerButton, Rect, Response, Ui};
+use crate::ui::navigation::{CameraMove, Navigation};
+use egui::{Key, PointerButton, Pos2, Rect, Response, Ui, Vec2};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
@@ -19,6 +20,9 @@ const DRAWING_MARGIN: f64 = 1.15;
 const LEAP: f64 = 1.0;
 /// Turn of the result view for each pixel of a drag [rad].
 const TURN: f64 = 0.008;
+/// What is seen grows by this power of e for each point of a drag, and shrinks by it for each of a wheel.
+const ZOOM: f32 = 0.005;
+const WHEEL_ZOOM: f32 = 0.002;
 
 fn aspect(rect: Rect) -> f64 {
     f64::from(rect.width() / rect.height().max(1.0))
@@ -130,41 +134,49 @@ fn selected_bounds(shown: &DisplayedState, cx: &Context) -> Option<Bounds> {
     Some(Bounds { min: bounds.min - room, max: bounds.max + room })
 }
 
-/// Moves the camera as the pointer and the keys ask for; a drawing view takes the other one along.
-pub(super) fn follow(pane: &mut Pane, ui: &Ui, response: &Response, links: &mut Links) {
+/// Moves the camera as the pointer, the fingers and the keys ask for; a drawing view takes the other one along.
+pub(super) fn follow(pane: &mut Pane, ui: &Ui, response: &Response, links: &mut Links, navigation: Navigation) {
     let frame = ViewFrame { kind: pane.kind, rect: response.rect, camera: pane.camera };
-    let size = frame.size();
     let before = pane.camera;
-    let (delta, modifiers, wheel) =
-        ui.input(|input| (input.pointer.delta(), input.modifiers, input.smooth_scroll_delta().y));
-    let by = DVec2::new(f64::from(delta.x), f64::from(delta.y));
-    let held = |button| response.dragged_by(button);
-    let middle = held(PointerButton::Middle);
-    let pans = middle && (modifiers.shift || modifiers.alt);
-    let turns = middle || (modifiers.alt && held(PointerButton::Primary));
-    let result = pane.kind == PaneKind::Result;
-    if pans || (turns && !result) {
-        pane.camera.pan(by, size);
-    } else if turns {
-        pane.camera.orbit(-TURN * by.x, TURN * by.y);
-    } else if modifiers.alt && held(PointerButton::Secondary) {
-        pane.camera.zoom((0.005 * by.y).exp(), 0.5 * size, size);
+    let (delta, modifiers) = ui.input(|input| (input.pointer.delta(), input.modifiers));
+    let buttons = [PointerButton::Primary, PointerButton::Middle, PointerButton::Secondary];
+    let held = buttons.into_iter().filter(|button| response.dragged_by(*button));
+    if let Some(what) = held.filter_map(|button| navigation.dragged(button, modifiers)).last() {
+        let by = if what == CameraMove::Zoom { ZOOM * delta.y } else { 0.0 };
+        go(pane, &frame, what, delta, by, frame.rect.center());
     }
-    if response.hovered() && wheel != 0.0 {
+    if response.hovered() {
         let at = ui.input(|input| input.pointer.hover_pos()).unwrap_or(frame.rect.center());
-        pane.camera.zoom((-0.002 * f64::from(wheel)).exp(), frame.pixel(at), size);
+        if let Some((what, by)) = navigation.scrolled(ui) {
+            go(pane, &frame, what, by, -WHEEL_ZOOM * by.y, at);
+        }
+        let pinched = ui.input(|input| input.zoom_delta());
+        if pinched > 0.0 && pinched != 1.0 {
+            go(pane, &frame, CameraMove::Zoom, Vec2::ZERO, -pinched.ln(), at);
+        }
     }
     if pane.camera != before {
         // A hand on the camera is stronger than where it was sent.
         pane.ease = None;
     }
-    if result && response.hovered() && !ui.ctx().egui_wants_keyboard_input() {
+    if pane.kind == PaneKind::Result && response.hovered() && !ui.ctx().egui_wants_keyboard_input() {
         turn_by_keys(pane, ui);
     }
     if let PaneKind::Drawing(view) = pane.kind
         && pane.camera != before
     {
         links.moved = Some((view, pane.camera));
+    }
+}
+
+/// Turns or moves the camera by so many points, or has what it sees grow by the power of e that `further` is, about
+/// what lies under `at`.
+fn go(pane: &mut Pane, frame: &ViewFrame, what: CameraMove, by: Vec2, further: f32, at: Pos2) {
+    let moved = DVec2::new(f64::from(by.x), f64::from(by.y));
+    match what {
+        CameraMove::Turn if pane.kind == PaneKind::Result => pane.camera.orbit(-TURN * moved.x, TURN * moved.y),
+        CameraMove::Turn | CameraMove::Pan => pane.camera.pan(moved, frame.size()),
+        CameraMove::Zoom => pane.camera.zoom(f64::from(further).exp(), frame.pixel(at), frame.size()),
     }
 }
 

@@ -72,7 +72,7 @@ pub(super) fn show(
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, &label));
     pane.rect = rect;
     camera::settle(pane, ui, links, options.follow, cx);
-    camera::follow(pane, ui, &response, links);
+    camera::follow(pane, ui, &response, links, cx.navigation);
     let frame = ViewFrame { kind: pane.kind, rect, camera: pane.camera };
     let slice = options.display.slice;
     let takes_region = !tools.editing.has_gesture() && tools.region.follow(ui, &response, &frame, cx);

@@ -1,10 +1,9 @@
 //! The bones that bodies follow, as the window shows them.
 
-use super::follows::{begun_at, frame_of, playing, to_world};
+use super::follows::{frame_of, playing, to_world};
 use crate::geometry::skeleton::Clip;
 use crate::scene::{AnyBody, Assets, Leader};
 use glam::DVec3;
-use std::sync::Arc;
 
 /// The bones that a body follows without or with springs, as they are at a time [s]; none of what is not loaded.
 pub(crate) fn followed_bones(body: AnyBody<'_>, assets: &Assets, time: f64) -> Vec<[DVec3; 2]> {
@@ -18,9 +17,8 @@ pub(crate) fn followed_bones(body: AnyBody<'_>, assets: &Assets, time: f64) -> V
         else {
             continue;
         };
-        let from = of.from.min(last - first);
-        let skeleton = begun_at(Arc::clone(skeleton), clip, from);
-        let worlds = skeleton.worlds(clip, playing(of, last - first - from).at(time));
+        let length = last - first;
+        let worlds = skeleton.worlds(clip, playing(of, [of.from.min(length), length]).at(time));
         let frame = to_world(body.placement()) * frame_of(&of.leader);
         let is_chosen = |name: &String| leader.joints.is_empty() || leader.joints.contains(name);
         let chosen = skeleton.joints.iter().enumerate().filter(|(_, joint)| is_chosen(&joint.name));

@@ -93,15 +93,14 @@ impl Followers<'_> {
             }
             follows
         };
-        let (leader, length) = match &of.leader {
+        let (leader, played) = match &of.leader {
             Leader::Skeleton(skeleton) => {
                 let bound = self.to_joints(skeleton, &frame, &format!("{path}/leader/skeleton"), notes)?;
                 let (skeleton, clip, candidates) = bound;
                 let [first, last] = skeleton.clips[clip].span;
                 let from = played_from(of, last - first, path, notes);
                 let bound = kept(candidates, &mut choose);
-                let skeleton = begun_at(skeleton, clip, from);
-                (led::Leader::Skeleton { skeleton, clip, bound }, last - first - from)
+                (led::Leader::Skeleton { skeleton, clip, bound }, [from, last - first])
             }
             Leader::Cache(cache) => {
                 let candidates = self.to_faces(cache, &frame, &format!("{path}/leader/cache"), notes)?;
@@ -110,13 +109,13 @@ impl Followers<'_> {
                 let (seconds, bound) = (cached.seconds(rate), kept(candidates, &mut choose));
                 let length = seconds * cached.length();
                 let from = played_from(of, length, path, notes);
-                (led::Leader::Cache { cache: Arc::clone(cached), seconds, from, bound }, length - from)
+                (led::Leader::Cache { cache: Arc::clone(cached), seconds, bound }, [from, length])
             }
         };
         if chosen.is_empty() {
             return Err(BakeError::NothingFollows { path: format!("{path}/select"), particles: self.points.len() });
         }
-        let led = Led { leader, playing: playing(of, length), frame: to_world(self.body.placement()) * frame };
+        let led = Led { leader, playing: playing(of, played), frame: to_world(self.body.placement()) * frame };
         let (particles, shares) = chosen.into_iter().unzip();
         Ok(Bound { id: of.id.clone(), particles, shares, led: Arc::new(led), hold: of.hold.clone() })
     }
@@ -242,20 +241,10 @@ fn kept<B>(candidates: Vec<Candidate<B>>, choose: &mut dyn FnMut(usize, f64, f64
     candidates.filter(|(i, of)| choose(*i, of.held, of.distance)).map(|(_, of)| of.bound).collect()
 }
 
-/// The skeleton with a clip of it that begins so much later [s].
-pub(super) fn begun_at(skeleton: Arc<Skeleton>, clip: usize, from: f64) -> Arc<Skeleton> {
-    if from == 0.0 {
-        return skeleton;
-    }
-    let mut begun = Arc::unwrap_or_clone(skeleton);
-    begun.clips[clip].span[0] += from;
-    Arc::new(begun)
-}
-
-/// When a motion of so many seconds is played.
-pub(super) fn playing(of: &Follow, length: f64) -> Playing {
+/// When a motion is played from a time to its end [s].
+pub(super) fn playing(of: &Follow, [from, end]: [f64; 2]) -> Playing {
     let after = super::drives::after(of.after);
-    Playing { start: of.start, pre_roll: of.pre_roll, speed: of.speed, length, after }
+    Playing { start: of.start, pre_roll: of.pre_roll, speed: of.speed, from, length: end - from, after }
 }
 
 /// From a leader's space to the model frame.

@@ -83,8 +83,9 @@ pub(crate) struct SkinMesh {
 /// What of a clip is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Moment {
-    /// A share of the way from where the file shows the skeleton to the clip's first frame, and its rate [1/s].
-    Eased { share: f64, rate: f64 },
+    /// A share of the way from where the file shows the skeleton to a time since the clip's first frame [s], and its
+    /// rate [1/s].
+    Eased { to: f64, share: f64, rate: f64 },
     /// A time since the first frame [s], and how fast that goes by.
     Played { time: f64, rate: f64 },
 }
@@ -188,7 +189,7 @@ impl Skeleton {
         let mut found: Vec<Option<MovingParts>> = vec![None; self.nodes.len()];
         let Some(clip) = self.clips.get(clip) else { return found };
         let (time, speed) = match moment {
-            Moment::Eased { .. } => (clip.span[0], 0.0),
+            Moment::Eased { to, .. } => (clip.span[0] + to, 0.0),
             Moment::Played { time, rate } => (clip.span[0] + time, rate),
         };
         let vector = |track: &Track| track.vector(time).map(DVec4::truncate);
@@ -204,7 +205,7 @@ impl Skeleton {
                 }
             }
         }
-        if let Moment::Eased { share, rate } = moment {
+        if let Moment::Eased { share, rate, .. } = moment {
             for (node, parts) in self.nodes.iter().zip(&mut found) {
                 if let (Place::Parts(still), Some(to)) = (node.place, parts.as_mut()) {
                     *to = MovingParts::eased(&still, to, [share, rate]);
@@ -230,7 +231,7 @@ impl Skeleton {
     }
 
     /// Where it is shown while nothing moves.
-    pub(crate) const AT_REST: Moment = Moment::Eased { share: 0.0, rate: 0.0 };
+    pub(crate) const AT_REST: Moment = Moment::Eased { to: 0.0, share: 0.0, rate: 0.0 };
 }
 
 fn with_speed([value, rate]: [DVec3; 2], speed: f64) -> [DVec3; 2] {
@@ -285,7 +286,7 @@ mod tests {
         let skeleton = arm();
         let d = 1e-6;
         let played = |time| Moment::Played { time, rate: 3.0 };
-        let eased = |share| Moment::Eased { share, rate: 3.0 };
+        let eased = |share| Moment::Eased { to: 0.3, share, rate: 3.0 };
         for (at, moments) in [0.1, 0.45, 0.8].into_iter().flat_map(|at| {
             let pair = [[played(at - d), played(at), played(at + d)], [eased(at - d), eased(at), eased(at + d)]];
             pair.map(|moments| (at, moments))
@@ -305,10 +306,12 @@ mod tests {
         assert!(worlds[2][0].w_axis.truncate().distance(DVec3::new(1.0, 2.0, 0.0)) < 1e-15);
         assert_eq!(skeleton.bones(0, &worlds), [[DVec3::new(1.0, 1.0, 0.0), DVec3::new(1.0, 2.0, 0.0)]]);
         assert_eq!(skeleton.bones(1, &worlds), [[DVec3::new(1.0, 2.0, 0.0); 2]]);
-        let eased = skeleton.worlds(0, Moment::Eased { share: 1.0, rate: 0.0 });
-        let first = skeleton.worlds(0, Moment::Played { time: 0.0, rate: 1.0 });
-        for (a, b) in eased.iter().zip(&first) {
-            assert!(a[0].abs_diff_eq(b[0], 1e-14));
+        for to in [0.0, 0.7] {
+            let eased = skeleton.worlds(0, Moment::Eased { to, share: 1.0, rate: 0.0 });
+            let first = skeleton.worlds(0, Moment::Played { time: to, rate: 1.0 });
+            for (a, b) in eased.iter().zip(&first) {
+                assert!(a[0].abs_diff_eq(b[0], 1e-14));
+            }
         }
     }
 }

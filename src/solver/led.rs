@@ -28,8 +28,8 @@ pub(crate) struct Led {
 pub(crate) enum Leader {
     /// A clip of a skeleton.
     Skeleton { skeleton: Arc<Skeleton>, clip: usize, bound: Vec<BoundToJoints> },
-    /// A cache; the units of its times take so many seconds, and so many seconds of it are left out.
-    Cache { cache: Arc<PointCache>, seconds: f64, from: f64, bound: Vec<BoundToFace> },
+    /// A cache; the units of its times take so many seconds.
+    Cache { cache: Arc<PointCache>, seconds: f64, bound: Vec<BoundToFace> },
 }
 
 /// How a particle hangs on joints.
@@ -63,7 +63,9 @@ pub(crate) struct Playing {
     pub(crate) pre_roll: f64,
     /// How many seconds of the motion go by in one.
     pub(crate) speed: f64,
-    /// How long the motion is [s].
+    /// From which time of it on it is played [s].
+    pub(crate) from: f64,
+    /// How long the motion is from there on [s].
     pub(crate) length: f64,
     /// What comes after its end.
     pub(crate) after: After,
@@ -78,7 +80,8 @@ impl Playing {
                 return Skeleton::AT_REST;
             }
             let s = since / self.pre_roll;
-            return Moment::Eased { share: s * s * (3.0 - 2.0 * s), rate: 6.0 * s * (1.0 - s) / self.pre_roll };
+            let (share, rate) = (s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s) / self.pre_roll);
+            return Moment::Eased { to: self.from, share, rate };
         }
         let (played, length) = (self.speed * (since - self.pre_roll), self.length);
         let (time, rate) = match self.after {
@@ -91,7 +94,7 @@ impl Playing {
                 if round < length { (round, self.speed) } else { (2.0 * length - round, -self.speed) }
             }
         };
-        Moment::Played { time, rate }
+        Moment::Played { time: self.from + time, rate }
     }
 
     /// When nothing moves any more [s].
@@ -127,10 +130,10 @@ impl Led {
                 let maps: Vec<_> = maps.iter().map(|map| product(&frame, map)).collect();
                 bound.iter().map(|particle| particle.place(&maps)).collect()
             }
-            Leader::Cache { cache, seconds, from, bound } => {
+            Leader::Cache { cache, seconds, bound } => {
                 let [x, v] = [self.frame, DMat4 { w_axis: glam::DVec4::W, ..self.frame }];
                 let place = |particle: &BoundToFace| {
-                    let [at, rate] = particle.place(cache, [*seconds, *from], moment);
+                    let [at, rate] = particle.place(cache, *seconds, moment);
                     [x.transform_point3(at), v.transform_vector3(rate)]
                 };
                 bound.iter().map(place).collect()
@@ -157,14 +160,14 @@ impl BoundToJoints {
 }
 
 impl BoundToFace {
-    fn place(&self, cache: &PointCache, [seconds, from]: [f64; 2], moment: Moment) -> [DVec3; 2] {
+    fn place(&self, cache: &PointCache, seconds: f64, moment: Moment) -> [DVec3; 2] {
         match moment {
             Moment::Eased { share: 0.0, .. } => [self.rest, DVec3::ZERO],
-            Moment::Eased { share, rate } => {
-                let way = self.on(cache, from / seconds, 0.0)[0] - self.rest;
+            Moment::Eased { to, share, rate } => {
+                let way = self.on(cache, to / seconds, 0.0)[0] - self.rest;
                 [self.rest + share * way, rate * way]
             }
-            Moment::Played { time, rate } => self.on(cache, (from + time) / seconds, rate / seconds),
+            Moment::Played { time, rate } => self.on(cache, time / seconds, rate / seconds),
         }
     }
 
@@ -192,22 +195,22 @@ mod tests {
     use glam::Vec3;
 
     fn played(after: After) -> Playing {
-        Playing { start: 0.5, pre_roll: 0.5, speed: 2.0, length: 3.0, after }
+        Playing { start: 0.5, pre_roll: 0.5, speed: 2.0, from: 0.25, length: 3.0, after }
     }
 
     #[test]
     fn a_motion_is_eased_into_then_played_and_then_held_repeated_or_mirrored() {
         let at = |after, time| played(after).at(time);
         assert_eq!(at(After::Hold, 0.5), Skeleton::AT_REST);
-        assert_eq!(at(After::Hold, 0.75), Moment::Eased { share: 0.5, rate: 3.0 });
-        assert_eq!(at(After::Hold, 1.0), Moment::Played { time: 0.0, rate: 2.0 });
-        assert_eq!(at(After::Hold, 9.0), Moment::Played { time: 3.0, rate: 0.0 });
-        assert_eq!(at(After::Repeat, 3.0), Moment::Played { time: 1.0, rate: 2.0 });
-        assert_eq!(at(After::Mirror, 3.0), Moment::Played { time: 2.0, rate: -2.0 });
+        assert_eq!(at(After::Hold, 0.75), Moment::Eased { to: 0.25, share: 0.5, rate: 3.0 });
+        assert_eq!(at(After::Hold, 1.0), Moment::Played { time: 0.25, rate: 2.0 });
+        assert_eq!(at(After::Hold, 9.0), Moment::Played { time: 3.25, rate: 0.0 });
+        assert_eq!(at(After::Repeat, 3.0), Moment::Played { time: 1.25, rate: 2.0 });
+        assert_eq!(at(After::Mirror, 3.0), Moment::Played { time: 2.25, rate: -2.0 });
         assert_eq!(played(After::Hold).end(), 2.5);
         assert_eq!(Playing { length: 0.0, ..played(After::Repeat) }.end(), 1.0);
         let at_once = Playing { start: 0.0, pre_roll: 0.0, ..played(After::Hold) };
-        assert_eq!(at_once.at(0.0), Moment::Played { time: 0.0, rate: 2.0 });
+        assert_eq!(at_once.at(0.0), Moment::Played { time: 0.25, rate: 2.0 });
     }
 
     #[test]
@@ -222,8 +225,8 @@ mod tests {
         let bound = BoundToFace { corners: [0, 1, 2], shares: [0.4, 0.4, 0.2], height: 0.2, rest };
         let frame = DMat4::from_scale_rotation_translation(DVec3::splat(2.0), glam::DQuat::from_rotation_y(1.0), rest);
         let led = Led {
-            leader: Leader::Cache { cache: Arc::new(cache), seconds: 0.5, from: 0.0, bound: vec![bound] },
-            playing: Playing { start: 0.1, pre_roll: 0.2, speed: 1.3, length: 0.75, after: After::Mirror },
+            leader: Leader::Cache { cache: Arc::new(cache), seconds: 0.5, bound: vec![bound] },
+            playing: Playing { start: 0.1, pre_roll: 0.2, speed: 1.3, from: 0.1, length: 0.65, after: After::Mirror },
             frame,
         };
         let d = 1e-6;

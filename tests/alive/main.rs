@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows the measured figures")]
 
 mod bits;
+mod blown;
 #[path = "../physics/common.rs"]
 #[allow(dead_code, reason = "the physics tests use the rest of it")]
 mod common;

@@ -195,6 +195,39 @@ fn what_fibres_do_is_kept_with_a_layout_and_what_none_can_do_is_refused() {
     assert_eq!(own.with_acts(vec![None, still]), Err(PatternError::Act { fibre: 1 }));
 }
 
+/// Particles 4 mm apart in a box of 0.1 x 0.14 x 0.1 m, where `is_in` says so.
+fn lattice(is_in: impl Fn(DVec3) -> bool) -> Vec<DVec3> {
+    let at = |k: u32| {
+        let [x, y, z] = [k % 25, k / 25 % 35, k / 875].map(f64::from);
+        4e-3 * (DVec3::new(x, y, z) - DVec3::new(12.0, 17.0, 12.0))
+    };
+    (0..25 * 35 * 25).map(at).filter(|at| is_in(*at)).collect()
+}
+
+#[test]
+fn a_layout_goes_as_far_into_a_solid_as_it_needs_to() {
+    let half = DVec3::new(0.05, 0.07, 0.05);
+    let (full, round) = (lattice(|_| true), lattice(|at| (at / half).length() < 1.0));
+    for pattern in &PATTERNS {
+        let values = pattern.defaults();
+        let plain = pattern.lay(&values, -half, half);
+        let laid = pattern.lay_into(&values, [-half, half], &full);
+        assert_eq!((&laid.fibres, laid.further_in, laid.outside), (&plain, None, 0), "{}", pattern.id);
+        // What is round leaves the corners of its box empty.
+        let laid = pattern.lay_into(&values, [-half, half], &round);
+        let far = |fibres: &[Polyline]| fibres.iter().flatten().map(|at| (*at / half).length()).fold(0.0, f64::max);
+        assert!(laid.outside == 0 && far(&laid.fibres) < 1.06, "{}: {}", pattern.id, far(&laid.fibres));
+        assert_eq!(laid.further_in.is_some(), far(&plain) > far(&laid.fibres), "{}", pattern.id);
+        // Nothing is known of a solid without particles.
+        assert_eq!(pattern.lay_into(&values, [-half, half], &[]).fibres, plain);
+    }
+    // Where nothing holds all of them, it is told.
+    let speck = lattice(|at| at.distance(half) < 0.02);
+    let worm = PATTERNS.iter().find(|pattern| pattern.id == "worm").expect("a worm");
+    let laid = worm.lay_into(&worm.defaults(), [-half, half], &speck);
+    assert!(laid.outside > 0 && laid.fibres.len() == 4, "{laid:?}");
+}
+
 proptest! {
     #[test]
     fn every_fibre_lies_inside_by_the_margin(

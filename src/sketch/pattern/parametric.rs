@@ -97,7 +97,7 @@ impl Pattern {
     }
 
     /// A value of every parameter, within its range.
-    fn held(&self, values: &[f64]) -> Vec<f64> {
+    pub(super) fn held(&self, values: &[f64]) -> Vec<f64> {
         let given = |k: usize, parameter: &Parameter| values.get(k).copied().unwrap_or(parameter.default);
         self.parameters.iter().enumerate().map(|(k, parameter)| parameter.held(given(k, parameter))).collect()
     }

@@ -22,11 +22,35 @@ pub(crate) struct Flow {
     /// `rho C` [kg/m³].
     density: f64,
     surface: Arc<FlowSurface>,
-    /// Power at the last evaluation [W].
-    power: f64,
-    /// Work done up to a time [s] that is not known before the first evaluation [J].
+    /// The last evaluation of the step that goes on.
+    last: Option<Pushed>,
+    /// Work done so far [J], and up to where; that is not known before the first evaluation.
     work: f64,
-    booked: Option<f64>,
+    booked: Option<Pushed>,
+}
+
+/// What is pushed at a time, vertex by vertex.
+#[derive(Clone, Debug)]
+struct Pushed {
+    /// [s]
+    time: f64,
+    places: Vec<DVec3>,
+    /// [N]
+    pushes: Vec<DVec3>,
+}
+
+impl Pushed {
+    /// The work done from then until `now` [J], by the mean of the pushes at both ends: as a step of leap-frog takes
+    /// them, so that energy less work is kept to second order in the step.
+    fn work_until(&self, now: &Self) -> f64 {
+        let moved = self.places.iter().zip(&now.places).map(|(before, now)| *now - *before);
+        let pushes = self.pushes.iter().zip(&now.pushes).map(|(before, now)| 0.5 * (*before + *now));
+        moved.zip(pushes).map(|(way, push)| way.dot(push)).sum()
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(&*self.places) + size_of_val(&*self.pushes)
+    }
 }
 
 /// The surface that a flow pushes on.
@@ -42,7 +66,7 @@ impl Flow {
     /// A flow of this velocity [m/s], times a drive if there is one, of density times drag coefficient `density`
     /// [kg/m³].
     pub(crate) fn new(velocity: DVec3, drive: Option<Drive>, density: f64, surface: FlowSurface) -> Self {
-        Self { velocity, drive, density, surface: Arc::new(surface), power: 0.0, work: 0.0, booked: None }
+        Self { velocity, drive, density, surface: Arc::new(surface), last: None, work: 0.0, booked: None }
     }
 
     fn at(&self, time: f64) -> DVec3 {
@@ -54,11 +78,9 @@ impl Flow {
         let of = |vertex: &EmbeddingWeights| [vertex.gather(&state.positions), vertex.gather(&state.velocities)];
         self.surface.vertices.iter().map(of).collect()
     }
-}
 
-impl Force for Flow {
-    fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
-        self.booked.get_or_insert(time);
+    /// What it pushes at a time [s].
+    fn pushed(&self, time: f64, state: &ParticleState) -> Pushed {
         let flow = self.at(time);
         let vertices = self.vertices(state);
         let mut pushes = vec![DVec3::ZERO; vertices.len()];
@@ -72,10 +94,18 @@ impl Force for Flow {
                 pushes[*vertex as usize] += push;
             }
         }
-        self.power = pushes.iter().zip(&vertices).map(|(push, vertex)| push.dot(vertex[1])).sum();
-        for (vertex, push) in self.surface.vertices.iter().zip(pushes) {
-            vertex.scatter(push, forces);
+        Pushed { time, places: vertices.iter().map(|vertex| vertex[0]).collect(), pushes }
+    }
+}
+
+impl Force for Flow {
+    fn add_forces(&mut self, time: f64, state: &ParticleState, forces: &mut [DVec3]) {
+        let now = self.pushed(time, state);
+        for (vertex, push) in self.surface.vertices.iter().zip(&now.pushes) {
+            vertex.scatter(*push, forces);
         }
+        self.booked.get_or_insert_with(|| now.clone());
+        self.last = Some(now);
     }
 
     fn add_energy(&self, _time: f64, _state: &ParticleState, _energies: &mut Energies) {}
@@ -104,13 +134,16 @@ impl Force for Flow {
         StepLimit { damping_rate: rate, ..StepLimit::default() }
     }
 
-    fn end_step(&mut self, time: f64, _state: &ParticleState) -> bool {
-        self.work += self.power * (time - self.booked.replace(time).unwrap_or(time));
+    fn end_step(&mut self, time: f64, state: &ParticleState) -> bool {
+        // Where the integrator evaluated there it is those pushes that it steps with.
+        let now = self.last.take().filter(|last| last.time == time).unwrap_or_else(|| self.pushed(time, state));
+        self.work += self.booked.as_ref().map_or(0.0, |before| before.work_until(&now));
+        self.booked = Some(now);
         false
     }
 
     fn adopt(&mut self, before: &[Box<dyn Force>]) {
-        self.booked = None;
+        (self.booked, self.last) = (None, None);
         let before = before.iter().find_map(|force| force.downcast_ref::<Self>());
         self.work = before.map_or(0.0, |before| before.work);
     }
@@ -133,6 +166,10 @@ impl Force for Flow {
 
     fn name(&self) -> &'static str {
         "wind"
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(self) + self.last.iter().chain(&self.booked).map(Pushed::bytes).sum::<usize>()
     }
 
     fn clone_box(&self) -> Box<dyn Force> {

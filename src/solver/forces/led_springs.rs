@@ -138,8 +138,8 @@ mod tests {
             BoundToFace { corners: [0, 1, 2], shares: [0.8 - x, x, 0.2], height: 0.1, rest }
         };
         let led = Led {
-            leader: Leader::Cache { cache, seconds: 1.0, from: 0.0, bound: vec![bound(0.1), bound(0.3)] },
-            playing: Playing { start: 0.0, pre_roll: 0.0, speed: 1.0, length: 2.0, after: After::Hold },
+            leader: Leader::Cache { cache, seconds: 1.0, bound: vec![bound(0.1), bound(0.3)] },
+            playing: Playing { start: 0.0, pre_roll: 0.0, speed: 1.0, from: 0.0, length: 2.0, after: After::Hold },
             frame: DMat4::IDENTITY,
         };
         LedSprings::new("led", vec![0, 2], vec![[3.0, damping], [5.0, damping]], Arc::new(led))

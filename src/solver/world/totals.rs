@@ -19,8 +19,8 @@ impl World {
 
     /// Work [J] that pins that move, driven panels, colliders and wind have done on the bodies so far; what is pulled
     /// by hand is not counted. It is that of the mean of the forces at both ends: of every step for pins and colliders,
-    /// of every outer step for panels. Integrators that leave no forces at the end of a step have their last ones
-    /// counted for pins, as the power of wind is.
+    /// of every outer step for panels, of every step for wind. Integrators that leave no forces at the end of a step
+    /// have their last ones counted for pins.
     pub fn work(&self) -> f64 {
         let done = self.work.done();
         let on_bodies = done.on_bodies.iter().map(|done| done.work).sum::<f64>();

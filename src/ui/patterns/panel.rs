@@ -144,6 +144,17 @@ impl Patterns {
             format!("{x} × {y} × {z} mm")
         };
         ui.label(RichText::new(text).weak()).on_hover_text("Width, height and depth of what is filled");
+        let laid = self.laid(cx);
+        if let Some([low, high]) = laid.further_in {
+            let [x, y, z] = (1e3 * (high - low)).to_array().map(short_length);
+            let tooltip = "The solid leaves the rest of the box empty: further out fibres would not lie in it";
+            let text = format!("Laid into its inner {x} × {y} × {z} mm");
+            ui.label(RichText::new(text).weak()).on_hover_text(tooltip);
+        }
+        if laid.outside > 0 {
+            let text = format!("{} of {} fibres stick out of the solid", laid.outside, laid.fibres.len());
+            ui.label(text).on_hover_text("What sticks out is cut off when they are added; drag a region for them");
+        }
     }
 
     fn add_button(&mut self, ui: &mut Ui, cx: &mut Context) {

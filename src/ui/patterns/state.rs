@@ -4,13 +4,16 @@ use super::own::OwnPatterns;
 use crate::edit::Command;
 use crate::edit::fibre_ops::{BENDING, Called, laid, made_to_act};
 use crate::scene::{Body, Drivable, Fibre, Scene, SharedDrive};
-use crate::sketch::pattern::{Act, Pattern, Polyline};
+use crate::sketch::pattern::{Act, Laid, Pattern, Polyline};
+use crate::solver::snapshot::Snapshot;
 use crate::ui::clipboard::copied_pattern;
 use crate::ui::context::{Context, PatternPreview, Severity, Step};
 use crate::ui::thumbs::Thumbs;
 use glam::DVec3;
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// The patterns that there are, and what is done with them.
 #[derive(Default)]
@@ -29,6 +32,23 @@ pub(crate) struct Patterns {
     pub own: OwnPatterns,
     /// Pictures of what those do that come with the program.
     pub strips: Thumbs,
+    /// The last layout in a solid, and of what: it takes longer than a picture may.
+    laid: RefCell<Option<(Of, Laid)>>,
+}
+
+/// What a layout in a solid follows from.
+struct Of {
+    pattern: &'static str,
+    values: Vec<f64>,
+    filled: [DVec3; 2],
+    model: Arc<Snapshot>,
+}
+
+impl Of {
+    fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.model, &other.model)
+            && (self.pattern, &self.values, self.filled) == (other.pattern, &other.values, other.filled)
+    }
 }
 
 /// A pattern.
@@ -114,14 +134,37 @@ impl Patterns {
 
     /// The chosen pattern's fibres where they would be, model frame [m].
     pub(crate) fn lines(&self, cx: &Context) -> Vec<Polyline> {
-        let Some([min, max]) = self.filled_box(cx) else { return Vec::new() };
+        self.laid(cx).fibres
+    }
+
+    /// The chosen pattern as it lies in the solid.
+    pub(super) fn laid(&self, cx: &Context) -> Laid {
+        let Some(filled) = self.filled_box(cx) else { return Laid::default() };
         match &self.chosen {
             Some(Chosen::Shipped(id)) => {
-                Pattern::by_id(id).map_or_else(Vec::new, |pattern| pattern.lay(&self.values_of(pattern), min, max))
+                Pattern::by_id(id).map_or_else(Laid::default, |pattern| self.laid_into(pattern, filled, cx))
             }
-            Some(Chosen::Own(path)) => self.own.get(path).map_or_else(Vec::new, |own| own.lay(min, max)),
-            None => Vec::new(),
+            Some(Chosen::Own(path)) => {
+                let fibres = self.own.get(path).map_or_else(Vec::new, |own| own.lay(filled[0], filled[1]));
+                Laid { fibres, ..Laid::default() }
+            }
+            None => Laid::default(),
         }
+    }
+
+    fn laid_into(&self, pattern: &'static Pattern, filled: [DVec3; 2], cx: &Context) -> Laid {
+        let of =
+            Of { pattern: pattern.id, values: self.values_of(pattern), filled, model: Arc::clone(&cx.active.model) };
+        let mut known = self.laid.borrow_mut();
+        if let Some((before, laid)) = &*known
+            && before.is(&of)
+        {
+            return laid.clone();
+        }
+        let particles = of.model.bodies.first().map_or(&[][..], |body| &body.particles);
+        let laid = pattern.lay_into(&of.values, filled, particles);
+        *known = Some((of, laid.clone()));
+        laid
     }
 
     /// What each of so many fibres of the chosen pattern does by itself; empty where they only resist.

@@ -12,6 +12,8 @@ pub(crate) mod closest;
 pub(crate) mod cluster;
 pub(crate) mod crossing;
 pub(crate) mod curve;
+#[cfg(feature = "gui")]
+pub(crate) mod difference;
 pub(crate) mod edges;
 pub(crate) mod file_mesh;
 pub(crate) mod fill;

@@ -177,6 +177,8 @@ actions! {
         "Colours fibres by their drive, from 0 to 1, and has them bulge as they contract";
     Slice in View [alt(Key::X)] "Next cut":
         "Cuts the solid open across X, Y or Z in the result view, or not at all";
+    ShowEffect in View [] "Show the last change":
+        "Plays the scene from its start in slow motion beside itself as it was before the last change, and tells what differs";
     Ghost in View [alt(Key::O)] "Next ghost":
         "Runs the scene without its fibres and sheets, as it was before the last edit, or nothing beside it";
     Timeline in View [alt(Key::L)] "Show timeline": "Shows what is kept of the motion, below the views";
@@ -249,7 +251,8 @@ impl std::ops::Index<Action> for ActionStates {
     }
 }
 
-/// Gestures of the pointer and single keys that are no actions, for the help; those of the cameras are the navigation's.
+/// Gestures of the pointer and single keys that are no actions, for the help; those of the cameras are the
+/// navigation's.
 pub(crate) const GESTURES: [(&str, &str); 18] = [
     ("Click on a body in the result view", "selects it: G, R, S and its handles move, turn and scale it"),
     ("Click on a fibre, Shift + click", "selects it, selects it too"),

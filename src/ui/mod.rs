@@ -23,6 +23,7 @@ mod dialogs;
 mod document;
 mod drives;
 mod editing;
+mod effect;
 mod elements_section;
 mod ended;
 mod export;

@@ -1,5 +1,6 @@
 //! The line of status below the views.
 
+use super::action::Action;
 use super::context::{Context, Request, Severity};
 use super::remedy::Remedy;
 use super::said::Said;
@@ -77,6 +78,10 @@ fn offer_after_sketch(ui: &mut Ui, cx: &mut Context) {
         && cx.status.drawn_fibre.is_some()
         && cx.status.drawn_fibre.as_ref() == cx.selection.active()
     {
+        let tooltip = "Plays it from the start, beside itself without this fibre, and tells what differs";
+        if ui.button("Show what it does").on_hover_text(tooltip).clicked() {
+            cx.request(Request::Do(Action::ShowEffect));
+        }
         stroke_choices(ui, cx);
     }
 }

@@ -13,6 +13,7 @@ mod drive_fields;
 mod drive_waves;
 mod drives;
 mod editing;
+mod effect;
 mod elements;
 mod exporting;
 mod fibres;

@@ -278,6 +278,11 @@ impl App {
                 always(|app, _| app.views.options.toggle_activation(&mut app.cx)).on(self.views.options.activation)
             }
             Action::Slice => always(|app, _| app.views.options.next_slice(&app.cx)),
+            Action::ShowEffect => {
+                let any = document.undo_name().is_some();
+                when(any, "Nothing was changed yet", |app, _| app.effect.begin(&mut app.cx, &mut app.top_bar))
+                    .on(self.effect.plays())
+            }
             Action::Ghost => always(|app, _| ViewOptions::next_ghost(&mut app.cx)),
             Action::Timeline => always(|app, _| app.timeline.fold()).on(self.timeline.is_shown()),
             Action::Drives => always(|app, _| app.timeline.fold_drives()).on(self.timeline.shows_drives()),

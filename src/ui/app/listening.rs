@@ -19,6 +19,7 @@ impl App {
             self.take_state(&before);
         }
         self.opening.watch(ctx, &mut self.cx, &mut self.top_bar);
+        self.effect.watch(ctx, &mut self.cx, &mut self.top_bar);
         if ctx.input(|input| input.pointer.any_released()) {
             self.cx.begin_gesture();
         }

@@ -16,6 +16,7 @@ use super::comparison::Comparison;
 use super::context::{Context, OpenDocument, Severity, Simulation};
 use super::dialogs::Dialog;
 use super::document::Document;
+use super::effect::EffectShow;
 use super::ended::before_the_end;
 use super::gallery::Gallery;
 use super::input_order::InputOrder;
@@ -50,6 +51,7 @@ pub struct App {
     breaks: BreakWatch,
     remedy: Remedy,
     opening: Opening,
+    effect: EffectShow,
     said: Said,
     recent: RecentFiles,
     /// Scenes that may read models wherever they lie: the person let them, or they were saved here.
@@ -95,6 +97,7 @@ impl App {
             breaks: BreakWatch::default(),
             remedy: Remedy::default(),
             opening: Opening::default(),
+            effect: EffectShow::default(),
             said: Said::default(),
             recent,
             trusted: Vec::new(),

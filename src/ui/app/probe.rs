@@ -30,6 +30,11 @@ impl App {
         self.cx.status.message.as_ref().map(|(_, text)| text.as_str())
     }
 
+    /// What is said at a body about what the last change does.
+    pub fn effect(&self) -> Option<&str> {
+        self.cx.effect.as_ref().map(|effect| effect.text.as_str())
+    }
+
     /// Body, vertex and target [m] of what is grabbed.
     pub fn grabbed(&self) -> Option<(usize, usize, DVec3)> {
         self.cx.simulation.grabbed().map(|grabbed| (grabbed.body, grabbed.vertex, grabbed.target))

@@ -29,7 +29,7 @@ pub(crate) use preview::PatternPreview;
 pub(crate) use request::Request;
 pub(crate) use selection::{ChosenPin, Selection};
 pub(crate) use simulation::{Ghost, Grabbed, Simulation};
-pub(crate) use status::{Severity, StatusLine};
+pub(crate) use status::{EffectNote, Severity, StatusLine};
 
 use super::action::ActionStates;
 use super::navigation::Navigation;
@@ -77,6 +77,8 @@ pub(super) struct Context {
     pub has_dialog: bool,
     /// What is said in the result view about what is seen there.
     pub caption: Option<&'static str>,
+    /// What is said at a body about what the last change does to it.
+    pub effect: Option<EffectNote>,
     /// Whether the ghost is shown beside the scene, not within it.
     pub ghost_beside: bool,
     log: VecDeque<String>,
@@ -104,6 +106,7 @@ impl Context {
             placed: None,
             has_dialog: false,
             caption: None,
+            effect: None,
             ghost_beside: false,
             log: VecDeque::new(),
             begun: Instant::now(),

@@ -86,6 +86,11 @@ impl Simulation {
         self.instead = scene;
     }
 
+    /// Whether something else is shown than the document.
+    pub(crate) fn shows_instead(&self) -> bool {
+        self.instead.is_some()
+    }
+
     /// Hands over the document after an edit: its motion goes on.
     pub(crate) fn edit(&mut self, document: &OpenDocument) {
         self.instead = None;
@@ -152,7 +157,14 @@ impl Simulation {
                 }
                 Some(Arc::new(scene))
             }
-            Ghost::BeforeEdit => document.editor.before_last().cloned(),
+            Ghost::BeforeEdit => {
+                let before = document.editor.before_last()?;
+                let Some(instead) = &self.instead else { return Some(Arc::clone(before)) };
+                // In step with what is shown.
+                let mut scene = (**before).clone();
+                scene.time.frames_per_second = instead.time.frames_per_second;
+                Some(Arc::new(scene))
+            }
         }
     }
 

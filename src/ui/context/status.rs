@@ -1,4 +1,6 @@
-//! What is said at the foot of the window.
+//! What is said at the foot of the window, and at bodies.
+
+use glam::DVec3;
 
 /// How serious a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,4 +30,13 @@ pub(crate) struct StatusLine {
     pub drawn_fibre: Option<String>,
     /// Whether two strokes were refused that make a fibre where the second is stretched onto the first.
     pub offers_stretch: bool,
+}
+
+/// Something that is said at a body.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct EffectNote {
+    /// What.
+    pub text: String,
+    /// Above which point [m], world.
+    pub at: DVec3,
 }

@@ -28,6 +28,11 @@ pub(super) fn paint_result(sketching: &Sketching, ui: &Ui, frame: &ViewFrame, cx
     if let Some(caption) = cx.caption {
         paint_words(&painter, frame.rect, caption, cx);
     }
+    if let Some(effect) = &cx.effect
+        && let Some(at) = frame.screen(effect.at)
+    {
+        paint_effect(&painter, at, &effect.text, cx);
+    }
     // The preview goes with the body, which may have moved from where it is drawn into.
     let middle = |bodies: &[BodySnapshot], index: usize| {
         let points = &bodies.get(index)?.particles;
@@ -81,6 +86,17 @@ fn paint_swept(painter: &Painter, swept: &Sweep, offset: DVec3, frame: &ViewFram
         let points = seen.iter().skip(column).step_by(columns).copied().collect();
         line(points, if column == 0 || column + 1 == columns { STROKE_WIDTH } else { 0.5 });
     }
+}
+
+/// Words on a ground of their own above a place.
+fn paint_effect(painter: &Painter, at: Pos2, words: &str, cx: &Context) {
+    let pictures = cx.tone.pictures();
+    let font = FontId::proportional(15.0);
+    let galley = painter.layout_no_wrap(words.to_owned(), font, theme::color(pictures.text));
+    let ground = Align2::CENTER_BOTTOM.anchor_size(at - egui::vec2(0.0, 4.0 * GRID), galley.size());
+    let fill = theme::color(pictures.background_bottom).gamma_multiply(0.85);
+    painter.rect_filled(ground.expand(1.5 * GRID), GRID, fill);
+    painter.galley(ground.min, galley, theme::color(pictures.text));
 }
 
 /// Marks on the parts of bodies that are thinner than their particles resolve, at most for each, and their radius

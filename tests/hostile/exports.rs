@@ -53,13 +53,20 @@ fn by_points(what: &str, points: usize) -> usize {
     (0..2).find(is_one).unwrap_or_else(|| panic!("{what}: {points} points"))
 }
 
+/// Vertices of an OBJ file.
+fn vertices(text: &str) -> usize {
+    text.lines().filter(|line| line.starts_with("v ")).count()
+}
+
 /// A point cache: a header that says how much there is, and all of that.
 pub fn cache(folder: &Path, version: usize) -> Result<(), String> {
     export(folder, version, "pc2")
 }
 
-/// Which versions of it are there whole.
+/// Which versions of it and of the rest shape are there whole.
 pub fn caches(folder: &Path) -> Vec<usize> {
+    let rest = fs::read_to_string(folder.join("out/ring_rest.obj")).ok();
+    let rest = rest.map(|text| by_points("rest shape", vertices(&text)));
     let whole = |bytes: Vec<u8>| {
         let number = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes")) as usize;
         assert_eq!(&bytes[..12], b"POINTCACHE2\0");
@@ -68,7 +75,27 @@ pub fn caches(folder: &Path) -> Vec<usize> {
         assert!(samples > 0);
         by_points("cache", points)
     };
-    fs::read(folder.join("out/ring.pc2")).into_iter().map(whole).collect()
+    fs::read(folder.join("out/ring.pc2")).into_iter().map(whole).chain(rest).collect()
+}
+
+/// What a stage names is there, all of one version: that.
+fn stage(out: &Path, text: &str) -> usize {
+    let after = |mark: &str| text.split_once(mark).unwrap_or_else(|| panic!("{mark}: {text}")).1;
+    let number = |mark: &str| after(mark).lines().next().expect("a line").trim().parse::<u64>().expect("a number");
+    let path = |mark: &str, end: char| out.join(after(mark).split_once(end).expect("an end").0);
+    let read = |path: &Path| fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let points = |text: &str, mark: &str| {
+        let list = text.split_once(mark).unwrap_or_else(|| panic!("{mark}: {text}")).1;
+        list.split_once(']').expect("an end").0.matches('(').count()
+    };
+    let shape = points(&read(&path("subLayers = [\n        @./", '@')), "primvars:rest = ");
+    read(&path("manifestAssetPath = @./", '@'));
+    let frames = path("templateAssetPath = \"./", '"').to_string_lossy().into_owned();
+    for frame in number("startTimeCode = ")..=number("endTimeCode = ") {
+        let frame = read(Path::new(&frames.replace("######", &format!("{frame:06}"))));
+        assert_eq!(points(&frame, "point3f[] points.timeSamples"), shape, "a frame of another shape");
+    }
+    by_points("USD", shape)
 }
 
 /// Files that are written anew or once a frame: MDD, glTF, OBJ, PLY, CSV and USD.
@@ -80,6 +107,12 @@ pub fn shapes(folder: &Path, version: usize) -> Result<(), String> {
 pub fn found_shapes(folder: &Path) -> Vec<usize> {
     let out = folder.join("out");
     let mut found = Vec::new();
+    if let Ok(text) = fs::read_to_string(out.join("motion.usda")) {
+        found.push(stage(&out, &text));
+    }
+    if let Ok(text) = fs::read_to_string(out.join("ring_rest.obj")) {
+        found.push(by_points("rest shape", vertices(&text)));
+    }
     if let Ok(bytes) = fs::read(out.join("ring.mdd")) {
         let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().expect("four bytes")) as usize;
         let (frames, points) = (number(0), number(4));

@@ -1,6 +1,6 @@
 //! Scenes and journals that are taken are put together and moved a little: an answer or a sentence, never a panic.
 
-use crate::files::in_new_folder;
+use crate::files::in_own_folder;
 use crate::read::{Verdict, comes_back, refused};
 use sinew::bake::{BakeError, bake_with_progress};
 use sinew::io::{load_assets, load_scene};
@@ -86,7 +86,7 @@ pub fn journal(path: &Path) -> Verdict {
         Ok(journal) => journal,
         Err(said) => return refused(&said),
     };
-    in_new_folder(|folder| {
+    in_own_folder("copies", |folder| {
         let copy = folder.join("copy.json");
         match write_journal(&copy, &journal) {
             Ok(()) => assert_eq!(read_journal(&copy).as_ref(), Ok(&journal), "written and read again"),

@@ -84,18 +84,27 @@ fn stage(out: &Path, text: &str) -> usize {
     let number = |mark: &str| after(mark).lines().next().expect("a line").trim().parse::<u64>().expect("a number");
     let path = |mark: &str, end: char| out.join(after(mark).split_once(end).expect("an end").0);
     let read = |path: &Path| fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let points = |text: &str, mark: &str| {
-        let list = text.split_once(mark).unwrap_or_else(|| panic!("{mark}: {text}")).1;
-        list.split_once(']').expect("an end").0.matches('(').count()
+    let list = |text: &str, mark: &str| -> Vec<String> {
+        let all = text.split(mark).skip(1).map(|rest| rest.split_once(']').expect("an end").0.to_owned());
+        let all: Vec<_> = all.collect();
+        assert!(!all.is_empty(), "{mark}: {text}");
+        all
     };
-    let shape = points(&read(&path("subLayers = [\n        @./", '@')), "primvars:rest = ");
+    let points = |list: &String| list.matches('(').count();
+    // How many springs there are stands in what stays, where they are in each frame.
+    let shape = read(&path("subLayers = [\n        @./", '@'));
+    let springs = list(&shape, "curveVertexCounts = ")[0].matches('2').count();
     read(&path("manifestAssetPath = @./", '@'));
     let frames = path("templateAssetPath = \"./", '"').to_string_lossy().into_owned();
+    let mut found = Vec::new();
     for frame in number("startTimeCode = ")..=number("endTimeCode = ") {
         let frame = read(Path::new(&frames.replace("######", &format!("{frame:06}"))));
-        assert_eq!(points(&frame, "point3f[] points.timeSamples"), shape, "a frame of another shape");
+        let lists = list(&frame, "point3f[] points.timeSamples");
+        assert_eq!(lists.last().map(points), Some(2 * springs), "a frame of another shape");
+        found.push(by_points("USD", points(&lists[0])));
     }
-    by_points("USD", shape)
+    assert!(found.windows(2).all(|pair| pair[0] == pair[1]) && !found.is_empty(), "{found:?}");
+    found[0]
 }
 
 /// Files that are written anew or once a frame: MDD, glTF, OBJ, PLY, CSV and USD.

@@ -4,18 +4,20 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// Works in a folder that is gone afterwards.
-pub fn in_new_folder<T>(work: impl FnOnce(&Path) -> T) -> T {
-    let folder = tempfile::tempdir().expect("a folder");
-    work(folder.path())
-}
-
 /// Where Linux has files in memory: what is made there by the million costs no disk anything.
 const IN_MEMORY: &str = "/dev/shm";
 
+fn new_folder() -> TempDir {
+    tempfile::tempdir_in(IN_MEMORY).or_else(|_| tempfile::tempdir()).expect("a folder")
+}
+
+/// Works in a folder that is gone afterwards.
+pub fn in_new_folder<T>(work: impl FnOnce(&Path) -> T) -> T {
+    work(new_folder().path())
+}
+
 thread_local! {
-    static OWN: TempDir =
-        tempfile::tempdir_in(IN_MEMORY).or_else(|_| tempfile::tempdir()).expect("a folder");
+    static OWN: TempDir = new_folder();
 }
 
 /// Works in a folder of this name that the thread has for its own, which stays from work to work: whoever leaves files

@@ -41,10 +41,7 @@ impl Incoming {
     /// Whether it names anything that ships.
     pub(super) fn names_shipped(&self) -> bool {
         let mut body = self.body.clone();
-        let mut view = body.view_mut();
-        let leaders = view.follows_mut().iter_mut().flat_map(|follow| follow.leader.paths_mut());
-        let any = leaders.into_iter().any(|path| !Path::new(path.as_str()).is_absolute());
-        any || body.view_mut().into_model_paths().into_iter().any(|path| !Path::new(path.as_str()).is_absolute())
+        body.view_mut().into_model_paths().into_iter().any(|path| !Path::new(path.as_str()).is_absolute())
     }
 
     /// Reads what it names, unless the document has it; `progress` hears what is being worked on and breaks it off.
@@ -53,14 +50,9 @@ impl Incoming {
     /// What cannot be read, or put beside the document's file.
     pub(crate) fn bring(mut self, progress: &mut Stages<'_>) -> Result<Brought, IoError> {
         let mut ships = false;
-        let mut name = |path: &mut String| {
+        for path in self.body.view_mut().into_model_paths() {
             *path = named(path, &self.folder, self.keeps_shipped, &mut ships)?;
-            Ok::<(), IoError>(())
-        };
-        for follow in self.body.view_mut().follows_mut() {
-            follow.leader.paths_mut().into_iter().try_for_each(&mut name)?;
         }
-        self.body.view_mut().into_model_paths().into_iter().try_for_each(&mut name)?;
         let mut alone = Scene::new("");
         match &self.body {
             OwnedBody::Solid(body) => alone.bodies.push((**body).clone()),

@@ -25,7 +25,7 @@ impl Write for Said {
     }
 }
 
-/// Runs a ring for two frames and writes them in these formats into a folder.
+/// Runs a ring for a frame and writes that and its start in these formats into a folder.
 ///
 /// # Errors
 /// What the command says stopped it.
@@ -38,7 +38,7 @@ fn export(folder: &Path, version: usize, formats: &str) -> Result<(), String> {
     fs::write(&scene, text).expect("written");
     let out = folder.join("out");
     let [scene, out] = [&scene, &out].map(|path| path.to_str().expect("letters"));
-    let cli = Cli::parse_from(["sinew", "simulate", scene, "--seconds", "0.03", "--format", formats, "--out", out]);
+    let cli = Cli::parse_from(["sinew", "simulate", scene, "--frames", "0..1", "--format", formats, "--out", out]);
     let said = Said::default();
     let mut console = Console::new(Box::new(io::sink()), Box::new(said.clone()), false);
     run(&cli.command.expect("a command"), &mut console);

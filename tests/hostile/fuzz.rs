@@ -312,7 +312,9 @@ fn for_any_time() {
     for one in all {
         let (found, of) = one.join().expect("it ends by itself");
         faults.extend(found);
-        of.iter().for_each(|(name, tally)| tallies.entry(name).or_default().add(tally));
+        for (name, tally) in &of {
+            tallies.entry(name).or_default().add(tally);
+        }
     }
     for (name, tally) in &tallies {
         let Tally { taken, refused, slow, panics, time } = tally;

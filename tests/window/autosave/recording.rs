@@ -147,10 +147,6 @@ fn that_models_ship_from_now_on_is_told_to_the_recording() {
     // The last place that a recording names is the one that counts.
     until(&mut window, |_| {
         let recorded = recorded_in(kept.path());
-        recorded
-            .lines()
-            .filter(|line| line.contains("\"place\""))
-            .next_back()
-            .is_some_and(|line| line.contains("\"shipped\":true"))
+        recorded.lines().rfind(|line| line.contains("\"place\"")).is_some_and(|line| line.contains("\"shipped\":true"))
     });
 }

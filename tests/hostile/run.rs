@@ -15,14 +15,14 @@ use std::path::Path;
 /// Times that putting a scene together tells how far it has come before it is no longer waited for, and steps of a
 /// frame.
 const TOLD: u32 = 300;
-const STEPS: u32 = 100;
+const STEPS: u32 = 20;
 
 /// More particles than this are not moved: a step would take too long.
-const PARTICLES: usize = 1000;
+const PARTICLES: usize = 500;
 
 /// Scenes of more are not put together: they may hold as many as two million, which takes as long as that takes. What
 /// reads them is tried all the same, and `check` tells of them beforehand.
-const ABOUT: f64 = 20_000.0;
+const ABOUT: f64 = 3000.0;
 
 /// A scene of small bodies with everything that changes in time.
 pub fn drives(path: &Path) -> Verdict {

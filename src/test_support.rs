@@ -51,6 +51,17 @@ pub mod io {
         crate::cli::read_journal(path).map_err(|error| error.to_string())
     }
 
+    /// Keeps what is done to a motion in the place of a document, as the window does: begun, then added to.
+    ///
+    /// # Errors
+    /// As every write.
+    pub fn write_recording(place: &RecoveryFile, lines: &[String]) -> Result<(), crate::io::IoError> {
+        let mut kept = place.recording();
+        let (begun, added) = lines.split_at(lines.len().min(2));
+        kept.begin(begun)?;
+        added.iter().try_for_each(|line| kept.add(&[line]).map(drop))
+    }
+
     /// Points [m] of all lines in a file, one after the other, or what is said of it.
     ///
     /// # Errors

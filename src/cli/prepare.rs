@@ -35,6 +35,19 @@ pub(super) struct Sets {
     pub sets: Vec<Assignment>,
 }
 
+impl Sets {
+    /// Refuses a scene that comes of a file and reads models outside of where its own lie, unless it may.
+    ///
+    /// # Errors
+    /// [`CliError::Io`] with the models.
+    pub(super) fn refuse_outside(&self, scene: &Scene, source: Option<&Path>) -> Result<(), CliError> {
+        match source.filter(|path| !self.outside && !is_model(path)) {
+            Some(path) => Ok(refuse_outside(scene, path)?),
+            None => Ok(()),
+        }
+    }
+}
+
 /// How long to run, and in which frames.
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub(super) struct Span {
@@ -163,9 +176,7 @@ pub(super) fn load(
         Some(path) => of_scene(load_scene(path)?),
     };
     let scene = with_sets(&loaded.scene, &sets.sets)?;
-    if let Some(path) = source.filter(|path| !sets.outside && !is_model(path)) {
-        refuse_outside(&scene, path)?;
-    }
+    sets.refuse_outside(&scene, source.map(PathBuf::as_path))?;
     Ok(Loaded { scene: with_frame_rate(scene, fps)?, ..loaded })
 }
 

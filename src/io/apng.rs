@@ -84,6 +84,8 @@ impl AnimatedPng {
                 for (at, bytes) in writes(self.end, &picture, self.pictures + 1) {
                     file.seek(SeekFrom::Start(at))?;
                     file.write_all(&bytes)?;
+                    // Before what counts on it: not even a power cut turns them about.
+                    file.sync()?;
                 }
                 self.end += length;
                 self.sequence += 2;

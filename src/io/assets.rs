@@ -59,6 +59,34 @@ pub(crate) fn load_assets_by(scene: &Scene, bytes: &Bytes<'_>) -> Result<Assets,
     Ok(assets)
 }
 
+/// Loads what the bodies of a scene name that is not there yet, for bodies that stand in no file; `given` has the bytes
+/// of what needs no file. `progress` hears what is being worked on.
+///
+/// # Errors
+/// As [`load_assets_unless`], without the place in the scene.
+#[cfg(feature = "gui")]
+pub(crate) fn add_models_of(
+    assets: &mut Assets,
+    scene: &Scene,
+    folder: &Path,
+    given: &dyn Fn(&Path) -> Option<&'static [u8]>,
+    progress: &mut Stages<'_>,
+) -> Result<(), IoError> {
+    let bytes = |path: &Path| match given(path) {
+        Some(bytes) => Ok(bytes.to_vec()),
+        None => model_bytes(path).map_err(|error| error.within(path)),
+    };
+    complete(assets, scene, folder, &bytes, progress).map_err(without_pointer)
+}
+
+/// What is wrong with a file that no written scene names.
+pub(super) fn without_pointer(error: IoError) -> IoError {
+    match error {
+        IoError::Asset { error, .. } => *error,
+        other => other,
+    }
+}
+
 /// What gives the bytes of a file by its path.
 type Bytes<'a> = dyn Fn(&Path) -> Result<Vec<u8>, IoError> + 'a;
 
@@ -205,19 +233,16 @@ pub(crate) fn add_leader(
     progress: &mut Stages<'_>,
 ) -> Result<(), IoError> {
     let bytes = |path: &Path| model_bytes(path).map_err(|error| error.within(path));
-    complete_leader(assets, "", leader, folder, &bytes, progress).map_err(|error| match error {
-        // It stands in no scene yet.
-        IoError::Asset { error, .. } => *error,
-        other => other,
-    })
+    complete_leader(assets, "", leader, folder, &bytes, progress).map_err(without_pointer)
 }
 
 /// The path by which a scene whose paths are relative to `folder` names a file.
 #[cfg(feature = "gui")]
 pub(crate) fn path_from(folder: &Path, file: &Path) -> String {
-    match resolved(file).zip(resolved(folder).filter(|_| !folder.as_os_str().is_empty())) {
-        Some((file, folder)) => from_folder(&file, &folder),
-        None => resolved(file).unwrap_or_else(|| file.to_owned()).to_string_lossy().into_owned(),
+    let file = resolved(file).unwrap_or_else(|| file.to_owned());
+    match resolved(folder).filter(|_| !folder.as_os_str().is_empty()) {
+        Some(folder) => from_folder(&file, &folder),
+        None => file.to_string_lossy().into_owned(),
     }
 }
 

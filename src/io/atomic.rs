@@ -87,15 +87,9 @@ pub(crate) fn make_folder(path: &Path) -> Result<(), IoError> {
 const PREFIX: &str = ".sinew-";
 const SUFFIX: &str = ".tmp";
 
-/// Removes a file that would contradict what is about to be written beside it.
-///
-/// # Errors
-/// [`IoError::Write`] within [`IoError::InFile`]: it is there and stays.
-pub(super) fn remove_old(path: &Path) -> Result<(), IoError> {
-    match door::remove(path) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(IoError::Write(error).within(path)),
-        _ => Ok(()),
-    }
+/// Removes a file that nothing names any more. What cannot be removed stays: it does no harm.
+pub(super) fn remove_orphan(path: &Path) {
+    door::remove(path).ok();
 }
 
 /// Where a file is going to be.
@@ -151,6 +145,7 @@ fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
 }
 
 /// A file that is being written beside the one that it is to replace. Dropped, it is gone.
+#[must_use = "it is written for the file that it replaces"]
 pub(super) struct Draft {
     target: WriteTarget,
     file: BufWriter<TemporaryFile>,

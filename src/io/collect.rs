@@ -192,5 +192,12 @@ mod tests {
         let path = |file: &str, folder: &str| from_folder(Path::new(file), Path::new(folder));
         assert_eq!(path("/a/b/c.obj", "/a/b"), "c.obj");
         assert_eq!(path("/a/b/c.obj", "/a/d/e"), "../../b/c.obj");
+        // What has no way in common is named as it is, as files on another drive are.
+        assert_eq!(path("b/c.obj", "/a/b"), "b/c.obj");
+        #[cfg(windows)]
+        {
+            assert_eq!(path(r"D:\b\c.obj", r"C:\a\b"), r"D:\b\c.obj");
+            assert_eq!(path(r"C:\a\c.obj", r"C:\a\b"), "../c.obj");
+        }
     }
 }

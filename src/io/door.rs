@@ -5,6 +5,8 @@ use std::cell::RefCell;
 use std::fs::{self, File, Permissions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use tempfile::NamedTempFile;
 
 /// A step by which a file or a folder is changed.
@@ -39,40 +41,59 @@ pub enum Fate {
     Ends,
 }
 
-type Judge = Box<dyn FnMut(Step) -> Fate>;
-
-thread_local! {
-    static JUDGE: RefCell<Option<Judge>> = const { RefCell::new(None) };
-    static ENDED: RefCell<bool> = const { RefCell::new(false) };
+/// Who stands in the door, and whether the program has ended for whom it is judged.
+struct Judge {
+    judge: Mutex<Box<dyn FnMut(Step) -> Fate + Send>>,
+    ended: AtomicBool,
 }
 
-/// Does some work on this thread, each of whose steps becomes what `judge` says. For tests.
-pub fn judged<T>(judge: impl FnMut(Step) -> Fate + 'static, work: impl FnOnce() -> T) -> T {
-    /// Leaves the door open again, however the work ends.
-    struct Open;
-    impl Drop for Open {
-        fn drop(&mut self) {
-            JUDGE.take();
-            ENDED.replace(false);
-        }
+thread_local! {
+    static JUDGE: RefCell<Option<Arc<Judge>>> = const { RefCell::new(None) };
+}
+
+/// Does some work on this thread, each of whose steps becomes what `judge` says, as it does on threads that take the
+/// door over from it. For tests.
+pub fn judged<T>(judge: impl FnMut(Step) -> Fate + Send + 'static, work: impl FnOnce() -> T) -> T {
+    Door(Some(Arc::new(Judge { judge: Mutex::new(Box::new(judge)), ended: AtomicBool::new(false) }))).over(work)
+}
+
+/// The door as it is on one thread, for another that goes on with its work.
+pub(crate) struct Door(Option<Arc<Judge>>);
+
+impl Door {
+    /// That of this thread.
+    pub(crate) fn here() -> Self {
+        Self(JUDGE.with_borrow(Clone::clone))
     }
-    JUDGE.replace(Some(Box::new(judge)));
-    let _open = Open;
-    work()
+
+    /// Does some work on this thread through it.
+    pub(crate) fn over<T>(self, work: impl FnOnce() -> T) -> T {
+        /// Leaves the door as it was, however the work ends.
+        struct Before(Option<Arc<Judge>>);
+        impl Drop for Before {
+            fn drop(&mut self) {
+                JUDGE.replace(self.0.take());
+            }
+        }
+        let _before = Before(JUDGE.replace(self.0));
+        work()
+    }
 }
 
 /// Asks for a step; gives how many bytes are written at most.
 fn pass(step: Step) -> io::Result<usize> {
+    let Some(judge) = JUDGE.with_borrow(Clone::clone) else { return Ok(usize::MAX) };
     let ended = || Err(io::Error::other("the program has ended"));
-    if ENDED.with_borrow(|ended| *ended) {
+    if judge.ended.load(Ordering::SeqCst) {
         return ended();
     }
-    match JUDGE.with_borrow_mut(|judge| judge.as_mut().map_or(Fate::Done, |judge| judge(step))) {
+    let fate = (judge.judge.lock().unwrap_or_else(PoisonError::into_inner))(step);
+    match fate {
         Fate::Done => Ok(usize::MAX),
         Fate::Fails(kind) => Err(kind.into()),
         Fate::Short(most) => Ok(most.max(1)),
         Fate::Ends => {
-            ENDED.replace(true);
+            judge.ended.store(true, Ordering::SeqCst);
             ended()
         }
     }
@@ -87,6 +108,12 @@ impl OpenFile {
     pub(super) fn aside(folder: &Path) -> io::Result<Self> {
         pass(Step::Make)?;
         tempfile::tempfile_in(folder).map(Self)
+    }
+
+    /// Brings what was written to the disk.
+    pub(super) fn sync(&self) -> io::Result<()> {
+        pass(Step::Sync)?;
+        self.0.sync_data()
     }
 }
 

@@ -183,7 +183,7 @@ pub enum IoError {
 
 impl IoError {
     /// The same error with the file it is in.
-    pub(super) fn within(self, file: &Path) -> Self {
+    pub(crate) fn within(self, file: &Path) -> Self {
         Self::InFile { file: file.to_owned(), error: Box::new(self) }
     }
 

@@ -84,6 +84,8 @@ impl AnimatedGif {
             for (at, bytes) in writes(self.end, picture) {
                 file.seek(SeekFrom::Start(at))?;
                 file.write_all(&bytes)?;
+                // Before what counts on it: not even a power cut turns them about.
+                file.sync()?;
             }
         } else {
             let mut draft = Draft::begin(&self.path)?;

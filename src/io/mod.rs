@@ -54,7 +54,7 @@ pub use assets::load_assets;
 #[cfg(feature = "gui")]
 pub(crate) use assets::{Stages, load_assets_unless};
 #[cfg(feature = "gui")]
-pub(crate) use assets::{add_collider_model, add_leader, load_assets_by, path_from};
+pub(crate) use assets::{add_collider_model, add_leader, add_models_of, load_assets_by, path_from};
 pub(crate) use atomic::{check_writable, make_folder, write_atomically};
 #[cfg(feature = "gui")]
 pub(crate) use beside::put_beside;
@@ -64,7 +64,7 @@ pub(crate) use fingerprint::fingerprint;
 pub use frames::FrameFolder;
 pub use glb::write_glb;
 #[cfg(feature = "gui")]
-pub(crate) use growing::GrowingLines;
+pub(crate) use growing::{GrowingLines, Kept};
 #[cfg(unix)]
 pub(crate) use heeded::heeds;
 #[cfg(feature = "gui")]
@@ -75,8 +75,6 @@ pub(crate) use memory::free_memory;
 pub(crate) use model::is_model;
 pub use model::load_model;
 pub use model::quiet_importers;
-#[cfg(feature = "gui")]
-pub(crate) use model::read_model;
 pub(crate) use moving::{MovingFormat, MovingPicture, PictureAs};
 pub use obj::write_obj;
 #[cfg(feature = "gui")]

@@ -1,7 +1,7 @@
 //! A model by itself, as a scene: what is dropped on the window, or given to a command in the place of a scene.
 
 use super::IoError;
-use super::assets::{Stages, load_assets_unless, never};
+use super::assets::{Stages, load_assets_unless, never, without_pointer};
 use crate::geometry::fineness::by_itself_unless;
 use crate::scene::{Assets, Body, Material, MeshShape, Scene};
 use std::ops::ControlFlow;
@@ -90,14 +90,6 @@ pub(crate) fn open_model_unless(path: &Path, progress: &mut Stages<'_>) -> Resul
         body.material.support_radius = 0.1 * solid.size().max_element();
     }
     Ok(OpenedModel { scene, assets, particles, scaled, thin })
-}
-
-/// Nobody has written the scene in which the error is.
-fn without_pointer(error: IoError) -> IoError {
-    match error {
-        IoError::Asset { error, .. } => *error,
-        other => other,
-    }
 }
 
 fn model_scene(name: &str, shape: &MeshShape) -> Scene {

@@ -215,7 +215,7 @@ impl LeftRecording {
     ///
     /// # Errors
     /// A file that cannot be read.
-    pub fn lines(&self) -> Result<Vec<Value>, IoError> {
+    pub fn lines(&self) -> Result<impl Iterator<Item = Value> + use<>, IoError> {
         read_growing(&self.path)
     }
 

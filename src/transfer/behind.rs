@@ -2,6 +2,7 @@
 
 use crate::export::Frame;
 use crate::io::IoError;
+use crate::io::door::Door;
 use crate::io::export::MotionFiles;
 use std::panic::resume_unwind;
 use std::sync::mpsc::{SyncSender, sync_channel};
@@ -88,11 +89,13 @@ impl Drop for FilesBehind {
 fn begin(files: MotionFiles) -> Result<Writing, MotionFiles> {
     let (frames, to_write) = sync_channel::<Frame>(WAITING);
     let (hand_over, taken) = sync_channel::<MotionFiles>(1);
-    let thread = Builder::new().name("sinew files".to_owned()).spawn(move || {
+    let door = Door::here();
+    let write = move || {
         let mut files: MotionFiles = taken.recv().expect("they are handed over once the thread is there");
         let result = to_write.iter().try_for_each(|frame| files.push(&frame));
         (files, result)
-    });
+    };
+    let thread = Builder::new().name("sinew files".to_owned()).spawn(move || door.over(write));
     match thread {
         Ok(thread) => match hand_over.send(files) {
             Ok(()) => Ok(Writing { frames, thread }),

@@ -1,12 +1,12 @@
 //! What the window opens: a scene and the models that it names, or a model alone.
 
 use crate::io::{
-    IoError, OpenedModel, Stages, is_model, load_assets_unless, load_scene, open_model_unless, refuse_outside,
-    resolved, scene_from_json, unknown_fields,
+    IoError, OpenedModel, Stages, is_model, load_assets_unless, load_scene, open_model_unless, path_from,
+    refuse_outside, resolved, scene_from_json, unknown_fields,
 };
 use crate::scene::{Assets, Scene};
 use std::ops::ControlFlow;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The built-in scene.
@@ -123,28 +123,9 @@ pub(super) fn moved(scene: &Scene, from: &Path, to: &Path) -> Scene {
         return scene;
     }
     for path in scene.model_paths_mut() {
-        *path = seen_from(&from.join(&*path), &to);
+        *path = path_from(&to, &from.join(&*path));
     }
     scene
-}
-
-/// How a scene in a folder names a file: from there, or by its whole path where the scene has no folder yet.
-pub(super) fn named_from(path: &Path, folder: &Path) -> String {
-    let whole = resolved(path).unwrap_or_else(|| path.to_owned());
-    match resolved(folder).filter(|_| !folder.as_os_str().is_empty()) {
-        Some(folder) => seen_from(&whole, &folder),
-        None => whole.display().to_string(),
-    }
-}
-
-/// A path relative to a folder, both absolute, with `/` between the names.
-fn seen_from(path: &Path, folder: &Path) -> String {
-    let path = resolved(path).unwrap_or_else(|| path.to_owned());
-    let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
-    let up = folder.components().skip(shared).map(|_| "..".to_owned());
-    let down =
-        path.components().skip(shared).map(|part: Component<'_>| part.as_os_str().to_string_lossy().into_owned());
-    up.chain(down).collect::<Vec<_>>().join("/")
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! A document or a model that is being read: on a thread of its own, since that may take long, and the window goes on
 //! meanwhile.
 
-use super::autosave::RecoveryOffer;
-use super::bodies::Layers;
+use super::autosave::{RecordingOffer, RecoveryOffer};
+use super::bodies::{Brought, Incoming, Layers};
 use super::document::Document;
 use super::fault_report::FaultReport;
 use super::gallery::shipped_assets;
@@ -35,6 +35,8 @@ pub(crate) enum Source {
     Recovery(RecoveryOffer),
     /// A model that is to be a body of the scene that is open.
     Model(PathBuf, Layers),
+    /// A body from elsewhere that is to be put into the scene that is open.
+    Body(Box<Incoming>),
     /// A model that bodies of the scene that is open are to touch.
     Collider {
         /// Its file.
@@ -53,6 +55,8 @@ pub(crate) enum Source {
     },
     /// A report of a fault, which is written: its models are read for that.
     Report(Box<FaultReport>),
+    /// A recording that was left behind, which is written to a file.
+    Recording(Box<RecordingOffer>, PathBuf),
 }
 
 /// What was read, or written.
@@ -68,6 +72,8 @@ pub(crate) enum Read {
         /// What it holds.
         opened: Box<OpenedModel>,
     },
+    /// A body from elsewhere, with what it names.
+    Body(Box<Brought>),
     /// A model that bodies of the scene that is open are to touch.
     Collider {
         /// Its file.
@@ -79,6 +85,8 @@ pub(crate) enum Read {
     },
     /// A report of a fault was written, without these; or not at all, since it was no longer wanted.
     Report(Option<Vec<String>>),
+    /// A recording was written.
+    Recording,
     /// A motion that a body of the scene that is open is to follow.
     Leader {
         /// As the scene names it.
@@ -93,17 +101,18 @@ impl Source {
     fn name(&self) -> String {
         match self {
             Self::Recovery(offer) => offer.name().to_owned(),
+            Self::Body(incoming) => incoming.body.view().title().to_owned(),
             other => other.file().map_or_else(String::new, |path| path.display().to_string()),
         }
     }
 
-    /// The file; none of a document that was left behind.
+    /// The file; none of a document that was left behind, and of a body.
     pub(crate) fn file(&self) -> Option<&Path> {
         match self {
-            Self::File(path, _) | Self::Model(path, _) => Some(path),
+            Self::File(path, _) | Self::Model(path, _) | Self::Recording(_, path) => Some(path),
             Self::Collider { file, .. } | Self::Leader { file, .. } => Some(file),
             Self::Report(report) => Some(&report.path),
-            Self::Recovery(_) => None,
+            Self::Recovery(_) | Self::Body(_) => None,
         }
     }
 
@@ -113,6 +122,8 @@ impl Source {
                 let opened = Box::new(open_model_unless(&path, progress)?);
                 return Ok(Read::Model { path, layers, opened });
             }
+            Self::Body(incoming) => return incoming.bring(progress).map(|brought| Read::Body(Box::new(brought))),
+            Self::Recording(recording, path) => return recording.save(&path, progress).map(|()| Read::Recording),
             Self::Report(report) => return report.write(progress).map(Read::Report),
             Self::Collider { file, folder } => {
                 let mut models = Assets::default();
@@ -190,7 +201,12 @@ impl Loading {
         let file = match &source {
             Source::File(path, _) => Some(path),
             Source::Recovery(offer) => offer.document.origin.file.as_ref().filter(|_| is_known(offer)),
-            Source::Model(..) | Source::Collider { .. } | Source::Leader { .. } | Source::Report(_) => None,
+            Source::Model(..)
+            | Source::Body(_)
+            | Source::Collider { .. }
+            | Source::Leader { .. }
+            | Source::Report(_)
+            | Source::Recording(..) => None,
         };
         let stamp = file.filter(|path| !is_model(path)).and_then(|path| FileStamp::of(path).ok());
         let stage = Arc::new(Mutex::new(String::new()));
@@ -233,7 +249,8 @@ impl Loading {
     /// Shows what is being worked on, and a way out.
     pub(crate) fn show(&self, ui: &mut Ui) -> Progress {
         ui.set_width(460.0);
-        ui.heading(if matches!(self.source, Source::Report(_)) { "Writing" } else { "Opening" });
+        let writes = matches!(self.source, Source::Report(_) | Source::Recording(..));
+        ui.heading(if writes { "Writing" } else { "Opening" });
         ui.label(RichText::new(self.source.name()).weak());
         ui.add_space(GRID);
         let stage = self.stage();

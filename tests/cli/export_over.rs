@@ -6,6 +6,7 @@ use super::export::{PRISM, desk, falling, mdd};
 use super::export_clip::glb;
 use serde_json::json;
 use sinew::io::load_model;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -95,10 +96,20 @@ fn a_material_or_group_of_one_body_is_not_that_of_the_next() {
     assert_eq!(desk.json("new.json")["bodies"][0]["fibres"][1]["id"], "axis-2");
 }
 
+/// The files of a folder, by their names.
+fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let each =
+        super::names(folder).into_iter().filter_map(|name| Some((name.clone(), fs::read(folder.join(name)).ok()?)));
+    each.collect()
+}
+
 #[test]
-fn an_earlier_run_leaves_nothing_that_contradicts_a_later_one() {
+fn an_earlier_run_stays_whole_until_a_later_one_has_a_frame() {
     let desk = desk();
     desk.ran("simulate scene.json --format usd,pc2,mdd --frames 0..4 --out out");
+    let folders = ["out", "out/motion_layers"].map(|folder| desk.path(folder));
+    let before = folders.clone().map(|folder| contents(&folder));
+    assert_eq!(before[0].len(), 7, "{:?}", before[0].keys());
     for stray in ["out/.sinew-dead.tmp", "out/motion_layers/.sinew-dead.tmp"] {
         fs::write(desk.path(stray), "left by a run that was killed").unwrap();
     }
@@ -107,13 +118,21 @@ fn an_earlier_run_leaves_nothing_that_contradicts_a_later_one() {
     let said = desk.run("simulate scene.json --format obj,usd,pc2,mdd --frames 0..4 --out out");
     assert_eq!(said.code, Some(2), "{said:?}");
     assert!(said.err.contains("frame_000000.obj: the file cannot be written"), "{}", said.err);
-    let left = super::names(&desk.path("out"));
-    assert_eq!(left, ["Red_prism_1_rest.obj", "frame_000000.obj", "motion_layers", "red_Prism_1_2_rest.obj"]);
-    assert!(
-        super::names(&desk.path("out/motion_layers"))
-            .iter()
-            .all(|name| Path::new(name).extension().is_some_and(|ending| ending == "usda"))
-    );
+    assert!(contents(&folders[0]) == before[0], "{:?}", super::names(&folders[0]));
+    let layers = contents(&folders[1]);
+    assert!(before[1].iter().all(|(name, bytes)| layers.get(name) == Some(bytes)), "{:?}", layers.keys());
+    assert!(layers.keys().all(|name| Path::new(name).extension().is_some_and(|ending| ending == "usda")));
+    // With a frame it takes the place of the earlier one, whose layers nothing names any more.
+    fs::remove_dir(desk.path("out/frame_000000.obj")).unwrap();
+    for turn in ["-2", ""] {
+        desk.ran("simulate scene.json --format usd,pc2,mdd --frames 0..1 --out out");
+        let named = ["frame#.000000.usda", "frame#.000001.usda", "manifest#.usda", "shape#.usda"];
+        assert_eq!(super::names(&folders[1]), named.map(|name| name.replace('#', turn)));
+        let stage = desk.text("out/motion.usda");
+        assert!(stage.contains(&format!("@./motion_layers/shape{turn}.usda@")), "{stage}");
+        assert!(stage.contains(&format!("\"./motion_layers/frame{turn}.######.usda\"")), "{stage}");
+        assert_eq!(mdd(&fs::read(desk.path("out/Red_prism_1.mdd")).unwrap()).0.len(), 2);
+    }
     // What was not written is not said to be.
     let mut still = falling();
     still["gravity"] = json!([0, 0, 0]);

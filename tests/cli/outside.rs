@@ -49,6 +49,13 @@ fn models_that_lie_elsewhere_are_read_where_that_is_said() {
     // A value that is set counts as one of the file.
     put("../assets/cube.obj");
     desk.refused("check scenes/scene.json --set /bodies/0/shape/mesh/path=\"../models/cube.obj\"");
+    // So does one that a sweep tries, before any is run.
+    let vary = "--vary /bodies/0/shape/mesh/path=\"../assets/cube.obj\",\"../models/cube.obj\"";
+    let sweep = format!("sweep scenes/scene.json --seconds 0 --report rows.json {vary}");
+    let line = desk.refused(&sweep);
+    assert!(line.contains("models/cube.obj") && line.contains("--outside"), "{line}");
+    assert!(!desk.path("rows.json").exists(), "nothing is run");
+    desk.ran(&format!("{sweep} --outside"));
 }
 
 #[test]

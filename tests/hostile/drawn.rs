@@ -5,11 +5,12 @@ use crate::every_field;
 use crate::mutate::Random;
 use crate::read::{Verdict, comes_back, refused};
 use glam::DVec2;
-use proptest::strategy::{Strategy, ValueTree};
+use proptest::strategy::{BoxedStrategy, Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use serde_json::Value;
-use sinew::edit::Editor;
+use sinew::edit::{Command, Editor};
 use sinew::io::scene_to_json;
+use sinew::scene::Scene;
 use sinew::sketch::{LiftOptions, Stroke, View, lift, structure_particles, sweep};
 use sinew::test_support::sketch::{guides, partial_lift};
 use std::fs;
@@ -57,6 +58,12 @@ pub fn strokes(path: &Path) -> Verdict {
     }
 }
 
+thread_local! {
+    /// Making it takes longer than drawing from it.
+    static ANY: BoxedStrategy<Command> = any_command().boxed();
+    static FIRST: Scene = every_field();
+}
+
 /// Commands, undo and redo in an order that the bytes choose: the document is valid throughout, and undone to its start
 /// and redone it is the same.
 pub fn commands(path: &Path) -> Verdict {
@@ -67,9 +74,9 @@ pub fn commands(path: &Path) -> Verdict {
     let mut random = Random(seed);
     let rng: Vec<u8> = std::iter::repeat_with(|| random.next().to_le_bytes()).take(4).flatten().collect();
     let mut runner = TestRunner::new_with_rng(Config::default(), TestRng::from_seed(RngAlgorithm::ChaCha, &rng));
-    let first = every_field();
+    let first = FIRST.with(Scene::clone);
     let mut editor = Editor::new(first.clone());
-    let (any, mut taken) = (any_command(), 0);
+    let (any, mut taken) = (ANY.with(BoxedStrategy::clone), 0);
     for _ in 0..=random.below(12) {
         match random.below(8) {
             0 => drop(editor.undo()),

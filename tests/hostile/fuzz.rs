@@ -4,7 +4,7 @@
 //! The long form runs for any time, on all targets in turn or on one:
 //!
 //! ```sh
-//! tests/tools/fuzz.sh SECONDS [TARGET [SEED]]
+//! tests/tools/fuzz.sh SECONDS|INPUTSx [TARGET [SEED]]
 //! ```
 //!
 //! It is a fuzzer by mutation, on the stable compiler; one that is led by coverage needs a nightly one.
@@ -16,6 +16,7 @@ use crate::{drawn, read, run};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::thread;
@@ -139,8 +140,34 @@ fn files_of_any_bytes_are_sound_or_refused_in_a_sentence() {
     }
 }
 
-/// What asks for the long form: seconds, then a target or `all`, then a seed.
+/// What asks for the long form: for how long, then a target or `all`, then a seed.
 const ASKED: &str = "SINEW_FUZZ";
+
+/// On how many threads it runs; as many as the machine has unless given.
+const THREADS: &str = "SINEW_FUZZ_THREADS";
+
+/// How long the long form goes on: for so many seconds, or until so many inputs of every target were read.
+#[derive(Clone, Copy, Debug)]
+enum Length {
+    Seconds(u64),
+    Inputs(u64),
+}
+
+impl Length {
+    /// Seconds, or inputs with an `x` behind them.
+    fn of(word: &str) -> Self {
+        let number = |word: &str| word.parse().expect("a number");
+        word.strip_suffix('x').map_or_else(|| Self::Seconds(number(word)), |inputs| Self::Inputs(number(inputs)))
+    }
+
+    /// The share of one of so many threads.
+    fn share(self, threads: u64) -> Self {
+        match self {
+            Self::Inputs(inputs) => Self::Inputs(inputs.div_ceil(threads)),
+            seconds @ Self::Seconds(_) => seconds,
+        }
+    }
+}
 
 /// An input may take so long before it is told, and before it is taken for one that never ends.
 const SLOW: Duration = Duration::from_secs(2);
@@ -153,66 +180,92 @@ struct Tally {
     refused: u64,
     slow: u64,
     panics: u64,
+    /// On all threads together.
+    time: Duration,
 }
+
+impl Tally {
+    fn read(&self) -> u64 {
+        self.taken + self.refused + self.panics
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.taken += other.taken;
+        self.refused += other.refused;
+        self.slow += other.slow;
+        self.panics += other.panics;
+        self.time += other.time;
+    }
+}
+
+type Tallies = BTreeMap<&'static str, Tally>;
 
 /// An input that is being read.
 type Current = Arc<Mutex<(String, String, Vec<u8>)>>;
 
-fn kept(current: &Current, what: &str, count: usize) -> PathBuf {
+/// How many inputs were kept.
+static KEPT: AtomicUsize = AtomicUsize::new(0);
+
+fn kept(current: &Current, what: &str) -> PathBuf {
     let held = current.lock().expect("whole");
+    let count = KEPT.fetch_add(1, Ordering::SeqCst);
     let path = env::temp_dir().join(format!("sinew-fuzz-{}-{what}-{count}-{}", held.0, held.1));
     fs::write(&path, &held.2).expect("kept");
     path
 }
 
-/// Reads input after input until the time is over; tells of each.
-fn work(seconds: u64, only: &str, seed: u64, current: &Current, told: &Sender<Option<String>>) {
-    let targets: Vec<(&Target, _)> =
-        TARGETS.iter().filter(|target| only == "all" || target.name == only).map(|t| (t, sound(t))).collect();
-    assert!(!targets.is_empty(), "there is no target {only}");
-    let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
-    let (mut random, mut seen) = (Random(seed), Vec::new());
-    let begun = Instant::now();
-    while begun.elapsed() < Duration::from_secs(seconds) {
-        for (target, sound) in &targets {
-            let of = tallies.entry(target.name).or_default();
-            // Of what takes long fewer.
-            for _ in 0..target.short {
-                let (name, bytes) = input(&mut random, target, sound);
-                *current.lock().expect("whole") = (target.name.to_owned(), name.clone(), bytes.clone());
-                told.send(None).expect("heard");
-                let start = Instant::now();
-                match catch_unwind(AssertUnwindSafe(|| as_file(&name, &bytes, target.read))) {
-                    Ok(Verdict::Taken) => of.taken += 1,
-                    Ok(Verdict::Refused) => of.refused += 1,
-                    Err(_) => {
-                        of.panics += 1;
-                        let place = PANIC.lock().expect("whole").clone();
-                        if !seen.contains(&place.0) {
-                            let (at, said) = place;
-                            seen.push(at.clone());
-                            let path = kept(current, "panic", seen.len());
-                            let fault = format!("{}: {at}: {said}: {}", target.name, path.display());
-                            told.send(Some(fault)).expect("heard");
-                        }
-                    }
-                }
-                if start.elapsed() > SLOW {
-                    of.slow += 1;
-                    let path = kept(current, "slow", of.slow as usize);
-                    println!("{}: {:.1} s: {}", target.name, start.elapsed().as_secs_f64(), path.display());
-                }
+/// Where the last panic was, and what it said; and where those were that were told.
+static PANIC: Mutex<(String, String)> = Mutex::new((String::new(), String::new()));
+static SEEN: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+/// Reads one input of a target.
+fn one(target: &Target, (name, bytes): (String, Vec<u8>), current: &Current, of: &mut Tally) -> Option<String> {
+    *current.lock().expect("whole") = (target.name.to_owned(), name.clone(), bytes.clone());
+    let start = Instant::now();
+    let outcome = catch_unwind(AssertUnwindSafe(|| as_file(&name, &bytes, target.read)));
+    let took = start.elapsed();
+    of.time += took;
+    if took > SLOW {
+        of.slow += 1;
+        println!("{}: {:.1} s: {}", target.name, took.as_secs_f64(), kept(current, "slow").display());
+    }
+    match outcome {
+        Ok(Verdict::Taken) => of.taken += 1,
+        Ok(Verdict::Refused) => of.refused += 1,
+        Err(_) => {
+            of.panics += 1;
+            let (at, said) = PANIC.lock().expect("whole").clone();
+            let mut seen = SEEN.lock().expect("whole");
+            if !seen.contains(&at) {
+                seen.push(at.clone());
+                return Some(format!("{}: {at}: {said}: {}", target.name, kept(current, "panic").display()));
             }
         }
     }
-    for (name, tally) in &tallies {
-        println!("{name:10} {:9} read, {tally:?}", tally.taken + tally.refused + tally.panics);
-    }
-    println!("seed {seed}, {:.0} s", begun.elapsed().as_secs_f64());
+    None
 }
 
-/// Where the last panic was, and what it said.
-static PANIC: Mutex<(String, String)> = Mutex::new((String::new(), String::new()));
+/// Reads input after input as long as that is to go on; tells of each.
+fn work(length: Length, only: &str, seed: u64, current: &Current, told: &Sender<Option<String>>) -> Tallies {
+    let mut targets: Vec<(&Target, _)> =
+        TARGETS.iter().filter(|target| only == "all" || target.name == only).map(|t| (t, sound(t))).collect();
+    assert!(!targets.is_empty(), "there is no target {only}");
+    let mut tallies = Tallies::new();
+    let mut random = Random(seed);
+    let begun = Instant::now();
+    while !targets.is_empty() && !matches!(length, Length::Seconds(most) if begun.elapsed().as_secs() >= most) {
+        targets.retain(|(target, sound)| {
+            let of = tallies.entry(target.name).or_default();
+            // Of what takes long fewer.
+            for _ in 0..target.short {
+                let input = input(&mut random, target, sound);
+                told.send(one(target, input, current, of)).expect("heard");
+            }
+            !matches!(length, Length::Inputs(most) if of.read() >= most)
+        });
+    }
+    tallies
+}
 
 fn wait(heard: &Receiver<Option<String>>, current: &Current) -> Vec<String> {
     let mut faults = Vec::new();
@@ -224,31 +277,53 @@ fn wait(heard: &Receiver<Option<String>>, current: &Current) -> Vec<String> {
                 faults.push(fault);
             }
             Err(RecvTimeoutError::Disconnected) => return faults,
-            Err(RecvTimeoutError::Timeout) => panic!("it never ends: {}", kept(current, "endless", 0).display()),
+            Err(RecvTimeoutError::Timeout) => panic!("it never ends: {}", kept(current, "endless").display()),
         }
     }
 }
 
 #[test]
-#[ignore = "for any time: tests/tools/fuzz.sh SECONDS [TARGET [SEED]]"]
+#[ignore = "for any time: tests/tools/fuzz.sh SECONDS|INPUTSx [TARGET [SEED]]"]
 fn for_any_time() {
     let asked = env::var(ASKED).unwrap_or_else(|_| "10".to_owned());
     let mut words = asked.split_whitespace();
-    let seconds = words.next().and_then(|word| word.parse().ok()).expect("seconds");
+    let length = Length::of(words.next().expect("seconds, or inputs"));
     let only = words.next().unwrap_or("all").to_owned();
-    let seed = words.next().map_or(1, |word| word.parse().expect("a seed"));
+    let seed: u64 = words.next().map_or(1, |word| word.parse().expect("a seed"));
+    let usual = || thread::available_parallelism().map_or(1, |threads| threads.get() as u64);
+    let threads: u64 = env::var(THREADS).map_or_else(|_| usual(), |word| word.parse().expect("a number"));
     std::panic::set_hook(Box::new(|panic| {
         let said = panic.payload_as_str().unwrap_or("something").replace(['\n', '\r'], " ");
         let at = panic.location().map_or_else(String::new, |at| format!("{}:{}", at.file(), at.line()));
         *PANIC.lock().expect("whole") = (at, said);
     }));
-    let current = Current::default();
-    let (told, heard) = channel();
-    let worker = {
-        let current = Arc::clone(&current);
-        thread::spawn(move || work(seconds, &only, seed, &current, &told))
+    let begun = Instant::now();
+    let start = |number: u64| {
+        let (current, only) = (Current::default(), only.clone());
+        let (told, heard) = channel();
+        let worker = {
+            let (current, seed) = (Arc::clone(&current), seed.wrapping_add(number << 32));
+            thread::spawn(move || work(length.share(threads), &only, seed, &current, &told))
+        };
+        thread::spawn(move || (wait(&heard, &current), worker.join().expect("it ends by itself")))
     };
-    let faults = wait(&heard, &current);
-    worker.join().expect("it ends by itself");
+    let all: Vec<_> = (0..threads).map(start).collect();
+    let (mut faults, mut tallies) = (Vec::new(), Tallies::new());
+    for one in all {
+        let (found, of) = one.join().expect("it ends by itself");
+        faults.extend(found);
+        for (name, tally) in &of {
+            tallies.entry(name).or_default().add(tally);
+        }
+    }
+    for (name, tally) in &tallies {
+        let Tally { taken, refused, slow, panics, time } = tally;
+        let rate = tally.read() as f64 * threads as f64 / time.as_secs_f64();
+        println!(
+            "{name:10} {:9} read: {taken} taken, {refused} refused, {slow} slow, {panics} panics; {rate:.0} a second",
+            tally.read()
+        );
+    }
+    println!("seed {seed}, {threads} threads, {:.0} s", begun.elapsed().as_secs_f64());
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }

@@ -1,6 +1,6 @@
 //! Readers, each tried on a file of any bytes: what it holds is taken and sound, or refused in a sentence.
 
-use crate::files::in_new_folder;
+use crate::files::in_own_folder;
 use sinew::geometry::Solid;
 use sinew::io::{
     IoError, load_assets, load_model, load_scene, scene_from_json, scene_to_json, unknown_fields, write_glb,
@@ -8,7 +8,7 @@ use sinew::io::{
 use sinew::scene::{Body, Follow, Leader, Scene};
 use sinew::test_support::io::points_of_lines;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Whether a file was taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,7 +76,7 @@ pub fn model(path: &Path) -> Verdict {
     assert!(model.normals.iter().all(|normal| normal.is_finite()), "a normal of no direction");
     assert!([0, count].contains(&model.normals.len()) && [0, count].contains(&model.colours.len()), "half of a list");
     assert!(model.parts.iter().all(|part| part.triangles.end <= model.triangles.len()), "a part of nothing");
-    in_new_folder(|folder| {
+    in_own_folder("copies", |folder| {
         let copy = folder.join("copy.glb");
         if !model.triangles.is_empty() && write_glb(&copy, &model, "copy").is_ok() {
             let again = load_model(&copy).unwrap_or_else(|error| panic!("written, and then refused: {error}"));
@@ -127,9 +127,16 @@ pub fn lines(path: &Path) -> Verdict {
 
 /// Writes a file and has it read.
 pub fn as_file(name: &str, bytes: &[u8], read: fn(&Path) -> Verdict) -> Verdict {
-    in_new_folder(|folder| {
-        let path = folder.join(name);
-        fs::write(&path, bytes).expect("written");
-        read(&path)
+    /// Takes the file away, however reading it ends: the next is read without it.
+    struct Gone(PathBuf);
+    impl Drop for Gone {
+        fn drop(&mut self) {
+            fs::remove_file(&self.0).ok();
+        }
+    }
+    in_own_folder("read", |folder| {
+        let path = Gone(folder.join(name));
+        fs::write(&path.0, bytes).expect("written");
+        read(&path.0)
     })
 }

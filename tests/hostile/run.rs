@@ -1,6 +1,6 @@
 //! Scenes and journals that are taken are put together and moved a little: an answer or a sentence, never a panic.
 
-use crate::files::in_new_folder;
+use crate::files::in_own_folder;
 use crate::read::{Verdict, comes_back, refused};
 use sinew::bake::{BakeError, bake_with_progress};
 use sinew::io::{load_assets, load_scene};
@@ -15,14 +15,14 @@ use std::path::Path;
 /// Times that putting a scene together tells how far it has come before it is no longer waited for, and steps of a
 /// frame.
 const TOLD: u32 = 300;
-const STEPS: u32 = 100;
+const STEPS: u32 = 20;
 
 /// More particles than this are not moved: a step would take too long.
-const PARTICLES: usize = 1000;
+const PARTICLES: usize = 500;
 
 /// Scenes of more are not put together: they may hold as many as two million, which takes as long as that takes. What
 /// reads them is tried all the same, and `check` tells of them beforehand.
-const ABOUT: f64 = 20_000.0;
+const ABOUT: f64 = 3000.0;
 
 /// A scene of small bodies with everything that changes in time.
 pub fn drives(path: &Path) -> Verdict {
@@ -86,7 +86,7 @@ pub fn journal(path: &Path) -> Verdict {
         Ok(journal) => journal,
         Err(said) => return refused(&said),
     };
-    in_new_folder(|folder| {
+    in_own_folder("copies", |folder| {
         let copy = folder.join("copy.json");
         match write_journal(&copy, &journal) {
             Ok(()) => assert_eq!(read_journal(&copy).as_ref(), Ok(&journal), "written and read again"),

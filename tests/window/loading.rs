@@ -2,6 +2,7 @@
 
 use super::editing::{drop_file, type_path};
 use super::{Window, click, click_on, still, until, until_seen};
+use egui::Event;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use std::fmt::Write;
@@ -126,4 +127,35 @@ fn a_collider_that_takes_long_to_read_is_told_of_and_cancelled() {
     add_collider(&mut window, &folder.path().join("nowhere.obj"));
     until(&mut window, |app| app.message().is_some_and(|said| said.contains("nowhere.obj")));
     assert_eq!(window.state().scene().colliders.len(), 1);
+}
+
+/// A ball of a model's file, as it is copied.
+pub(super) fn copied_ball(path: &Path) -> String {
+    serde_json::json!({"sinew": "body", "half_size": [0.05, 0.05, 0.05], "center": [0, 0, 0], "body": {"solid": {
+        "id": "ball", "shape": {"mesh": {"path": path, "particles": 200}},
+        "material": {"young_modulus": 1e5, "mass": {"density": 1000}, "support_radius": 0.01}}}})
+    .to_string()
+}
+
+#[test]
+fn a_body_that_is_pasted_is_read_beside_the_window_and_cancelled() {
+    let folder = folder("large.obj", &ball(200));
+    put(folder.path(), "small.obj", &ball(4));
+    let mut window = still();
+    let before = window.state().scene().clone();
+    window.event(Event::Paste(copied_ball(&folder.path().join("large.obj"))));
+    window.step();
+    until_seen(&mut window, |window| window.query_by_label_contains("large.obj: ").is_some());
+    assert!(window.state().is_loading());
+    window.get_by_role_and_label(Role::Button, "Cancel").click();
+    window.run_steps(2);
+    assert!(!window.state().is_loading() && *window.state().scene() == before);
+    window.event(Event::Paste(copied_ball(&folder.path().join("small.obj"))));
+    until(&mut window, |app| app.scene().bodies.len() == before.bodies.len() + 1);
+    until(&mut window, |app| app.is_up_to_date() && app.published().status.baking.is_none());
+    assert_eq!(window.state().published().status.failure, None);
+    // What is named as if it came with the program, and does not, is not looked for anywhere.
+    window.event(Event::Paste(copied_ball(Path::new("small.obj"))));
+    until(&mut window, |app| app.message().is_some_and(|said| said.contains("small.obj: ")));
+    assert_eq!(window.state().scene().bodies.len(), before.bodies.len() + 1);
 }

@@ -7,7 +7,7 @@ mod replays;
 
 use glam::DVec3;
 use sinew::io::scene_from_json;
-use sinew::scene::{Assets, Scene};
+use sinew::scene::{Assets, Scene, Shape};
 use sinew::sim::{Asked, Journal, Published, Rerun, SimCommand, Worker};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -23,6 +23,9 @@ fn scene(extra: &str) -> Arc<Scene> {
     Arc::new(scene_from_json(&text).expect("a scene"))
 }
 
+/// What takes longer never comes.
+const LONG: Duration = Duration::from_mins(2);
+
 /// Waits for a picture that satisfies a condition.
 #[allow(clippy::disallowed_methods, reason = "here what is waited for is looked at again and again")]
 fn until(worker: &Worker, wanted: impl Fn(&Published) -> bool) -> Arc<Published> {
@@ -33,7 +36,7 @@ fn until(worker: &Worker, wanted: impl Fn(&Published) -> bool) -> Arc<Published>
         {
             return published;
         }
-        assert!(start.elapsed() < Duration::from_mins(2), "the picture never came");
+        assert!(start.elapsed() < LONG, "the picture never came");
         std::thread::sleep(Duration::from_millis(2));
     }
 }
@@ -283,9 +286,10 @@ fn a_grab_behind_an_edit_takes_hold_of_a_body_of_the_edited_scene() {
     until(&worker, |p| p.status.edits == 1 && is_there(p));
 }
 
-/// A million steps to a frame, which takes longer than any test may wait for.
+/// A million steps to a frame of some hundreds of particles, which takes longer than any test waits.
 fn endless(speed: f64) -> Arc<Scene> {
     let mut scene = (*renamed("endless", speed)).clone();
+    scene.bodies[0].shape = Shape::Box(serde_json::from_str(r#"{"size": [0.09, 0.06, 0.06]}"#).expect("a box"));
     scene.time.step = sinew::scene::TimeStep::manual(1e-9, 1_000_000);
     Arc::new(scene)
 }

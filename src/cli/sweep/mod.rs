@@ -223,6 +223,7 @@ impl Plan<'_> {
     fn prepare(&self, row: usize) -> Result<(Scene, Baked), CliError> {
         let attempt = || {
             let scene = with_sets(self.base, &self.product.assignments(row))?;
+            self.args.sets.refuse_outside(&scene, Some(&self.args.scene))?;
             let scene = with_frame_rate(scene, self.args.span.fps)?;
             // The models of most rows are those of the scene as it is.
             let mut assets = self.assets.clone();

@@ -1,6 +1,9 @@
 //! Point caches: PC2 and MDD, one a body, with its rest shape beside them. Numbers are single precision, as the formats
 //! have them.
 //!
+//! What an earlier run left stays whole until the first frame is there: then its cache and, at once after it, its rest
+//! shape are replaced.
+//!
 //! PC2 (3ds Max, Blender): "POINTCACHE2", a zero; version 1, points, number of the first frame, frames a sample,
 //! samples; then x, y, z of every point of every sample, the least byte first. MDD (LightWave, Blender): samples,
 //! points, the time of every sample [s], then the points, the greatest byte first.
@@ -10,9 +13,9 @@ use super::obj::write_rest;
 use super::republished::Republished;
 use super::writer::{MotionWriter, Planned};
 use crate::export::{BodySubject, Frame, Subject};
-use crate::io::atomic::{Draft, remove_old};
+use crate::io::IoError;
+use crate::io::atomic::Draft;
 use crate::io::door::OpenFile;
-use crate::io::{IoError, write_atomically};
 use glam::DVec3;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -37,17 +40,39 @@ fn rest_file(folder: &Path, name: &str) -> PathBuf {
     folder.join(format!("{name}_rest.obj"))
 }
 
-/// Writes the rest shape of every body, once the caches of an earlier run, which are of other shapes, are gone; gives
-/// the caches.
-fn write_rests(folder: &Path, subject: &Subject, ending: &str) -> Result<Vec<PathBuf>, IoError> {
-    let mut caches = Vec::new();
-    for (name, body) in names(subject).iter().zip(&subject.bodies) {
-        let cache = folder.join(format!("{name}.{ending}"));
-        remove_old(&cache)?;
-        write_atomically(&rest_file(folder, name), |out| write_rest(out, body))?;
-        caches.push(cache);
+/// A rest shape that waits beside its file for the first frame of its cache.
+struct RestDraft {
+    path: PathBuf,
+    draft: Draft,
+}
+
+impl RestDraft {
+    fn write(path: PathBuf, body: &BodySubject) -> Result<Self, IoError> {
+        let write = || {
+            let mut draft = Draft::begin(&path)?;
+            write_rest(&mut draft, body)?;
+            draft.flush()?;
+            Ok(draft)
+        };
+        match write() {
+            Ok(draft) => Ok(Self { path, draft }),
+            Err(error) => Err(IoError::of_writing(error).within(&path)),
+        }
     }
-    Ok(caches)
+
+    fn put(self) -> Result<(), IoError> {
+        self.draft.replace().map(drop).map_err(|error| IoError::of_writing(error).within(&self.path))
+    }
+}
+
+/// Writes the rest shape of every body beside its file; gives the caches and those.
+fn write_rests(folder: &Path, subject: &Subject, ending: &str) -> Result<Vec<(PathBuf, RestDraft)>, IoError> {
+    let each = names(subject).into_iter().zip(&subject.bodies);
+    let files = each.map(|(name, body)| {
+        let rest = RestDraft::write(rest_file(folder, &name), body)?;
+        Ok((folder.join(format!("{name}.{ending}")), rest))
+    });
+    files.collect()
 }
 
 fn bytes(points: &[DVec3], each: fn(f32) -> [u8; 4]) -> Vec<u8> {
@@ -58,6 +83,8 @@ fn bytes(points: &[DVec3], each: fn(f32) -> [u8; 4]) -> Vec<u8> {
 struct Growing {
     path: PathBuf,
     points: u32,
+    /// None once the first frame is there.
+    rest: Option<RestDraft>,
     /// None until the first frame is there.
     file: Option<OpenFile>,
     samples: u32,
@@ -74,9 +101,10 @@ impl Pc2 {
     /// A file that cannot be written.
     pub(super) fn create(folder: &Path, subject: &Subject, frames: &Planned) -> Result<Self, IoError> {
         let caches = write_rests(folder, subject, "pc2")?;
-        let file = |(path, body): (PathBuf, &BodySubject)| Growing {
+        let file = |((path, rest), body): ((PathBuf, RestDraft), &BodySubject)| Growing {
             path,
             points: body.mesh.points.len() as u32,
+            rest: Some(rest),
             file: None,
             samples: 0,
         };
@@ -90,6 +118,7 @@ impl Growing {
         if let Some(file) = &mut self.file {
             file.seek(SeekFrom::Start(PC2_HEAD + data.len() as u64 * u64::from(self.samples)))?;
             file.write_all(&data)?;
+            file.sync()?;
             // Only now there is one sample more: a file that is looked at in between is whole.
             file.seek(SeekFrom::Start(PC2_SAMPLES))?;
             file.write_all(&(self.samples + 1).to_le_bytes())?;
@@ -113,6 +142,7 @@ impl MotionWriter for Pc2 {
     fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
         for (file, body) in self.files.iter_mut().zip(&frame.bodies) {
             file.push(&body.vertices, self.first).map_err(|error| IoError::Write(error).within(&file.path))?;
+            file.rest.take().map_or(Ok(()), RestDraft::put)?;
         }
         Ok(())
     }
@@ -128,7 +158,22 @@ impl MotionWriter for Pc2 {
 /// MDD point caches.
 pub(super) struct Mdd {
     times: Vec<f32>,
-    files: Vec<(Republished, u32)>,
+    files: Vec<MddFile>,
+}
+
+/// One of them.
+struct MddFile {
+    file: Republished,
+    points: u32,
+    /// None once the first frame is there.
+    rest: Option<RestDraft>,
+}
+
+impl MddFile {
+    fn publish(&mut self, times: &[f32]) -> Result<(), IoError> {
+        self.file.publish(&mdd_head(times, self.points), &[])?;
+        self.rest.take().map_or(Ok(()), RestDraft::put)
+    }
 }
 
 impl Mdd {
@@ -137,8 +182,9 @@ impl Mdd {
     pub(super) fn create(folder: &Path, subject: &Subject) -> Result<Self, IoError> {
         let caches = write_rests(folder, subject, "mdd")?;
         let mut files = Vec::new();
-        for (cache, body) in caches.into_iter().zip(&subject.bodies) {
-            files.push((Republished::create(cache)?, body.mesh.points.len() as u32));
+        for ((cache, rest), body) in caches.into_iter().zip(&subject.bodies) {
+            let points = body.mesh.points.len() as u32;
+            files.push(MddFile { file: Republished::create(cache)?, points, rest: Some(rest) });
         }
         Ok(Self { times: Vec::new(), files })
     }
@@ -152,18 +198,18 @@ fn mdd_head(times: &[f32], points: u32) -> Vec<u8> {
 impl MotionWriter for Mdd {
     fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
         self.times.push(frame.time as f32);
-        for ((file, points), body) in self.files.iter_mut().zip(&frame.bodies) {
-            if file.add(&bytes(&body.vertices, f32::to_be_bytes))? {
-                file.publish(&mdd_head(&self.times, *points), &[])?;
+        for (of, body) in self.files.iter_mut().zip(&frame.bodies) {
+            if of.file.add(&bytes(&body.vertices, f32::to_be_bytes))? {
+                of.publish(&self.times)?;
             }
         }
         Ok(())
     }
 
     fn finish(&mut self) -> Result<(), IoError> {
-        for (file, points) in self.files.iter_mut().filter(|(file, _)| file.is_behind()) {
+        for of in self.files.iter_mut().filter(|of| of.file.is_behind()) {
             // Where a disk was full, one may have a frame less than another.
-            file.publish(&mdd_head(&self.times[..file.frames()], *points), &[])?;
+            of.publish(&self.times[..of.file.frames()])?;
         }
         Ok(())
     }
@@ -171,6 +217,6 @@ impl MotionWriter for Mdd {
     fn written(&self) -> Vec<(String, PathBuf)> {
         let what = format!("MDD cache of {} frames, its rest shape beside it,", self.times.len());
         let files = self.files.iter().filter(|_| !self.times.is_empty());
-        files.map(|(file, _)| (what.clone(), file.path().to_owned())).collect()
+        files.map(|of| (what.clone(), of.file.path().to_owned())).collect()
     }
 }

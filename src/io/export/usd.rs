@@ -3,15 +3,20 @@
 //! The frames are value clips: the stage finds the layer of a time by its number, so that none of them has to be read
 //! for another, nothing but the present frame is ever in memory here, and a run that ends early leaves a stage that
 //! ends early. Numbers of the frames are the stage's time codes. Places are single precision, as the schemas have them.
+//!
+//! What an earlier run left stays whole until the first frame is there: layers are called otherwise than those of the
+//! stage that is there, and when the new one takes its place nothing names them any more.
 
 use super::usd_shape::{PrimNames, Widths, prim_names, write_shape};
 use super::usd_text::{extent_of, quoted, write_list, write_vectors};
 use super::writer::{MotionWriter, Planned};
 use crate::export::{BodyFrame, Frame, Space, Subject};
 use crate::geometry::model::UpAxis;
-use crate::io::atomic::remove_old;
+use crate::io::atomic::remove_orphan;
+use crate::io::read::read_bytes;
 use crate::io::{IoError, make_folder, write_atomically};
 use glam::DVec3;
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -19,19 +24,76 @@ use std::path::{Path, PathBuf};
 const STAGE: &str = "motion.usda";
 const LAYERS: &str = "motion_layers";
 
-/// The layers of what stays.
-const SHAPE: &str = "shape.usda";
-const MANIFEST: &str = "manifest.usda";
+/// No stage that was written here is longer [bytes].
+const LONGEST_STAGE: u64 = 1 << 20;
+
+/// What is put to the names of layers, by turns from run to run.
+const TURNS: [&str; 2] = ["", "-2"];
+
+/// Names of the layers of one stage.
+#[derive(Clone, Copy)]
+struct LayerNames {
+    turn: &'static str,
+}
+
+impl LayerNames {
+    fn all() -> [Self; 2] {
+        TURNS.map(|turn| Self { turn })
+    }
+
+    /// Those that the stage in a folder does not name.
+    fn unused(folder: &Path) -> Self {
+        let stage = read_bytes(&folder.join(STAGE), LONGEST_STAGE).unwrap_or_default();
+        let stage = String::from_utf8_lossy(&stage);
+        let is_used = |of: &Self| stage.contains(&format!("@./{LAYERS}/{}@", of.shape()));
+        let [first, second] = Self::all();
+        if is_used(&first) { second } else { first }
+    }
+
+    fn shape(self) -> String {
+        format!("shape{}.usda", self.turn)
+    }
+
+    fn manifest(self) -> String {
+        format!("manifest{}.usda", self.turn)
+    }
+
+    /// The layer of a frame, by its number or by what stands for it.
+    fn frame(self, number: &str) -> String {
+        format!("frame{}.{number}.usda", self.turn)
+    }
+
+    /// Whether a file is called like one of these layers.
+    fn is_one(self, name: &str) -> bool {
+        let number = name.strip_prefix("frame").and_then(|rest| rest.strip_prefix(self.turn)?.strip_prefix('.'));
+        let is_frame = number
+            .and_then(|rest| rest.strip_suffix(".usda"))
+            .is_some_and(|number| number.len() >= 6 && number.bytes().all(|digit| digit.is_ascii_digit()));
+        is_frame || name == self.shape() || name == self.manifest()
+    }
+
+    /// Removes them from a folder, where no stage names them.
+    fn remove(self, layers: &Path) {
+        for entry in fs::read_dir(layers).into_iter().flatten().flatten() {
+            if entry.file_name().to_str().is_some_and(|name| self.is_one(name)) {
+                remove_orphan(&entry.path());
+            }
+        }
+    }
+}
 
 /// The stage, and the layers of what stays.
 pub(super) fn files(folder: &Path) -> Vec<PathBuf> {
     let layers = folder.join(LAYERS);
-    vec![folder.join(STAGE), layers.join(SHAPE), layers.join(MANIFEST)]
+    let of = |names: LayerNames| [names.shape(), names.manifest()];
+    let layers = LayerNames::all().into_iter().flat_map(of).map(|name| layers.join(name));
+    std::iter::once(folder.join(STAGE)).chain(layers).collect()
 }
 
 /// A stage that is written.
 pub(super) struct Usd {
     folder: PathBuf,
+    layers: LayerNames,
     names: Vec<PrimNames>,
     widths: Vec<Widths>,
     head: Head,
@@ -46,26 +108,34 @@ impl Usd {
     /// A file that cannot be written.
     pub(super) fn create(folder: &Path, subject: &Subject, frames: &Planned) -> Result<Self, IoError> {
         let names = prim_names(subject);
-        let layers = folder.join(LAYERS);
-        make_folder(&layers)?;
-        // The stage of an earlier run would show its frames on these shapes.
-        remove_old(&folder.join(STAGE))?;
-        write_atomically(&layers.join(SHAPE), |out| write_shape(out, subject, &names))?;
-        write_atomically(&layers.join(MANIFEST), |out| write_manifest(out, &names))?;
-        let head = Head { name: subject.name.clone(), frame_seconds: subject.frame_seconds, space: subject.space };
+        let within = folder.join(LAYERS);
+        make_folder(&within)?;
+        let layers = LayerNames::unused(folder);
+        // A run that was killed may have left some.
+        layers.remove(&within);
+        write_atomically(&within.join(layers.shape()), |out| write_shape(out, subject, &names))?;
+        write_atomically(&within.join(layers.manifest()), |out| write_manifest(out, &names))?;
+        let head =
+            Head { name: subject.name.clone(), frame_seconds: subject.frame_seconds, space: subject.space, layers };
         let widths = subject.bodies.iter().map(Widths::of).collect();
-        Ok(Self { folder: folder.to_owned(), names, widths, head, first: *frames.start(), frames: 0 })
+        Ok(Self { folder: folder.to_owned(), layers, names, widths, head, first: *frames.start(), frames: 0 })
     }
 }
 
 impl MotionWriter for Usd {
     fn push(&mut self, frame: &Frame) -> Result<(), IoError> {
-        let clip = self.folder.join(LAYERS).join(format!("frame.{:06}.usda", frame.number));
+        let layers = self.folder.join(LAYERS);
+        let clip = layers.join(self.layers.frame(&format!("{:06}", frame.number)));
         write_atomically(&clip, |out| write_clip(out, &self.names, &self.widths, frame))?;
-        self.frames += 1;
         // The stage tells of a frame once it is there.
-        let last = self.first + self.frames - 1;
-        write_atomically(&self.folder.join(STAGE), |out| self.head.write(out, self.first, last))
+        let last = self.first + self.frames;
+        write_atomically(&self.folder.join(STAGE), |out| self.head.write(out, self.first, last))?;
+        if self.frames == 0 {
+            let others = LayerNames::all().into_iter().filter(|names| names.turn != self.layers.turn);
+            others.for_each(|names| names.remove(&layers));
+        }
+        self.frames += 1;
+        Ok(())
     }
 
     fn written(&self) -> Vec<(String, PathBuf)> {
@@ -79,6 +149,7 @@ struct Head {
     name: String,
     frame_seconds: f64,
     space: Space,
+    layers: LayerNames,
 }
 
 impl Head {
@@ -88,14 +159,16 @@ impl Head {
         let rate = if (rate - rate.round()).abs() < 1e-9 * rate { rate.round() } else { rate };
         let up = if self.space.up == UpAxis::Z { "Z" } else { "Y" };
         let unit = 1.0 / self.space.scale;
+        let names = self.layers;
+        let (shape, manifest, frames) = (names.shape(), names.manifest(), names.frame("######"));
         writeln!(out, "#usda 1.0\n(\n    defaultPrim = \"Scene\"\n    doc = {}", quoted(&self.name))?;
         writeln!(out, "    endTimeCode = {last}\n    framesPerSecond = {rate}\n    metersPerUnit = {unit}")?;
-        writeln!(out, "    startTimeCode = {first}\n    subLayers = [\n        @./{LAYERS}/{SHAPE}@\n    ]")?;
+        writeln!(out, "    startTimeCode = {first}\n    subLayers = [\n        @./{LAYERS}/{shape}@\n    ]")?;
         writeln!(out, "    timeCodesPerSecond = {rate}\n    upAxis = \"{up}\"\n)\n")?;
         writeln!(out, "over \"Scene\" (\n    clips = {{\n        dictionary default = {{")?;
-        writeln!(out, "            asset manifestAssetPath = @./{LAYERS}/{MANIFEST}@")?;
+        writeln!(out, "            asset manifestAssetPath = @./{LAYERS}/{manifest}@")?;
         writeln!(out, "            string primPath = \"/Scene\"")?;
-        writeln!(out, "            string templateAssetPath = \"./{LAYERS}/frame.######.usda\"")?;
+        writeln!(out, "            string templateAssetPath = \"./{LAYERS}/{frames}\"")?;
         writeln!(out, "            double templateStartTime = {first}\n            double templateEndTime = {last}")?;
         writeln!(out, "            double templateStride = 1\n        }}\n    }}\n)\n{{\n}}")
     }

@@ -123,3 +123,50 @@ impl Stop {
         self.0.asked.load(Ordering::SeqCst)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+
+    /// Whether a frame that is going on ends for a command that came so long ago.
+    fn ends(command: &SimCommand, ago: Duration) -> bool {
+        let since = Instant::now().checked_sub(ago).expect("the machine has run for longer");
+        let stop = Stop::default();
+        stop.hurry(command, since);
+        stop.of_frame()()
+    }
+
+    #[test]
+    fn what_waits_ends_a_frame_within_a_fifth_of_a_second_less_a_step() {
+        assert!(GRACE <= Duration::from_millis(150));
+        let scene = Arc::new(Scene::new(""));
+        let waits = [
+            SimCommand::Pause,
+            SimCommand::Play,
+            SimCommand::Edit(Arc::clone(&scene)),
+            SimCommand::Grab { body: 0, vertex: 0, target: glam::DVec3::ZERO },
+            SimCommand::Release,
+            SimCommand::PinGrab,
+            SimCommand::Unpin { body: 0, grab: 0 },
+            SimCommand::ReleaseAll,
+            SimCommand::Strike { body: 0, impulse: glam::DVec3::ZERO },
+            SimCommand::Ghost(None),
+            SimCommand::Show(0.0),
+            SimCommand::StepBack,
+            SimCommand::Replay,
+            SimCommand::Field(None),
+            SimCommand::ContinueHere,
+            SimCommand::Live,
+        ];
+        for command in &waits {
+            assert!(ends(command, GRACE), "{command:?}");
+        }
+        for command in [SimCommand::Open(scene, Arc::default()), SimCommand::Reset] {
+            assert!(ends(&command, Duration::ZERO), "{command:?}");
+        }
+        for command in [SimCommand::Step, SimCommand::Speed(1.0), SimCommand::MoveGrab(glam::DVec3::ZERO)] {
+            assert!(!ends(&command, 100 * GRACE), "{command:?}");
+        }
+    }
+}

@@ -7,6 +7,7 @@ use crate::ui::autosave::{Loss, Question, Reply};
 use crate::ui::context::Severity;
 use crate::ui::dialogs::{self, Answer, Dialog, PathPurpose};
 use crate::ui::export;
+use crate::ui::loading::Source;
 use crate::ui::next::Next;
 use std::path::PathBuf;
 
@@ -75,13 +76,11 @@ impl App {
                 self.dialog = Some(Dialog::path(purpose, Some(&path)));
             }
             PathPurpose::Report => self.report_to(ctx, path),
-            PathPurpose::Recording(k) => match self.autosave.save_recording(k, &path) {
-                Ok(frames) => {
-                    let said = format!("Wrote {frames} frames as {}; `sinew replay` makes them again", path.display());
-                    self.cx.say(Severity::Note, said);
+            PathPurpose::Recording(k) => {
+                if let Some(recording) = self.autosave.recordings().get(k).cloned() {
+                    self.load(ctx, Source::Recording(Box::new(recording), path));
                 }
-                Err(error) => self.cx.say(Severity::Error, error.to_string()),
-            },
+            }
             PathPurpose::Export => {
                 if was_asked {
                     export::export(&mut self.cx, &path);

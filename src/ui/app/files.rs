@@ -3,7 +3,7 @@
 use super::App;
 use crate::io::{FileStamp, is_same, save_scene, scene_to_json};
 use crate::ui::autosave::{Question, RecoveryOffer};
-use crate::ui::bodies::{Layers, add_model};
+use crate::ui::bodies::{Layers, add_model, paste_body};
 use crate::ui::colliders_section::add_mesh;
 use crate::ui::context::{ActiveBody, OpenDocument, Severity};
 use crate::ui::dialogs::{Dialog, PathPurpose};
@@ -81,7 +81,7 @@ impl App {
     }
 
     /// Reads a document and takes it up; while that goes on, what is worked on stands over the window.
-    fn load(&mut self, ctx: &egui::Context, source: Source) {
+    pub(super) fn load(&mut self, ctx: &egui::Context, source: Source) {
         let loading = Loading::start(source, ctx);
         match loading.at_once() {
             Some(loaded) => self.loaded(&loading, loaded),
@@ -96,6 +96,18 @@ impl App {
             (Ok(Read::Model { path, layers, opened }), _) => add_model(&path, *opened, layers, &mut self.cx),
             (Ok(Read::Collider { file, path, models }), _) => add_mesh(&mut self.cx, &file, path, models),
             (Ok(Read::Leader { leader, models }), _) => add_follow(&mut self.cx, leader, models),
+            (Ok(Read::Body(brought)), _) => {
+                paste_body(*brought, &mut self.cx);
+                // Its models may ship from now on.
+                self.autosave.placed(&self.cx.document);
+            }
+            (Ok(Read::Recording), Source::Recording(recording, path)) => {
+                let (frames, file) = (recording.frames, path.display());
+                self.autosave.saved_recording(recording);
+                let said = format!("Wrote {frames} frames as {file}; `sinew replay` makes them again");
+                self.cx.say(Severity::Note, said);
+            }
+            (Ok(Read::Recording), _) => {}
             (Ok(Read::Report(missing)), source) => self.reported(source, missing.as_deref()),
             (Ok(Read::Document(document)), Source::Recovery(offer)) => {
                 self.take_up(*document, stamp, offer.document.origin.shipped);
@@ -196,6 +208,7 @@ impl App {
                 self.trust(path);
                 self.autosave.watch(Some(FileStamp::of_written(path, scene_to_json(&scene).as_bytes())));
                 self.autosave.note(&self.cx.document);
+                self.autosave.placed(&self.cx.document);
                 self.recent.add(path);
                 self.cx.say(Severity::Note, format!("Saved {}", path.display()));
                 if let Some(next) = next {

@@ -3,6 +3,7 @@
 use super::App;
 use crate::io::RecentFiles;
 use crate::ui::context::Request;
+use crate::ui::loading::Source;
 use crate::ui::right_panel::PropertyTab;
 
 impl App {
@@ -15,6 +16,7 @@ impl App {
                 Request::Open(dialog) => self.dialog = Some(dialog),
                 Request::OpenRecent(path) => self.open_recent(ctx, path),
                 Request::ForgetRecent => self.recent = RecentFiles::default(),
+                Request::Bring(incoming) => self.load(ctx, Source::Body(incoming)),
                 Request::ChooseBody(id) => {
                     let place = self.cx.scene().all_bodies().position(|body| body.id() == id);
                     if let Some(index) = place {

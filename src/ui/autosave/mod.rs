@@ -5,6 +5,7 @@ mod ask;
 mod offer;
 mod question;
 mod recorder;
+mod requests;
 mod state;
 mod thread;
 

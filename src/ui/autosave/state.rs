@@ -3,7 +3,8 @@
 use super::offer::RecoveryOffer;
 use super::question::{Loss, Question};
 use super::recorder::RecordingOffer;
-use super::thread::{AutosaveReport, AutosaveRequest, AutosaveThread};
+use super::requests::{AutosaveReport, AutosaveRequest};
+use super::thread::AutosaveThread;
 use crate::io::{FileStamp, FileState, IoError, Origin, is_same, is_there};
 use crate::scene::Scene;
 use crate::sim::JournalTail;
@@ -68,6 +69,11 @@ impl Autosave {
         self.thread.send(AutosaveRequest::Opened(self.origin(document)));
     }
 
+    /// The document that is open belongs elsewhere now, or its models do.
+    pub(crate) fn placed(&self, document: &OpenDocument) {
+        self.thread.send(AutosaveRequest::Placed(self.origin(document)));
+    }
+
     fn origin(&self, document: &OpenDocument) -> Origin {
         Origin {
             file: document.path.clone(),
@@ -113,17 +119,12 @@ impl Autosave {
         &self.recordings
     }
 
-    /// A recording that was left behind is saved elsewhere.
-    ///
-    /// # Errors
-    /// What cannot be read or written; it is still offered then.
-    pub(crate) fn save_recording(&mut self, index: usize, path: &Path) -> Result<u64, IoError> {
-        let Some(recording) = self.recordings.get(index) else { return Ok(0) };
-        recording.save(path)?;
-        let frames = recording.frames;
+    /// A recording that was left behind was saved elsewhere.
+    pub(crate) fn saved_recording(&mut self, recording: &RecordingOffer) {
         // One that cannot be removed is offered again.
-        self.discard_recording(index).ok();
-        Ok(frames)
+        if let Some(index) = self.recordings.iter().position(|offered| offered == recording) {
+            self.discard_recording(index).ok();
+        }
     }
 
     /// Removes a recording that was left behind, for good.
@@ -213,16 +214,20 @@ impl Autosave {
 
     fn hear(&mut self, report: AutosaveReport, cx: &mut Context) {
         match report {
-            AutosaveReport::Offers(offers, recordings) => {
+            AutosaveReport::Offers(offers) => {
                 if !offers.is_empty() {
                     self.waiting.push(Question::Recover);
-                } else if !recordings.is_empty() {
+                }
+                self.offers = offers;
+            }
+            AutosaveReport::Recordings(recordings) => {
+                if self.offers.is_empty() && !recordings.is_empty() {
                     // Nothing of a document is lost: it is said, and asked about by nobody.
                     let said = "The program ended before its window was closed: what was done to the motion until then \
                                 can be saved by File, Recover unsaved…";
                     cx.say(Severity::Note, said);
                 }
-                (self.offers, self.recordings) = (offers, recordings);
+                self.recordings = recordings;
             }
             AutosaveReport::NotKept(error) => {
                 let said = format!("Changes are not kept for recovery, save often: {error}");
@@ -230,6 +235,14 @@ impl Autosave {
             }
             AutosaveReport::NotRecorded(error) => {
                 let said = format!("What is done to the motion is not kept for a report of a fault: {error}");
+                cx.say(Severity::Warning, said);
+            }
+            AutosaveReport::RecordedUpTo(bytes) => {
+                let said = format!(
+                    "The recording of the motion is {} MiB long, as long as one may be: what is done from here on is not \
+                     kept for a report of a fault, until the motion starts anew",
+                    bytes >> 20
+                );
                 cx.say(Severity::Warning, said);
             }
             AutosaveReport::File(number, _) if number != self.watch => {}

@@ -2,13 +2,12 @@
 //! no disk.
 
 use super::offer::RecoveryOffer;
-use super::recorder::{Recorder, RecordingOffer};
+use super::recorder::{Recorder, recordings_in};
+use super::requests::{AutosaveReport, AutosaveRequest};
 use crate::io::{
-    FileStamp, FileState, IoError, Origin, RecoverableDocument, RecoveryFile, left_recordings, load_scene,
-    recoverable_documents,
+    FileStamp, FileState, IoError, Kept, Origin, RecoverableDocument, RecoveryFile, load_scene, recoverable_documents,
 };
 use crate::scene::Scene;
-use crate::sim::JournalTail;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -33,46 +32,6 @@ struct WaitingDocument {
     scene: Arc<Scene>,
 }
 
-/// What is asked of the thread.
-pub(super) enum AutosaveRequest {
-    /// Keeps documents in this folder from now on, and tells which were left there.
-    Folder(PathBuf),
-    /// Keeps the newest document in the slot before long.
-    Keep,
-    /// Keeps at once what waits.
-    KeepNow,
-    /// The same, and says when that is done.
-    KeepAndSay(Sender<()>),
-    /// Keeps the recording of a motion from now on, whose document belongs there.
-    Record(JournalTail, Origin),
-    /// The document whose motion begins next belongs there.
-    Opened(Origin),
-    /// Keeps what waits and ends: by a fault, or because the window was closed.
-    End(bool),
-    /// Forgets documents up to this number: they are saved, or their changes are not wanted.
-    Forget(u64),
-    /// What was recovered goes as soon as it is kept here, or forgotten.
-    Recovered(RecoverableDocument),
-    /// Looks after this file from now on; its reports bear this number.
-    Watch(u64, Option<FileStamp>),
-    /// Looks whether the watched file holds this.
-    Compare(Arc<Scene>),
-    /// Looks after the file now.
-    Look,
-}
-
-/// What the thread tells.
-pub(super) enum AutosaveReport {
-    /// What was left behind.
-    Offers(Vec<RecoveryOffer>, Vec<RecordingOffer>),
-    /// The document cannot be kept.
-    NotKept(IoError),
-    /// The recording of the motion cannot.
-    NotRecorded(IoError),
-    /// The file that is watched under a number became this.
-    File(u64, FileState),
-}
-
 /// The newest document that is to be kept: earlier ones are of no use.
 type LatestSlot = Arc<Mutex<Option<WaitingDocument>>>;
 
@@ -88,7 +47,7 @@ pub(super) struct AutosaveThread {
 
 impl AutosaveThread {
     /// Starts the thread; `wake` is called whenever there is something to tell.
-    pub(super) fn start(wake: impl Fn() + Send + 'static) -> Self {
+    pub(super) fn start(wake: impl Fn() + Send + Sync + 'static) -> Self {
         let (requests, asked) = channel();
         let (told, reports) = channel();
         let slot = LatestSlot::default();
@@ -179,12 +138,14 @@ struct Autosaver {
     has_failed: bool,
     /// The same of the recording.
     cannot_record: bool,
+    /// Whether it was told that the recording is as long as it may become.
+    is_full: bool,
     reports: Sender<AutosaveReport>,
-    wake: Box<dyn Fn() + Send>,
+    wake: Arc<dyn Fn() + Send + Sync>,
 }
 
 impl Autosaver {
-    fn new(slot: LatestSlot, reports: Sender<AutosaveReport>, wake: impl Fn() + Send + 'static) -> Self {
+    fn new(slot: LatestSlot, reports: Sender<AutosaveReport>, wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
             slot,
             folder: None,
@@ -196,8 +157,9 @@ impl Autosaver {
             watched: None,
             has_failed: false,
             cannot_record: false,
+            is_full: false,
             reports,
-            wake: Box::new(wake),
+            wake: Arc::new(wake),
         }
     }
 
@@ -243,9 +205,9 @@ impl Autosaver {
         match request {
             AutosaveRequest::Folder(folder) => {
                 let found = recoverable_documents(&folder).into_iter().map(RecoveryOffer::new).collect();
-                let recordings = left_recordings(&folder).into_iter().filter_map(RecordingOffer::new).collect();
-                self.folder = Some(folder);
-                self.tell(AutosaveReport::Offers(found, recordings));
+                self.folder = Some(folder.clone());
+                self.tell(AutosaveReport::Offers(found));
+                self.look_for_recordings(folder);
             }
             AutosaveRequest::Keep => self.due.get_or_insert(Due { first: now, last: now }).last = now,
             AutosaveRequest::KeepNow => self.keep(),
@@ -253,6 +215,11 @@ impl Autosaver {
             AutosaveRequest::Opened(origin) => {
                 if let Some((recorder, _)) = &mut self.recorder {
                     recorder.of(origin);
+                }
+            }
+            AutosaveRequest::Placed(origin) => {
+                if let Some((recorder, _)) = &mut self.recorder {
+                    recorder.placed(origin);
                 }
             }
             AutosaveRequest::KeepAndSay(done) => {
@@ -316,13 +283,34 @@ impl Autosaver {
         }
         let outcome = self.place(&folder).and_then(|place| recorder.keep(place));
         self.recorder = Some((recorder, Instant::now() + RECORDED));
-        let Err(error) = outcome else {
-            self.cannot_record = false;
-            return;
-        };
-        if !std::mem::replace(&mut self.cannot_record, true) {
-            self.tell(AutosaveReport::NotRecorded(error));
+        match outcome {
+            Ok(kept) => {
+                self.cannot_record = false;
+                let was_full = std::mem::replace(&mut self.is_full, kept != Kept::Whole);
+                if let Kept::UpTo(bytes) = kept
+                    && !was_full
+                {
+                    self.tell(AutosaveReport::RecordedUpTo(bytes));
+                }
+            }
+            Err(error) => {
+                if !std::mem::replace(&mut self.cannot_record, true) {
+                    self.tell(AutosaveReport::NotRecorded(error));
+                }
+            }
         }
+    }
+
+    /// Looks through the recordings that were left behind, beside all else: they may be long.
+    fn look_for_recordings(&self, folder: PathBuf) {
+        let (reports, wake) = (self.reports.clone(), Arc::clone(&self.wake));
+        let look = move || {
+            // The window may be gone.
+            let _ = reports.send(AutosaveReport::Recordings(recordings_in(&folder)));
+            wake();
+        };
+        // Without a thread the next start offers them.
+        std::thread::Builder::new().name("recordings".into()).spawn(look).ok();
     }
 
     fn forget(&mut self, number: u64) {

@@ -2,19 +2,17 @@
 
 use super::actions::add_body;
 use super::free_place::usual_size;
+use super::incoming::{Brought, Incoming};
 use super::layers::Layers;
 use crate::draw::Bounds;
-use crate::edit::body_ops::{placed, scaled, scaled_two_layer};
+use crate::edit::body_ops::{scaled, scaled_two_layer};
 use crate::geometry::model::UpAxis;
 use crate::geometry::solid::Solid;
-use crate::io::{OpenedModel, add_leader};
-use crate::scene::{Assets, Body, ClosedMesh, Leader, MeshShape, ModelFile, OwnedBody, Shape, TwoLayer, TwoLayerShape};
+use crate::io::{OpenedModel, path_from};
+use crate::scene::{Assets, Body, ClosedMesh, MeshShape, ModelFile, OwnedBody, Shape, TwoLayer, TwoLayerShape};
 use crate::ui::context::{Context, Severity};
-use crate::ui::document::named_from;
-use crate::ui::gallery::{shipped_beside, shipped_or_read};
 use glam::DVec3;
 use std::convert::Infallible;
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -34,7 +32,7 @@ pub(crate) fn add_model(path: &Path, opened: OpenedModel, layers: Layers, cx: &m
     let Some(body) = opened.scene.bodies.into_iter().next() else { return };
     let Shape::Mesh(shape) = &body.shape else { return };
     let Some(solid) = opened.assets.solid(shape).cloned() else { return };
-    let file = named_from(path, &cx.document.folder);
+    let file = path_from(&cx.document.folder, path);
     let mut body: OwnedBody = match layers {
         Layers::Filled => {
             let shape = MeshShape { path: file, ..shape.clone() };
@@ -105,82 +103,26 @@ pub(crate) fn scaled_model(before: ModelFile<'_>, after: &OwnedBody, cx: &mut Co
     true
 }
 
-/// Puts in the files of a body that comes from elsewhere, its model and the motions that it follows, which it names by
-/// whole paths or as those that ship, and names them as the document does. Gives the box around the body as it is
-/// placed [m]; none where it is of no model.
+/// A body that comes from elsewhere, for the document; `bounds` is the box around it where it stands [m], unless it is
+/// of a model.
 ///
 /// # Errors
-/// What cannot be read.
-pub(crate) fn bring_models(body: &mut OwnedBody, cx: &mut Context) -> Result<Option<Bounds>, String> {
-    let around = bring_model(body, cx)?;
-    bring_leaders(body, cx)?;
-    Ok(around)
-}
-
-fn bring_leaders(body: &mut OwnedBody, cx: &mut Context) -> Result<(), String> {
-    for follow in body.view_mut().follows_mut() {
-        for path in follow.leader.paths_mut() {
-            *path = brought(path, cx)?;
-        }
-        let is_there = match &follow.leader {
-            Leader::Skeleton(of) => cx.document.assets().skeleton(&of.path).is_some(),
-            Leader::Cache(of) => {
-                let rest = of.rest.as_ref().is_none_or(|rest| cx.document.assets().rest_mesh(rest).is_some());
-                rest && cx.document.assets().cache(&of.path).is_some()
-            }
-        };
-        if !is_there {
-            let added = cx.add_models(|assets, folder| {
-                add_leader(assets, &follow.leader, folder, &mut |_| ControlFlow::Continue(()))
-            });
-            added.map_err(|error| error.to_string())?;
-        }
+/// A model that ships has no place yet.
+pub(crate) fn incoming(body: OwnedBody, bounds: Bounds, cx: &Context) -> Result<Incoming, &'static str> {
+    let document = &cx.document;
+    let keeps_shipped = document.is_example || document.folder.as_os_str().is_empty();
+    let (known, folder) = (Arc::clone(document.assets()), document.folder.clone());
+    let incoming = Incoming { body, bounds, known, folder, keeps_shipped };
+    if !keeps_shipped && document.path.is_none() && incoming.names_shipped() {
+        return Err("Save the scene first: the model comes with the program and is put beside the scene's file");
     }
-    Ok(())
+    Ok(incoming)
 }
 
-/// The name that the document has for a file that is named by a whole path or as one of those that ship.
-fn brought(path: &str, cx: &mut Context) -> Result<String, String> {
-    let whole = Path::new(path);
-    if whole.is_absolute() { Ok(named_from(whole, &cx.document.folder)) } else { put_down(path, cx) }
-}
-
-fn bring_model(body: &mut OwnedBody, cx: &mut Context) -> Result<Option<Bounds>, String> {
-    let Some(model) = body.view().model() else { return Ok(None) };
-    let bounds = |solid: &Solid| {
-        let corners = Bounds { min: solid.min, max: solid.max }.corners();
-        Bounds::of(corners.map(|at| placed(body.view().placement(), at)))
-    };
-    let path = Path::new(model.path).to_owned();
-    let file = brought(model.path, cx)?;
-    let named = ModelFile { path: &file, ..model };
-    let found = match cx.document.assets().solid(named) {
-        Some(solid) => Arc::clone(solid),
-        None => Arc::new(read(&path, model)?),
-    };
-    let around = bounds(&found);
-    if let Some(path) = body.view_mut().into_model_paths().into_iter().next() {
-        *path = file;
-    }
-    insert(body, &found, cx);
-    Ok(around)
-}
-
-/// A model that ships has no folder: it goes beside the scene's file, now or when the scene is first saved. Gives its
-/// name.
-fn put_down(name: &str, cx: &mut Context) -> Result<String, String> {
-    if cx.document.is_example || cx.document.folder.as_os_str().is_empty() {
-        cx.document.is_example = true;
-        return Ok(name.to_owned());
-    }
-    if cx.document.path.is_none() {
-        return Err(format!("Save the scene first: {name} comes with the program and is put beside the scene's file"));
-    }
-    shipped_beside(&cx.document.folder, name).map_err(|error| error.to_string())
-}
-
-fn read(path: &Path, model: ModelFile<'_>) -> Result<Solid, String> {
-    let mut loaded = shipped_or_read(path).map_err(|error| error.to_string())?;
-    loaded.stand_up(model.up_axis(), model.scale);
-    Solid::new(&loaded).map_err(|refusal| format!("{}: {refusal}", path.display()))
+/// Puts a body that comes from elsewhere into the scene, where there is room, with what was read of it.
+pub(crate) fn paste_body(brought: Brought, cx: &mut Context) {
+    let Brought { body, bounds, models, ships } = brought;
+    cx.take_in_models(models);
+    cx.document.is_example |= ships;
+    add_body("Paste", &body, bounds, "", cx);
 }

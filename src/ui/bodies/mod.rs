@@ -3,13 +3,15 @@
 mod actions;
 mod free_place;
 mod import;
+mod incoming;
 mod layers;
 mod made;
 mod shape_fields;
 
-pub(crate) use actions::{add, add_body, begin_anew, delete, hide};
+pub(crate) use actions::{add, begin_anew, delete, hide};
 pub(crate) use free_place::beside;
-pub(crate) use import::{add_model, bring_models, scaled_model};
+pub(crate) use import::{add_model, incoming, paste_body, scaled_model};
+pub(crate) use incoming::{Brought, Incoming};
 pub(crate) use layers::Layers;
 pub(crate) use made::NewBody;
 pub(crate) use shape_fields::place_and_shape;

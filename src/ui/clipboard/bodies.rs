@@ -4,8 +4,8 @@ use crate::draw::Bounds;
 use crate::edit::body_ops::placed;
 use crate::io::resolved;
 use crate::scene::{Body, OwnedBody, Scene, TwoLayer};
-use crate::ui::bodies::{add_body, bring_models};
-use crate::ui::context::{Context, Severity};
+use crate::ui::bodies::incoming;
+use crate::ui::context::{Context, Request, Severity};
 use crate::ui::gallery::is_shipped;
 use serde::{Deserialize, Serialize};
 
@@ -53,10 +53,10 @@ pub(super) fn copied(cx: &mut Context) -> Option<String> {
     Some(text)
 }
 
-/// Puts the body of a text into the scene, where there is room; false where the text holds none.
+/// Asks for the body of a text to be put into the scene, where there is room; false where the text holds none.
 pub(super) fn paste(text: &str, cx: &mut Context) -> bool {
     let Ok(Clipping { body, half_size, center, .. }) = serde_json::from_str::<Clipping>(text) else { return false };
-    let mut body = match body {
+    let body = match body {
         Kind::Solid(body) => OwnedBody::Solid(body),
         Kind::TwoLayer(body) => OwnedBody::TwoLayer(body),
     };
@@ -71,11 +71,8 @@ pub(super) fn paste(text: &str, cx: &mut Context) -> bool {
         return true;
     }
     let [half, center] = [half_size, center].map(glam::DVec3::from_array);
-    match bring_models(&mut body, cx) {
-        Ok(found) => {
-            let bounds = found.unwrap_or(Bounds { min: center - half, max: center + half });
-            add_body("Paste", &body, bounds, "", cx);
-        }
+    match incoming(body, Bounds { min: center - half, max: center + half }, cx) {
+        Ok(incoming) => cx.request(Request::Bring(Box::new(incoming))),
         Err(problem) => cx.say(Severity::Error, problem),
     }
     true

@@ -1,6 +1,7 @@
 //! What a panel asks of the window because it concerns other panels.
 
 use crate::ui::action::Action;
+use crate::ui::bodies::Incoming;
 use crate::ui::dialogs::Dialog;
 use glam::DVec3;
 use std::path::PathBuf;
@@ -15,6 +16,8 @@ pub(crate) enum Request {
     OpenRecent(PathBuf),
     /// Forgets the files that were used.
     ForgetRecent,
+    /// Reads what a body from elsewhere names and puts it into the scene.
+    Bring(Box<Incoming>),
     /// Selects the body of this identifier as a whole, and draws into it from now on.
     ChooseBody(String),
     /// Shows the layouts of fibres.

@@ -5,7 +5,7 @@ mod models;
 
 pub(crate) use examples::shipped_assets;
 pub use examples::{EXAMPLES, Example, Group};
-pub(crate) use models::{is_shipped, shipped_beside, shipped_bytes, shipped_or_read, with_models_in};
+pub(crate) use models::{is_shipped, shipped_beside, shipped_bytes, with_models_in};
 
 use super::theme::{self, GRID};
 use super::thumbs::{Runs, Thumbs};

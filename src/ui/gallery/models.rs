@@ -1,23 +1,11 @@
 //! Examples as documents, and their models put where a scene is saved.
 
 use super::examples::{Example, shipped};
-use crate::geometry::Model;
-use crate::io::{IoError, load_model, put_beside, read_model};
+use crate::io::{IoError, put_beside};
 use crate::scene::Scene;
 use crate::ui::document::Document;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-/// A model by its path, or one that ships by its file's name.
-///
-/// # Errors
-/// It cannot be read.
-pub(crate) fn shipped_or_read(path: &Path) -> Result<Model, IoError> {
-    match path.to_str().and_then(shipped) {
-        Some(bytes) => read_model(path, bytes),
-        None => load_model(path),
-    }
-}
 
 /// Whether a model of this name ships.
 pub(crate) fn is_shipped(name: &str) -> bool {

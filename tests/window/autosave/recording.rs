@@ -1,9 +1,10 @@
 //! What was done to the motion outlives the program: kept as it grows, found at the next start, saved and made again.
 
 use super::super::editing::type_path;
+use super::super::loading::copied_ball;
 use super::super::{Window, advance, click, hold, open_with, press_key, reset, until, until_seen};
 use super::{close, folder, shows, until_shown};
-use egui::{Key, Modifiers};
+use egui::{Event, Key, Modifiers};
 use sinew::io::load_assets;
 use sinew::scene::Assets;
 use sinew::sim::{Journal, Rerun};
@@ -26,11 +27,16 @@ fn recording(document: Document, folder: &Path) -> Window {
     open_with(document, move |app| app.with_recovery(folder))
 }
 
-/// Frames that the recordings in a folder hold just now, whoever has them open.
-fn frames_in(folder: &Path) -> usize {
+/// What the recordings in a folder hold just now, whoever has them open.
+fn recorded_in(folder: &Path) -> String {
     let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let recordings = files.filter(|path| path.extension().is_some_and(|ending| ending == "recording"));
-    recordings.map(|path| fs::read_to_string(path).unwrap_or_default().matches("\"frame\":\"").count()).sum()
+    recordings.map(|path| fs::read_to_string(path).unwrap_or_default()).collect()
+}
+
+/// Frames of them.
+fn frames_in(folder: &Path) -> usize {
+    recorded_in(folder).matches("\"frame\":\"").count()
 }
 
 /// The program that is killed: no test of its own.
@@ -128,4 +134,19 @@ fn a_window_that_is_closed_leaves_no_recording() {
     close(&mut window);
     drop(window);
     assert_eq!(fs::read_dir(kept.path()).expect("a folder").count(), 0, "not even a lock is left");
+}
+
+#[test]
+fn that_models_ship_from_now_on_is_told_to_the_recording() {
+    let kept = folder();
+    let mut window = recording(Document::load(None).expect("the built-in scene"), kept.path());
+    hold(&mut window);
+    until(&mut window, |_| recorded_in(kept.path()).contains("\"shipped\":false"));
+    window.event(Event::Paste(copied_ball(Path::new("leaf.glb"))));
+    until(&mut window, |app| app.scene().bodies.len() == 2);
+    // The last place that a recording names is the one that counts.
+    until(&mut window, |_| {
+        let recorded = recorded_in(kept.path());
+        recorded.lines().rfind(|line| line.contains("\"place\"")).is_some_and(|line| line.contains("\"shipped\":true"))
+    });
 }

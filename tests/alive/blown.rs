@@ -1,7 +1,13 @@
 //! What wind gives to what it blows at.
 
 use crate::common::*;
+use glam::DVec3;
+use sinew::bake::bake;
+use sinew::io::{load_assets, load_scene};
 use sinew::scene::{Axis, IntegratorChoice, IntegratorKind, Motion, Scene, Side, TimeStep, Wave, Wind};
+use sinew::sim::Runner;
+use sinew::solver::MeasureValue;
+use std::path::Path;
 
 /// A flap held at its foot, aslant to gusts that come all at once and die down, and that keeps all that it is given.
 fn flap(integrator: IntegratorKind) -> Scene {
@@ -35,4 +41,37 @@ fn the_work_of_wind_is_the_energy_gained_to_second_order_in_the_step() {
         assert!(work > 0.0 && off.abs() < 2e-3 * work, "{kind:?}: {found:?}");
         assert!((quarter / half).abs() < 0.35 && (half / off).abs() < 0.4, "{kind:?}: {found:?}");
     }
+}
+
+/// How far the tip of the leaf that ships comes about [mm] within spans of a second each that begin at these times [s],
+/// under its wind times a share: the diagonal of the box around its way.
+fn ways(share: f64, begin: [f64; 2]) -> [f64; 2] {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let mut scene = load_scene(&folder.join("alive_leaf.json")).expect("a scene that loads");
+    scene.wind = scene.wind.map(|wind| wind.with_drive(share));
+    let assets = load_assets(&scene, &folder, &mut |_| {}).expect("a model that ships");
+    let mut runner = Runner::new(bake(&scene, &assets).expect("a scene that bakes"));
+    let mut found = begin.map(|_| [DVec3::INFINITY, DVec3::NEG_INFINITY]);
+    while runner.world().time() < begin[1] + 1.0 {
+        runner.advance_frame();
+        assert!(runner.world().divergence().is_none(), "{:?}", runner.world().divergence());
+        let time = runner.world().time();
+        let MeasureValue::Vector(tip) = runner.world().measures()[0] else { panic!("the way of the tip") };
+        for ([low, high], _) in found.iter_mut().zip(begin).filter(|(_, from)| (*from..*from + 1.0).contains(&time)) {
+            (*low, *high) = (low.min(tip), high.max(tip));
+        }
+    }
+    runner.look();
+    assert!(runner.world().unbalanced().is_empty(), "{:?}", runner.world().unbalanced());
+    let found = found.map(|[low, high]| low.distance(high));
+    println!("{share} of the wind: {found:.1?} mm within a second from {begin:?} s on");
+    found
+}
+
+#[test]
+fn a_leaf_flutters_in_a_steady_wind_and_its_swings_die_down_without() {
+    let blown = ways(1.0, [2.0, 5.0]);
+    assert!(blown[0] > 60.0 && blown[1] > blown[0], "{blown:?} mm");
+    let calm = ways(0.0, [2.0, 5.0]);
+    assert!(calm[1] < 0.9 * calm[0], "{calm:?} mm");
 }

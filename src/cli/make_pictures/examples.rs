@@ -27,12 +27,13 @@ const fn strip(name: &'static str, at: f64, until: f64) -> ExamplePicture {
 }
 
 /// Every scene that ships.
-pub(super) const EXAMPLES: [ExamplePicture; 91] = [
+pub(super) const EXAMPLES: [ExamplePicture; 92] = [
     strip("alive_ball", 0.5, 5.5),
     strip("alive_character", 0.4, 2.6),
     strip("alive_fish", 1.0, 3.0),
     strip("alive_gripper", 0.0, 2.4),
     strip("alive_heart", 0.8, 1.533),
+    strip("alive_leaf", 2.5, 3.5),
     strip("alive_octopus", 0.0, 6.0),
     strip("alive_worm", 1.0, 2.1),
     strip("alive_worm_back", 1.0, 2.1),

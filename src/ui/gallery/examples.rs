@@ -133,6 +133,7 @@ examples! {
     Alive "alive_gripper", "A gripper", "": "Two fingers curl round a ball, lift it and hold it by friction.";
     Alive "alive_octopus", "An arm", "": "Oblique fibres twist it both ways, and others curl it up.";
     Alive "alive_ball", "A rolling ball", "": "Its springs shorten in turns, and it rolls by friction.";
+    Alive "alive_leaf", "A leaf in the wind", "": "Held by its stalk in a steady wind, it flutters.";
     Alive "alive_fish", "A fish", "": "A wave from head to tail pushes water aside, and it swims.";
     Matter "collider_steps", "A bar on steps", "": "It falls on a ball and tumbles down three steps.";
     Matter "collider_carry", "A bar that is carried", "": "Two fingers lift it and carry it along by friction alone.";

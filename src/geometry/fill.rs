@@ -4,7 +4,8 @@
 //! A section three or four spacings wide holds 0.88 to 1.18 of its area depending on where the lattice falls. Geometry
 //! dominates every other error there, so the search is worth its time.
 
-use super::placement::{Filling, LatticePlacement, collect, looked_at, placements, prune, with_shares};
+use super::filling::{Filling, KnownFilling};
+use super::placement::{LatticePlacement, collect, looked_at, placements, prune, with_shares};
 use super::progress::Progress;
 use super::solid::Solid;
 use super::two_layers::{BOX_SHARE, FINER_TRIES, two_layer_spacing};
@@ -139,6 +140,12 @@ pub(crate) fn fill_with_progress(
     limit: usize,
     progress: &mut Progress<'_>,
 ) -> Result<Filling, FillError> {
+    if let Some(known) = known(solid, resolution, reach, limit) {
+        return match progress(LATTICES, LATTICES) {
+            ControlFlow::Continue(()) => Ok(known.clone()),
+            ControlFlow::Break(()) => Err(FillError::Cancelled),
+        };
+    }
     let spacing = match resolution {
         FillResolution::Spacing(spacing) => spacing,
         FillResolution::Particles(count) => (solid.volume / f64::from(count.max(1))).cbrt(),
@@ -172,6 +179,29 @@ pub(crate) fn fill_with_progress(
             }
         }
     }
+}
+
+/// The filling that was found while it was looked how finely a solid is filled, where the same is asked for.
+fn known(solid: &Solid, resolution: FillResolution, reach: f64, limit: usize) -> Option<&Filling> {
+    let known = solid.known_filling.get()?;
+    let is_same =
+        resolution == FillResolution::Particles(known.particles) && (known.reach, known.limit) == (reach, limit);
+    is_same.then_some(&known.filling)
+}
+
+/// [`fill_with_progress`] with so many particles, kept with the solid for whoever asks for the same, and what is wrong
+/// where it cannot be filled so.
+///
+/// # Errors
+/// As [`fill_with_progress`].
+pub(crate) fn try_filling(
+    solid: &Solid,
+    (particles, reach, limit): (u32, f64, usize),
+    progress: &mut Progress<'_>,
+) -> Result<(), FillError> {
+    let filling = fill_with_progress(solid, FillResolution::Particles(particles), reach, limit, progress)?;
+    solid.known_filling.get_or_init(|| KnownFilling { particles, reach, limit, filling });
+    Ok(())
 }
 
 /// Whether there are few enough lattice points to be looked at.

@@ -1,30 +1,14 @@
 //! A lattice placed in a solid: which of its points lie inside, and which of those others hold.
 
-use super::cell_shares::{CellShares, cell_shares};
+use super::cell_shares::cell_shares;
+use super::filling::Filling;
 use super::lattice::LatticeSample;
 use super::lattice_fit::FittedLattice;
 use super::solid::Solid;
-use super::thinness::{Thinness, thinness};
+use super::thinness::thinness;
 use glam::{DMat3, DVec3, IVec3, Vec3Swizzles};
 use rayon::prelude::*;
 use std::ops::{ControlFlow, RangeInclusive};
-
-/// A filled solid.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Filling {
-    /// The particles.
-    pub sample: LatticeSample,
-    /// Particles' volume over the solid's, minus one.
-    pub volume_error: f64,
-    /// Particles in parts of one layer, and of two.
-    pub thinness: Thinness,
-    /// Lattice points inside that were left out because too few others are around them to hold them.
-    pub pruned: usize,
-    /// Those [m].
-    pub(crate) left_out: Vec<DVec3>,
-    /// What each particle stands for; a whole cell where nothing is said.
-    pub(crate) shares: Option<CellShares>,
-}
 
 /// Quarters of the spacing by which the lattice is moved along each axis.
 const SHIFTS: i32 = 4;

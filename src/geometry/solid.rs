@@ -4,6 +4,7 @@ use super::bvh::Bvh;
 use super::cluster::{Cluster, clusters};
 use super::crossing::crossing_pairs_unless;
 use super::edges::{Edges, count_loops};
+use super::filling::KnownFilling;
 use super::holes::OpenSurface;
 use super::inside::Inside;
 use super::model::Model;
@@ -38,6 +39,8 @@ pub struct Solid {
     inside: Inside,
     /// How thick it is, where that was asked.
     pub(super) known_thickness: OnceLock<Thickness>,
+    /// What it was filled with to see whether that does.
+    pub(super) known_filling: OnceLock<KnownFilling>,
 }
 
 /// Coordinates beyond this are taken for damage [m]: their cubes, and sums of those, must stay far from the greatest
@@ -151,8 +154,10 @@ impl Solid {
         steps.reach(6)?;
         let clusters = clusters(&oriented.pieces, |_| true);
         let inside = inside(&surface, &oriented, sorted.open);
+        let (known_thickness, known_filling) = (OnceLock::new(), OnceLock::new());
+        let volume = 0.0;
         let mut this =
-            Self { model, surface, report, min, max, volume: 0.0, clusters, inside, known_thickness: OnceLock::new() };
+            Self { model, surface, report, min, max, volume, clusters, inside, known_thickness, known_filling };
         steps.reach(7)?;
         this.measure(&oriented, &crowded, &mut || steps.ask())?;
         this.inside.forget();

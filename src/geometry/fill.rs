@@ -93,10 +93,11 @@ const MOST_LAYERS: f64 = 1e8;
 const MOST_PRUNED: f64 = 0.05;
 
 /// Rows after which no further spacing is tried, for a closed surface and for one with holes, of which each takes far
-/// longer; and for a closed one faces that were looked at, a row counting as so many.
+/// longer; and faces that were looked at, a row and a winding number counting as so many.
 const MOST_ROWS: usize = 1_000_000;
 const MOST_LOOKS: f64 = 16e6;
 const LOOKS_A_ROW: f64 = 8.0;
+const LOOKS_A_WINDING: f64 = 200.0;
 const MOST_OPEN_ROWS: usize = 20_000;
 
 /// Fills a solid with at most `limit` particles. `reach` is the support radius over the spacing, h / D: it decides
@@ -235,7 +236,7 @@ fn candidates(
     let mut candidates: Vec<(f64, LatticePlacement)> = Vec::new();
     let mut rows = 0;
     let (good, most_rows) = if solid.report.closed { (GOOD, MOST_ROWS) } else { (GOOD_ENOUGH, MOST_OPEN_ROWS) };
-    let looks_a_row = LOOKS_A_ROW + solid.faces_a_row();
+    let looks_a_row = LOOKS_A_ROW + solid.faces_a_row() + LOOKS_A_WINDING * solid.windings_a_row();
     for k in 0..=2 * STEPS {
         tried.reach(k as usize)?;
         // 0, +1, -1, +2, -2, ... steps away.

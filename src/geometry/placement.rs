@@ -13,8 +13,10 @@ use std::ops::{ControlFlow, RangeInclusive};
 /// Quarters of the spacing by which the lattice is moved along each axis.
 const SHIFTS: i32 = 4;
 
-/// Rows through a surface with holes from which on the lattice is moved along them only.
+/// Rows through a surface with holes, and winding numbers that are looked at along them, from which on the lattice is
+/// moved along them only.
 const MANY_OPEN_ROWS: f64 = 3000.0;
+const MANY_WINDINGS: f64 = 20_000.0;
 
 /// A lattice: its spacing [m] and the position of one of its points [m].
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +88,7 @@ pub(crate) fn placements(solid: &Solid, spacing: f64) -> (Vec<Counted>, usize) {
     let rows: f64 = solid.boxes().map(|[min, max]| (max - min) / spacing + 1.0).map(|rows| rows.y * rows.z).sum();
     let (shifts, quarters) = match solid.report.closed {
         true => (SHIFTS, 1),
-        false if rows < MANY_OPEN_ROWS => (SHIFTS / 2, 2),
+        false if rows < MANY_OPEN_ROWS && rows * solid.windings_a_row() < MANY_WINDINGS => (SHIFTS / 2, 2),
         false => (1, 0),
     };
     let found: Vec<(Vec<Counted>, usize)> = (0..shifts * shifts)

@@ -3,7 +3,8 @@
 use super::error::BakeError;
 use super::note::Note;
 use crate::geometry::fill::{FillError, FillResolution, fill_with_progress};
-use crate::geometry::placement::Filling;
+use crate::geometry::filling::Filling;
+use crate::geometry::missed::{MissedPlace, missed_places};
 use crate::geometry::progress::Progress;
 use crate::geometry::solid::Solid;
 use crate::geometry::two_layers::{FEW, two_layer_spacing};
@@ -24,6 +25,9 @@ pub(super) struct Meshed<'a> {
     pub(super) blamed: &'a str,
 }
 
+/// Places without particles at which it is measured how thick the parts are, at most.
+const MEASURED: usize = 200;
+
 impl Meshed<'_> {
     /// Whether so much of it is thin that it has to be said.
     fn is_thin(filling: &Filling) -> bool {
@@ -41,17 +45,21 @@ impl Meshed<'_> {
     }
 
     /// Places of the lattice that have no particles [m]; none where there are so few that nothing is said.
-    pub(super) fn lost_places(filling: &mut Filling) -> Vec<DVec3> {
+    fn lost_places(filling: &mut Filling) -> Vec<DVec3> {
         if Self::is_lost(filling) { std::mem::take(&mut filling.left_out) } else { Vec::new() }
     }
 
-    /// Fills it; `progress` hears how far that has come.
-    pub(super) fn filled(self, notes: &mut Vec<Note>, progress: &mut Progress<'_>) -> Result<Filling, BakeError> {
+    /// Fills it, and gives the places that are said to have no particles [m]; `progress` hears how far that has come.
+    pub(super) fn filled(
+        self,
+        notes: &mut Vec<Note>,
+        progress: &mut Progress<'_>,
+    ) -> Result<(Filling, Vec<DVec3>), BakeError> {
         let Self { body, particles, solid, path, blamed } = self;
         let spacing = body.material.spacing();
         let reach = body.material.spacing_ratio.recip();
         let fineness = particles.map_or(FillResolution::Spacing(spacing), FillResolution::Particles);
-        let filling =
+        let mut filling =
             fill_with_progress(solid, fineness, reach, MAX_PARTICLES, progress).map_err(|error| match error {
                 FillError::Cancelled => BakeError::Cancelled,
                 FillError::TooMany { wanted, limit } => {
@@ -79,7 +87,42 @@ impl Meshed<'_> {
                 }
             })?;
         self.note(&filling, notes, progress)?;
-        Ok(filling)
+        let mut places = Self::lost_places(&mut filling);
+        let (share, missed) = missed_places(solid, &filling.sample, &places);
+        if share > FEW {
+            self.note_missed(share, &missed, notes);
+            places.extend(missed.iter().map(|place| place.at));
+        }
+        Ok((filling, places))
+    }
+
+    /// Says which parts no particle is in, thinner than a layer that runs beside them.
+    fn note_missed(self, share: f64, missed: &[MissedPlace], notes: &mut Vec<Note>) {
+        let apart = missed.len().div_ceil(MEASURED).max(1);
+        let chosen: Vec<MissedPlace> = missed.iter().step_by(apart).copied().collect();
+        let mut thicknesses = self.solid.thickness_below(&chosen);
+        thicknesses.sort_by(f64::total_cmp);
+        // Rims and tips are thinner than what they are the rims of.
+        let thickness = thicknesses.get(thicknesses.len() / 4).copied().filter(|thickness| *thickness > 0.0);
+        let remedy = match thickness.map(|thickness| 0.5 * thickness) {
+            Some(spacing) if f64::from(self.solid.particles_at(spacing)) <= MAX_PARTICLES as f64 => {
+                self.two_layers(spacing)
+            }
+            Some(_) => "two layers would take more particles than are allowed; give them more thickness".to_owned(),
+            None => "give them more thickness".to_owned(),
+        };
+        let at = missed.first().map(|place| place.at.to_array()).unwrap_or_default();
+        let text = format!(
+            "{:.0} % of the surface lies in parts so thin that no particle is in them (the first at {at:.4?} m), so that \
+             there is nothing to move those by themselves: {remedy}",
+            (100.0 * share).max(1.0),
+        );
+        notes.push(Note { path: self.shape_path(), text, warning: true });
+    }
+
+    /// Pointer to the shape.
+    fn shape_path(self) -> String {
+        format!("{}/{}", self.path, self.blamed.trim_end_matches("/path"))
     }
 
     /// Pointer to what decides how finely it is filled.
@@ -102,7 +145,7 @@ impl Meshed<'_> {
     }
 
     fn note(self, filling: &Filling, notes: &mut Vec<Note>, progress: &mut Progress<'_>) -> Result<(), BakeError> {
-        let Self { body, particles, solid, path, blamed } = self;
+        let Self { body, particles, solid, .. } = self;
         let mut note = |path: String, warning: bool, text: String| notes.push(Note { path, text, warning });
         let reach = body.material.spacing_ratio.recip();
         let spacing = filling.sample.spacing;
@@ -128,7 +171,7 @@ impl Meshed<'_> {
             };
         }
         let lost = filling.pruned;
-        let shape = format!("{path}/{}", blamed.trim_end_matches("/path"));
+        let shape = self.shape_path();
         if is_lost {
             let at = filling.left_out.first().copied().unwrap_or_default().to_array();
             let text = format!(

@@ -7,8 +7,9 @@ use super::section_notes::{Thinnest, radius_note, section_notes};
 use super::stage::{BakeStage, Tell};
 use super::voids::Hollowing;
 use crate::geometry::askew_box::AskewBox;
-use crate::geometry::cell_shares::{CellShares, cell_shares};
+use crate::geometry::cell_shares::cell_shares;
 use crate::geometry::clip::DrawnSurface;
+use crate::geometry::filling::CellShares;
 use crate::geometry::hollows::Hollows;
 use crate::geometry::kernel::Kernel;
 use crate::geometry::lattice::{Cuboid, LatticeSample, fill_box_unless};
@@ -39,7 +40,7 @@ pub(super) struct ParticleSampling<'a> {
     pub(super) size: DVec3,
     /// Particles in parts of hardly more than one layer, where that is said.
     pub(super) thin: Vec<u32>,
-    /// Places of the lattice inside that were left out as nothing would hold a particle there, where that is said [m].
+    /// Places that have no particles, as they lie in parts too thin for any, where that is said [m].
     pub(super) left_out: Vec<DVec3>,
     /// What each particle stands for; a whole cell where nothing is said.
     pub(super) shares: Option<CellShares>,
@@ -92,10 +93,10 @@ pub(super) fn sample_particles<'a>(
             let mut told =
                 |done, of| if filled(done, of).is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
             let meshed = Meshed { body, particles: shape.particles, solid, path, blamed: "shape/mesh/path" };
-            let mut filling = meshed.filled(notes, &mut told)?;
+            let (mut filling, left_out) = meshed.filled(notes, &mut told)?;
             ParticleSampling {
                 thin: Meshed::thin_places(&mut filling),
-                left_out: Meshed::lost_places(&mut filling),
+                left_out,
                 whole: filling.sample.points.len(),
                 hollows: Hollows::default(),
                 shares: filling.shares,
@@ -183,10 +184,11 @@ fn fill_round_shape<'a>(
     let mut model = Model::default();
     model.add(MeshData { positions: surface.positions, triangles: surface.triangles, ..MeshData::default() });
     let solid = Solid::new(&model).map_err(|_| empty())?;
-    let mut filling = Meshed { body, particles: None, solid: &solid, path, blamed: "shape" }.filled(notes, told)?;
+    let meshed = Meshed { body, particles: None, solid: &solid, path, blamed: "shape" };
+    let (mut filling, left_out) = meshed.filled(notes, told)?;
     Ok(ParticleSampling {
         thin: Meshed::thin_places(&mut filling),
-        left_out: Meshed::lost_places(&mut filling),
+        left_out,
         whole: filling.sample.points.len(),
         hollows: Hollows::default(),
         shares: filling.shares,

@@ -1,7 +1,7 @@
 //! What is said of how a body's sections come out.
 
 use super::note::Note;
-use crate::geometry::cell_shares::CellShares;
+use crate::geometry::filling::CellShares;
 use crate::geometry::lattice::LatticeSample;
 use crate::scene::Body;
 use glam::DVec3;

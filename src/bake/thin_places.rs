@@ -12,7 +12,7 @@ pub struct ThinPlaces {
     /// Particles in parts of hardly more than one layer, which bend too easily; none where there are so few that it is
     /// not said.
     pub particles: Vec<u32>,
-    /// Places of the lattice in parts of less than one, which have no particles: those around carry them.
+    /// Places in parts of less than one, which have no particles: those around carry them.
     left_out: Option<Arc<Skin>>,
 }
 

@@ -1,6 +1,7 @@
 //! How much of a shape each particle of a lattice in it stands for: one at a surface seldom stands for a whole cell.
 
 use super::cell_map::CellMap;
+use super::filling::CellShares;
 use super::lattice_fit::{FittedLattice, OWN_MOMENT, Target};
 use super::moments::Moments;
 use super::scanlines::Scanlines;
@@ -8,17 +9,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use glam::{DMat3, DVec3, IVec3};
 use rayon::prelude::*;
-use std::array::from_fn;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// What particles stand for, in cells.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct CellShares {
-    /// Volume of the shape that is nearest to each particle; all of them are the shape's.
-    pub(crate) volumes: Vec<f64>,
-    /// Volume that each counts as when it resists, by which the second moments of the whole are the shape's, too.
-    pub(crate) stiffness: Vec<f64>,
-}
 
 /// Rows through an eighth of a cell, the others being their images, and where there are so many particles that each
 /// weighs little, or that more faces than this would have to be looked at.
@@ -295,20 +286,6 @@ fn fitted(lattice: &FittedLattice, cells: &[IVec3], volumes: &[f64], whole: &Mom
 
 /// Keeps what the particles cannot tell apart, as two layers cannot a square from a constant, from having a part.
 const RIDGE: f64 = 1e-6;
-
-impl CellShares {
-    /// Those of the particles that are kept.
-    pub(crate) fn chosen(&self, kept: &[u32]) -> Self {
-        let of = |shares: &[f64]| kept.iter().map(|&i| shares[i as usize]).collect();
-        Self { volumes: of(&self.volumes), stiffness: of(&self.stiffness) }
-    }
-
-    /// Least and greatest volume.
-    pub(crate) fn range(&self) -> [f64; 2] {
-        let volumes = || self.volumes.iter().copied();
-        from_fn(|k| if k == 0 { volumes().fold(f64::INFINITY, f64::min) } else { volumes().fold(0.0, f64::max) })
-    }
-}
 
 #[cfg(test)]
 mod tests {

@@ -4,7 +4,8 @@
 //! A section three or four spacings wide holds 0.88 to 1.18 of its area depending on where the lattice falls. Geometry
 //! dominates every other error there, so the search is worth its time.
 
-use super::placement::{Filling, LatticePlacement, collect, looked_at, placements, prune, with_shares};
+use super::filling::{Filling, KnownFilling};
+use super::placement::{LatticePlacement, collect, looked_at, placements, prune, with_shares};
 use super::progress::Progress;
 use super::solid::Solid;
 use super::two_layers::{BOX_SHARE, FINER_TRIES, two_layer_spacing};
@@ -92,10 +93,11 @@ const MOST_LAYERS: f64 = 1e8;
 const MOST_PRUNED: f64 = 0.05;
 
 /// Rows after which no further spacing is tried, for a closed surface and for one with holes, of which each takes far
-/// longer; and for a closed one faces that were looked at, a row counting as so many.
+/// longer; and faces that were looked at, a row and a winding number counting as so many.
 const MOST_ROWS: usize = 1_000_000;
 const MOST_LOOKS: f64 = 16e6;
 const LOOKS_A_ROW: f64 = 8.0;
+const LOOKS_A_WINDING: f64 = 200.0;
 const MOST_OPEN_ROWS: usize = 20_000;
 
 /// Fills a solid with at most `limit` particles. `reach` is the support radius over the spacing, h / D: it decides
@@ -139,6 +141,12 @@ pub(crate) fn fill_with_progress(
     limit: usize,
     progress: &mut Progress<'_>,
 ) -> Result<Filling, FillError> {
+    if let Some(known) = known(solid, resolution, reach, limit) {
+        return match progress(LATTICES, LATTICES) {
+            ControlFlow::Continue(()) => Ok(known.clone()),
+            ControlFlow::Break(()) => Err(FillError::Cancelled),
+        };
+    }
     let spacing = match resolution {
         FillResolution::Spacing(spacing) => spacing,
         FillResolution::Particles(count) => (solid.volume / f64::from(count.max(1))).cbrt(),
@@ -174,6 +182,29 @@ pub(crate) fn fill_with_progress(
     }
 }
 
+/// The filling that was found while it was looked how finely a solid is filled, where the same is asked for.
+fn known(solid: &Solid, resolution: FillResolution, reach: f64, limit: usize) -> Option<&Filling> {
+    let known = solid.known_filling.get()?;
+    let is_same =
+        resolution == FillResolution::Particles(known.particles) && (known.reach, known.limit) == (reach, limit);
+    is_same.then_some(&known.filling)
+}
+
+/// [`fill_with_progress`] with so many particles, kept with the solid for whoever asks for the same, and what is wrong
+/// where it cannot be filled so.
+///
+/// # Errors
+/// As [`fill_with_progress`].
+pub(crate) fn try_filling(
+    solid: &Solid,
+    (particles, reach, limit): (u32, f64, usize),
+    progress: &mut Progress<'_>,
+) -> Result<(), FillError> {
+    let filling = fill_with_progress(solid, FillResolution::Particles(particles), reach, limit, progress)?;
+    solid.known_filling.get_or_init(|| KnownFilling { particles, reach, limit, filling });
+    Ok(())
+}
+
 /// Whether there are few enough lattice points to be looked at.
 fn check_size(solid: &Solid, spacing: f64, limit: f64) -> Result<(), FillError> {
     let particles = solid.volume / spacing.powi(3);
@@ -205,7 +236,7 @@ fn candidates(
     let mut candidates: Vec<(f64, LatticePlacement)> = Vec::new();
     let mut rows = 0;
     let (good, most_rows) = if solid.report.closed { (GOOD, MOST_ROWS) } else { (GOOD_ENOUGH, MOST_OPEN_ROWS) };
-    let looks_a_row = LOOKS_A_ROW + solid.faces_a_row();
+    let looks_a_row = LOOKS_A_ROW + solid.faces_a_row() + LOOKS_A_WINDING * solid.windings_a_row();
     for k in 0..=2 * STEPS {
         tried.reach(k as usize)?;
         // 0, +1, -1, +2, -2, ... steps away.

@@ -1,6 +1,6 @@
 //! How many particles a solid takes so that its thin parts have two layers of them.
 
-use super::fill::{FillError, FillResolution, fill_with_progress};
+use super::fill::{FillError, try_filling};
 use super::progress::Progress;
 use super::solid::Solid;
 use glam::DVec3;
@@ -77,7 +77,7 @@ pub(crate) fn by_itself_unless(solid: &Solid, reach: f64, progress: &mut Progres
     if found.given_up.is_none() {
         return ControlFlow::Continue(found);
     }
-    match fill_with_progress(solid, FillResolution::Particles(found.particles), reach, MOST, progress) {
+    match try_filling(solid, (found.particles, reach, MOST), progress) {
         Err(FillError::Cancelled) => ControlFlow::Break(()),
         Err(FillError::TooThin { suggested: Some(spacing), .. }) if solid.particles_at(spacing) <= MOST_FORCED => {
             ControlFlow::Continue(Fineness { particles: solid.particles_at(spacing), is_forced: true, ..found })
@@ -122,7 +122,7 @@ impl fmt::Display for ThinParts {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::fill::fill;
+    use crate::geometry::fill::{FillResolution, fill};
     use crate::geometry::lattice::Cuboid;
     use crate::geometry::mesh::box_surface;
     use crate::geometry::model::{MeshData, Model};
@@ -154,6 +154,22 @@ mod tests {
         let given_up = fineness(&plate(0.002), [800, 3000, 10_000]).given_up.expect("too thin");
         assert!(given_up.share > 0.97 && (given_up.thickness - 0.002).abs() < 1e-6, "{given_up:?}");
         assert!((given_up.wanted / 14_000.0 - 1.0).abs() < 0.01, "{given_up:?}");
+    }
+
+    #[test]
+    fn what_is_filled_to_look_at_it_is_not_filled_twice() {
+        let solid = plate(0.000_8);
+        let found = by_itself(&solid, 2.5);
+        assert!(found.given_up.is_some() && !found.is_forced, "{found:?}");
+        let known = solid.known_filling.get().expect("it was filled").filling.clone();
+        let asked =
+            |particles, reach| fill(&solid, FillResolution::Particles(particles), reach, MOST).expect("a filling");
+        assert_eq!(asked(found.particles, 2.5), known);
+        // It is what filling it anew gives, and what is asked for otherwise is filled otherwise.
+        let anew = fill(&plate(0.000_8), FillResolution::Particles(found.particles), 2.5, MOST).expect("a filling");
+        assert_eq!(anew, known);
+        let more = asked(2 * found.particles, 2.5).sample.points.len();
+        assert!(more > 3 * known.sample.points.len() / 2, "{more}");
     }
 
     #[test]

@@ -61,6 +61,8 @@ pub(crate) struct OpenRow {
     pub doubtful: f64,
     /// Crossings of the surface with its caps, in order.
     pub crossings: Vec<(f64, i32)>,
+    /// How many winding numbers were looked at.
+    pub looks: u32,
 }
 
 /// Steps along the diagonal in which the rows are looked at.
@@ -146,7 +148,7 @@ impl OpenSurface {
 
     fn look(&self, row: [f64; 2]) -> OpenRow {
         let crossings = crossings(&self.points, &self.capped, &self.capped_index, row);
-        let mut found = OpenRow { inside: Vec::new(), doubtful: 0.0, crossings };
+        let mut found = OpenRow { inside: Vec::new(), doubtful: 0.0, crossings, looks: 0 };
         let [from, to] = self.bounds.map(|corner| corner.x);
         let mut ends = vec![(from, 0)];
         ends.extend(found.crossings.iter().map(|&(x, step)| (x.clamp(from, to), step)));
@@ -182,6 +184,7 @@ impl OpenSurface {
             let look = if count > 3.0 && self.holes_take([x - 0.5 * length, x + 0.5 * length], [y, z]) < DOUBT {
                 Look { x, value: f64::from(depth) - 0.5, is_rough: false }
             } else {
+                found.looks += 1;
                 let value = about(x);
                 if value.abs() > ROUGH && (value.abs() - DOUBT).abs() > ROUGH {
                     Look { x, value, is_rough: true }

@@ -30,6 +30,8 @@ struct CountedRow {
     doubtful: f64,
     /// Whether any of it lies inside more than one piece, or in a cavity of none.
     overlaps: bool,
+    /// Winding numbers that were looked at.
+    looks: u32,
 }
 
 /// What was measured along rows.
@@ -40,6 +42,8 @@ pub(crate) struct Measured {
     pub shared: f64,
     /// Volume where inside and outside are not clearly told apart [m³].
     pub doubtful: f64,
+    /// Winding numbers that were looked at for a row, on average.
+    pub looks_a_row: f64,
 }
 
 /// Rows after which it is asked whether to go on.
@@ -122,7 +126,8 @@ impl Inside {
         let differs = sums.overlaps || !self.open.is_empty();
         // Without any overlap the two differ by round-off only.
         let shared = if differs { sums.turned - sums.inside } else { 0.0 };
-        ControlFlow::Continue(Measured { shared, doubtful: sums.doubtful })
+        let looks_a_row = f64::from(sums.looks) / rows.max(1) as f64;
+        ControlFlow::Continue(Measured { shared, doubtful: sums.doubtful, looks_a_row })
     }
 
     /// Sums over rows that are spread evenly over a box.
@@ -145,6 +150,7 @@ impl Inside {
             turned: sum.turned + area * row.turned,
             doubtful: sum.doubtful + area * row.doubtful,
             overlaps: sum.overlaps || row.overlaps,
+            looks: sum.looks + row.looks,
         });
         ControlFlow::Continue(sums)
     }
@@ -169,6 +175,7 @@ impl Inside {
             let row = open.row(row);
             turn(&row.crossings);
             counted.doubtful += row.doubtful;
+            counted.looks += row.looks;
             inside = joined(inside, row.inside);
         }
         for [a, b] in inside {

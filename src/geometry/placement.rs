@@ -1,36 +1,22 @@
 //! A lattice placed in a solid: which of its points lie inside, and which of those others hold.
 
-use super::cell_shares::{CellShares, cell_shares};
+use super::cell_shares::cell_shares;
+use super::filling::Filling;
 use super::lattice::LatticeSample;
 use super::lattice_fit::FittedLattice;
 use super::solid::Solid;
-use super::thinness::{Thinness, thinness};
+use super::thinness::thinness;
 use glam::{DMat3, DVec3, IVec3, Vec3Swizzles};
 use rayon::prelude::*;
 use std::ops::{ControlFlow, RangeInclusive};
 
-/// A filled solid.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Filling {
-    /// The particles.
-    pub sample: LatticeSample,
-    /// Particles' volume over the solid's, minus one.
-    pub volume_error: f64,
-    /// Particles in parts of one layer, and of two.
-    pub thinness: Thinness,
-    /// Lattice points inside that were left out because too few others are around them to hold them.
-    pub pruned: usize,
-    /// Those [m].
-    pub(crate) left_out: Vec<DVec3>,
-    /// What each particle stands for; a whole cell where nothing is said.
-    pub(crate) shares: Option<CellShares>,
-}
-
 /// Quarters of the spacing by which the lattice is moved along each axis.
 const SHIFTS: i32 = 4;
 
-/// Rows through a surface with holes from which on the lattice is moved along them only.
+/// Rows through a surface with holes, and winding numbers that are looked at along them, from which on the lattice is
+/// moved along them only.
 const MANY_OPEN_ROWS: f64 = 3000.0;
+const MANY_WINDINGS: f64 = 20_000.0;
 
 /// A lattice: its spacing [m] and the position of one of its points [m].
 #[derive(Clone, Copy, Debug)]
@@ -102,7 +88,7 @@ pub(crate) fn placements(solid: &Solid, spacing: f64) -> (Vec<Counted>, usize) {
     let rows: f64 = solid.boxes().map(|[min, max]| (max - min) / spacing + 1.0).map(|rows| rows.y * rows.z).sum();
     let (shifts, quarters) = match solid.report.closed {
         true => (SHIFTS, 1),
-        false if rows < MANY_OPEN_ROWS => (SHIFTS / 2, 2),
+        false if rows < MANY_OPEN_ROWS && rows * solid.windings_a_row() < MANY_WINDINGS => (SHIFTS / 2, 2),
         false => (1, 0),
     };
     let found: Vec<(Vec<Counted>, usize)> = (0..shifts * shifts)

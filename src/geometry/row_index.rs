@@ -22,6 +22,8 @@ pub(crate) struct RowIndex {
     longest: Vec<f64>,
     /// Least and greatest corner of every face [m]: what tells of most of them that a row passes them by.
     bounds: Vec<[DVec2; 2]>,
+    /// Faces that lie in a cell with any, on average, those along the rows included.
+    faces_a_row: f64,
 }
 
 /// Share of the extent by which faces are taken for wider: round-off in the test of a row against an edge is far less.
@@ -52,6 +54,13 @@ impl Seen {
         let is_flat = area.abs() <= WIDER * (b - a).length() * (c - a).length();
         let turn = if is_flat { 0.0 } else { area.signum() };
         Self { corners, min: a.min(b).min(c) - wider, max: a.max(b).max(c) + wider, turn }
+    }
+
+    /// Whether it lies in a plane along two axes of which one is that of the rows: the test of a row against its edges
+    /// then never has it on one side of them all, and no row meets it.
+    fn is_along_rows(&self) -> bool {
+        let [a, b, c] = self.corners;
+        (a.x == b.x && b.x == c.x) || (a.y == b.y && b.y == c.y)
     }
 
     /// Whether it lies beside a box with this middle and half these extents: on the outer side of one of its edges.
@@ -113,6 +122,7 @@ impl RowIndex {
         // A little more than half a cell: round-off decides which one a row on the border looks into.
         let half = 0.500_1 * width;
         let mut entries: Vec<[u32; 2]> = Vec::with_capacity(2 * seen.len());
+        let (mut lie_in, mut is_used) = (0_u32, vec![false; self.cells[0] * self.cells[1]]);
         let mut order: Vec<u32> = (0..seen.len() as u32).collect();
         if !self.spans.is_empty() {
             order.sort_by(|&a, &b| self.spans[a as usize][0].total_cmp(&self.spans[b as usize][0]));
@@ -122,10 +132,15 @@ impl RowIndex {
             for [y, z] in self.covered(seen) {
                 let middle = self.min + width * DVec2::new(y as f64 + 0.5, z as f64 + 0.5);
                 if seen.turn == 0.0 || !seen.is_beside(middle, half) {
-                    entries.push([(z * self.cells[0] + y) as u32, face]);
+                    let cell = z * self.cells[0] + y;
+                    (lie_in, is_used[cell]) = (lie_in + 1, true);
+                    if !seen.is_along_rows() {
+                        entries.push([cell as u32, face]);
+                    }
                 }
             }
         }
+        self.faces_a_row = f64::from(lie_in) / is_used.iter().filter(|&&used| used).count().max(1) as f64;
         let mut starts = vec![0; self.cells[0] * self.cells[1] + 1];
         for [cell, _] in &entries {
             starts[*cell as usize + 1] += 1;
@@ -150,8 +165,7 @@ impl RowIndex {
 
     /// Faces that a row looks at, on average over the rows that look at any.
     pub(crate) fn faces_a_row(&self) -> f64 {
-        let used = self.starts.windows(2).filter(|pair| pair[0] < pair[1]).count();
-        self.faces.len() as f64 / used.max(1) as f64
+        self.faces_a_row
     }
 
     fn cell(&self, at: DVec2) -> [usize; 2] {
@@ -213,15 +227,23 @@ impl RowIndex {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DMat3;
 
     #[test]
-    fn flat_faces_are_found_too() {
-        let points = |by: DVec3| [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE].map(|point| by * point).to_vec();
-        for by in [DVec3::new(1.0, 1.0, 0.0), DVec3::X, DVec3::ZERO] {
+    fn flat_faces_are_found_but_for_those_along_rows() {
+        let points = |by: DMat3| [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE].map(|point| by * point).to_vec();
+        let along = |by: DVec3| DMat3::from_diagonal(by);
+        let aslant = DMat3::from_cols(DVec3::X, DVec3::new(0.0, 1.0, 1.0), DVec3::ZERO);
+        let nothing = |by| (along(by), false);
+        for (by, is_found) in
+            [(aslant, true), nothing(DVec3::new(1.0, 1.0, 0.0)), nothing(DVec3::X), nothing(DVec3::ZERO)]
+        {
             let index = RowIndex::new(&points(by), &[[0, 1, 2], [1, 2, 3]]);
             let mut found = Vec::new();
             index.visit([0.0, 0.0], |face| found.push(face));
-            assert!(found.contains(&0), "{by}: {found:?}");
+            assert_eq!(found.contains(&0), is_found, "{by}: {found:?}");
+            // They count for what a row costs all the same.
+            assert!(index.faces_a_row() > 0.0, "{by}");
         }
     }
 

@@ -4,6 +4,7 @@ use super::bvh::Bvh;
 use super::cluster::{Cluster, clusters};
 use super::crossing::crossing_pairs_unless;
 use super::edges::{Edges, count_loops};
+use super::filling::KnownFilling;
 use super::holes::OpenSurface;
 use super::inside::Inside;
 use super::model::Model;
@@ -36,8 +37,12 @@ pub struct Solid {
     /// Groups of pieces whose boxes touch.
     clusters: Vec<Cluster>,
     inside: Inside,
+    /// Winding numbers that are looked at for a row, on average over the group that takes most of them.
+    looks_a_row: f64,
     /// How thick it is, where that was asked.
     pub(super) known_thickness: OnceLock<Thickness>,
+    /// What it was filled with to see whether that does.
+    pub(super) known_filling: OnceLock<KnownFilling>,
 }
 
 /// Coordinates beyond this are taken for damage [m]: their cubes, and sums of those, must stay far from the greatest
@@ -151,8 +156,21 @@ impl Solid {
         steps.reach(6)?;
         let clusters = clusters(&oriented.pieces, |_| true);
         let inside = inside(&surface, &oriented, sorted.open);
-        let mut this =
-            Self { model, surface, report, min, max, volume: 0.0, clusters, inside, known_thickness: OnceLock::new() };
+        let (known_thickness, known_filling) = (OnceLock::new(), OnceLock::new());
+        let (volume, looks_a_row) = (0.0, 0.0);
+        let mut this = Self {
+            model,
+            surface,
+            report,
+            min,
+            max,
+            volume,
+            clusters,
+            inside,
+            looks_a_row,
+            known_thickness,
+            known_filling,
+        };
         steps.reach(7)?;
         this.measure(&oriented, &crowded, &mut || steps.ask())?;
         this.inside.forget();
@@ -178,6 +196,11 @@ impl Solid {
     /// Faces that are looked at for a row, on average.
     pub(crate) fn faces_a_row(&self) -> f64 {
         self.inside.faces_a_row()
+    }
+
+    /// Winding numbers that are looked at for a row beside holes, on average.
+    pub(crate) fn windings_a_row(&self) -> f64 {
+        self.looks_a_row
     }
 
     /// Whether a point lies inside.
@@ -217,7 +240,7 @@ impl Solid {
         let faces =
             |cluster: &Cluster| cluster.pieces.iter().map(|&index| pieces[index].faces.len() as f64).sum::<f64>();
         let measured: f64 = self.clusters.iter().filter(|cluster| may_share(cluster)).map(faces).sum();
-        let (mut volume, mut shared) = (0.0, 0.0);
+        let (mut volume, mut shared, mut looks_a_row) = (0.0, 0.0, 0.0_f64);
         for cluster in &self.clusters {
             let bounds = [cluster.min, cluster.max];
             let closed = cluster.pieces.iter().filter(|&&index| pieces[index].closed);
@@ -230,6 +253,7 @@ impl Solid {
                 let most = if is_open { LEAST_ROWS } else { ROWS * faces(cluster) / measured };
                 let rows = (ROWS_EACH * faces(cluster)).min(most).max(LEAST_ROWS);
                 let found = self.inside.measure(points, bounds, rows as usize, go_on)?;
+                looks_a_row = looks_a_row.max(found.looks_a_row);
                 let caps = self.inside.capped_volume(bounds);
                 if found.shared != 0.0 || caps != 0.0 {
                     all = (all + caps - found.shared).min((cluster.max - cluster.min).element_product());
@@ -238,7 +262,7 @@ impl Solid {
             }
             volume += all;
         }
-        self.volume = volume;
+        (self.volume, self.looks_a_row) = (volume, looks_a_row);
         if self.report.closed {
             self.report.shared = shared / volume;
         }

@@ -7,6 +7,7 @@
 
 use super::bvh::Bvh;
 use super::inside::spread;
+use super::missed::MissedPlace;
 use super::nearest::nearest_face_by;
 use super::slabs::Slabs;
 use super::solid::Solid;
@@ -32,6 +33,21 @@ impl Solid {
     /// How thick it is, looked at once.
     pub(crate) fn thickness(&self) -> &Thickness {
         self.known_thickness.get_or_init(|| looked_at(self))
+    }
+
+    /// How thick it is below a place of its surface, straight inwards [m]; none where the way out runs through a hole.
+    pub(crate) fn thickness_below(&self, places: &[MissedPlace]) -> Vec<f64> {
+        if places.is_empty() {
+            return Vec::new();
+        }
+        let surface = Surface::of(self);
+        let inside = BEYOND * self.size().length();
+        let below = |place: &MissedPlace| {
+            let point = place.at - inside * place.outwards;
+            let from = Inner { point, turns: self.turns_around(point), near: f64::INFINITY };
+            surface.leaves(&from, -place.outwards).map(|way| way + inside)
+        };
+        places.par_iter().filter_map(below).collect()
     }
 }
 

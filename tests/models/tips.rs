@@ -1,6 +1,6 @@
 //! Skins where particles are few beside the surface: tips, blades, needles, teeth, dents, and points far outside.
 
-use crate::shapes::{blocks, lathe, single, solid, sphere};
+use crate::shapes::{blocks, joined, lathe, single, solid, sphere};
 use glam::{DMat3, DVec3};
 use sinew::bake::bake;
 use sinew::draw::{Display, Subject, Theme, draw};
@@ -313,7 +313,10 @@ fn what_no_particle_fills_is_said_and_shown_where_it_is() {
         let body = Body::from_mesh("spiked", MeshShape::new("spiked").with_particles(count))
             .with_material(Material::new(1e5, 0.33, 1000.0));
         let Ok(baked) = bake(&Scene::new("thin").with_body(body), &assets) else { continue };
-        let is_told = |text: &str| text.contains("in parts less than one layer thick were left out (the first at [");
+        let is_told = |text: &str| {
+            text.contains("in parts less than one layer thick were left out (the first at [")
+                || text.contains("in parts so thin that no particle is in them (the first at [")
+        };
         let told = baked.notes.iter().any(|note| note.warning && is_told(&note.text));
         let particles = &baked.world.bodies()[0].state().positions;
         let by = DVec3::new(3.0, -1.0, 7.0);
@@ -325,4 +328,53 @@ fn what_no_particle_fills_is_said_and_shown_where_it_is() {
         said += usize::from(told);
     }
     assert!(said > 0);
+}
+
+/// A ball with a fin far thinner than the lattice, which runs beside it.
+fn finned(thickness: f64) -> Model {
+    let fin = blocks(&[0.5, 1.5, 2.2], &[0.11, 0.11 + thickness], &[-0.6, 0.0, 0.6], |_| true);
+    joined(&[&sphere(24, 1.0), &fin])
+}
+
+#[test]
+fn a_fin_between_two_layers_is_said_and_shown_and_a_thick_one_is_not() {
+    for (thickness, is_missed) in [(0.01, true), (0.02, true), (0.6, false)] {
+        let model = finned(thickness);
+        let mut assets = Assets::default();
+        let mesh = TriangleMesh { positions: model.positions, triangles: model.triangles };
+        assets.insert_mesh("finned", &mesh).expect("a solid");
+        for count in [300, 800, 2000, 3000] {
+            let body = Body::from_mesh("finned", MeshShape::new("finned").with_particles(count))
+                .with_material(Material::new(1e5, 0.33, 1000.0));
+            let baked = bake(&Scene::new("fin").with_body(body), &assets).expect("a body");
+            let particles = &baked.world.bodies()[0].state().positions;
+            let places = baked.thin[0].places(particles, 300);
+            let warnings: Vec<&str> =
+                baked.notes.iter().filter(|note| note.warning).map(|note| note.text.as_str()).collect();
+            let on_fin = places.iter().filter(|place| place.x > 1.2).count();
+            assert_eq!(on_fin > 20, is_missed, "{thickness} m, {count}: {on_fin} of {}, {warnings:?}", places.len());
+            assert!(places.iter().all(|place| place.length() > 0.95), "{thickness} m, {count}: {places:?}");
+            let told = warnings.iter().any(|text| text.contains("particle") && text.contains("the first at ["));
+            assert_eq!(told, is_missed, "{thickness} m, {count}: {warnings:?}");
+        }
+    }
+}
+
+#[test]
+fn what_gives_a_fin_two_layers_is_said_and_does() {
+    let model = finned(0.04);
+    let mut assets = Assets::default();
+    let mesh = TriangleMesh { positions: model.positions, triangles: model.triangles };
+    assets.insert_mesh("finned", &mesh).expect("a solid");
+    let noted = |count: u32| {
+        let body = Body::from_mesh("finned", MeshShape::new("finned").with_particles(count))
+            .with_material(Material::new(1e5, 0.33, 1000.0));
+        let notes = bake(&Scene::new("fin").with_body(body), &assets).expect("a body").notes;
+        notes.into_iter().find(|note| note.text.contains("no particle is in them")).map(|note| note.text)
+    };
+    let said = noted(800).expect("no particle is in it");
+    let asked = said.split("about ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a number");
+    let wanted: f64 = asked.parse().expect("a number");
+    // Two layers in 0.04 m of a ball of 4.2 m³ are as many.
+    assert!((wanted * 0.02_f64.powi(3) / 4.25 - 1.0).abs() < 0.03, "{said}");
 }

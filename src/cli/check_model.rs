@@ -82,7 +82,12 @@ pub(super) fn check_model(path: &Path, options: &ModelOptions, console: &mut Con
         console.say(if finding.warning { "warning" } else { "note" }, &finding);
     }
     if let Some(thin) = by_itself.said() {
-        console.say("warning", &format!("opened by itself it gets {} particles; {thin}", by_itself.particles));
+        let count = by_itself.particles;
+        let opened = match fill(&solid, FillResolution::Particles(count), REACH, MAX_PARTICLES) {
+            Ok(_) => format!("opened by itself it gets {count} particles; {thin}"),
+            Err(error) => format!("opened by itself with {count} particles it is refused: {error}"),
+        };
+        console.say("warning", &opened);
     }
     console.print(&format!("{}\n{}\n{}", contents(&solid, path), parts(&solid).render(), particles.render()))?;
     Ok(Outcome::Done)

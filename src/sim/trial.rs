@@ -35,6 +35,8 @@ pub struct Trial {
     outside: Outside,
     /// What was done from outside so far [J].
     work: f64,
+    /// What of that cannot be told, since a step is too long for what moves the pins [J].
+    untold: f64,
     /// The least that the energy less that work ever was [J].
     lowest: f64,
     /// The most energy that was handled so far [J], what was gained left out.
@@ -61,6 +63,7 @@ impl Trial {
             least,
             outside,
             work: 0.0,
+            untold: 0.0,
             lowest: 0.0,
             handled: 0.0,
             gained: 0.0,
@@ -78,15 +81,17 @@ impl Trial {
         if self.blew_up_at.is_some() {
             return;
         }
+        let from = self.world.time();
         self.world.advance_frame();
         let outside = Outside::of(&self.world);
+        self.untold += self.outside.untold_until(&outside, &self.world, from);
         self.work += self.outside.work_until(&outside, &self.world);
         self.outside = outside;
         let Look { balance, handled, size } = self.look();
         self.lowest = self.lowest.min(balance);
-        // What is lost to rounding is no gain; a motion that is no number has gained without end.
-        let risen = if balance.is_finite() { balance - self.lowest } else { f64::INFINITY };
-        let gained = (risen - ROUND_OFF * size).max(0.0);
+        // What is lost to rounding, or may be work, is no gain; a motion that is no number has gained without end.
+        let risen = balance - self.lowest - ROUND_OFF * size - self.untold;
+        let gained = if balance.is_finite() { risen.max(0.0) } else { f64::INFINITY };
         self.handled = self.handled.max(handled - gained);
         self.gained = self.gained.max(gained);
         if self.gained() > BLOWN_UP || self.world.divergence().is_some() {

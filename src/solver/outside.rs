@@ -24,6 +24,13 @@ impl Outside {
         Self { bodies: bodies.collect(), panels: panels.collect(), booked }
     }
 
+    /// What of the work on bodies [J] cannot be told from both ends of a step that began at `from` [s], since pins move
+    /// them otherwise in between than evenly; next to nothing where steps are short against what moves the pins.
+    pub(crate) fn untold_until(&self, now: &Self, world: &World, from: f64) -> f64 {
+        let bodies = self.bodies.iter().zip(&now.bodies).zip(world.bodies());
+        bodies.map(|((before, now), body)| before.untold_until(now, body, [from, world.time()])).sum()
+    }
+
     /// The work done [J] from then until `now`, by the mean of the forces at both ends: that on the bodies, and what
     /// driven panels and colliders did.
     pub(crate) fn work_until(&self, now: &Self, world: &World) -> f64 {

@@ -5,6 +5,9 @@ use super::constraint::{PrescribedMotion, held};
 use super::forces::Force;
 use glam::DVec3;
 
+/// Parts of a step between which it is looked where pins hold what they hold.
+const SEEN_BETWEEN: u8 = 4;
+
 /// A body as far as it is held or pushed from outside, at one time.
 #[derive(Clone, Debug, Default)]
 pub(super) struct OutsideBody {
@@ -74,6 +77,32 @@ impl OutsideBody {
         done.work +=
             self.pushed.iter().zip(&now.pushed).map(|([x, f], [y, g])| 0.5 * (*f + *g).dot(*y - *x)).sum::<f64>();
         done
+    }
+
+    /// What of the work [J] on what pins hold cannot be told from both ends of a step, the times [s] of which are
+    /// given, since they move it otherwise in between than evenly: the forces at the ends times how far off it is.
+    pub(super) fn untold_until(&self, now: &Self, body: &Body, [from, to]: [f64; 2]) -> f64 {
+        if !is_moved(body) {
+            return 0.0;
+        }
+        let constraints = &body.parts().constraints;
+        let axes = held(constraints, body.state().len());
+        let mut off = vec![0.0_f64; self.held.len()];
+        let mut between = body.state().clone();
+        for k in 1..SEEN_BETWEEN {
+            let share = f64::from(k) / f64::from(SEEN_BETWEEN);
+            for constraint in constraints {
+                constraint.apply(from + share * (to - from), &mut between);
+            }
+            let places = axes.iter().zip(&between.positions).filter(|(axes, _)| axes.any());
+            let ends = self.held.iter().zip(&now.held);
+            for ((off, (axes, place)), (a, b)) in off.iter_mut().zip(places).zip(ends) {
+                let place = DVec3::select(*axes, *place, DVec3::ZERO);
+                *off = off.max(place.distance(a.position.lerp(b.position, share)));
+            }
+        }
+        let forces = self.held.iter().zip(&now.held).map(|(a, b)| a.force.length() + b.force.length());
+        forces.zip(off).map(|(force, off)| force * off).sum()
     }
 }
 

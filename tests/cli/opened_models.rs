@@ -56,6 +56,22 @@ fn a_model_in_other_units_is_brought_to_a_hands_size_and_that_is_said() {
 }
 
 #[test]
+fn what_check_says_of_a_model_by_itself_is_what_running_it_comes_to() {
+    let desk = desk();
+    // One plate of which a layer holds together with more particles than are opened, and one for which they do.
+    for (thickness, is_refused) in [(2e-5, true), (2e-3, false)] {
+        let plate = block(1.0).replace("0.1\n", &format!("{thickness}\n"));
+        fs::write(desk.path("plate.obj"), plate).expect("the model is written");
+        let run = desk.run("simulate plate.obj --seconds 0");
+        assert_eq!(run.code, Some(if is_refused { 2 } else { 0 }), "{run:?}");
+        let checked = desk.run("check plate.obj");
+        assert_eq!(checked.code, Some(0), "{checked:?}");
+        assert_eq!(checked.err.contains("it is refused"), is_refused, "{}", checked.err);
+        assert!(is_refused || checked.err.contains("opened by itself it gets"), "{}", checked.err);
+    }
+}
+
+#[test]
 fn every_command_that_takes_a_scene_takes_a_model() {
     let desk = desk();
     for command in [

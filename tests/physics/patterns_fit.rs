@@ -161,16 +161,19 @@ fn patterns_that_act_hold_in_bodies_of_any_shape_and_move_them_their_way() {
             }
             let name = format!("{:?} {}", body.shape.size(), pattern.id);
             println!("{name}: {held} fibres, {found:.4?}");
-            assert!(held >= laid && discarded == 0, "{name}: {held} of {laid} fibres are left in it");
+            // Of a figure a layout may stick out however far in it goes: what sticks out is left off.
+            let is_figure = body.shape.size().is_none();
+            let is_whole = held >= laid && discarded == 0;
+            assert!(is_whole || (is_figure && held > 0), "{name}: {held} of {laid} fibres are left in it");
             // At the height of a swing, and where it is over: then those on the other side, if any, pull.
             let [pulled, over] = [found[0], found[1]];
-            // A figure's limbs swing on: of it no more is asked than that each pattern moves it.
-            let is_figure = body.shape.size().is_none();
+            // A figure's limbs swing on: of it no more is asked than that each pattern moves it, and then the other way.
             let has_others = matches!(pattern.id, "worm" | "tail" | "trunk" | "tentacle");
             let goes_back = match pattern.id {
                 // One arm after the other does.
                 "starfish" => true,
-                _ if is_figure => over.abs() < pulled.abs(),
+                _ if is_figure && has_others => over < 0.0,
+                _ if is_figure => over.abs() < 0.5 * pulled.abs(),
                 _ if has_others => over < -0.2 * pulled,
                 _ => over < 0.25 * pulled,
             };

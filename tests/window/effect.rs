@@ -2,7 +2,7 @@
 
 use super::{Window, click, press_key, still, until};
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 
 fn show(window: &mut Window) {
     click(window, "View");

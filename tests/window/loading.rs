@@ -1,9 +1,9 @@
 //! Models that take long: how far reading and filling have come is seen, and both end where they are not wanted.
 
 use super::editing::{drop_file, type_path};
-use super::{Window, click, click_on, still, until, until_seen};
-use egui::Event;
+use super::{Window, click, click_on, is_settled, still, until, until_seen};
 use egui::accesskit::Role;
+use egui::{Event, Shape};
 use egui_kittest::kittest::Queryable;
 use std::fmt::Write;
 use std::fs;
@@ -94,6 +94,46 @@ fn filling_a_model_tells_how_far_it_is_and_stops() {
         let bodies = &app.published().at_rest.bodies;
         bodies.len() == 1 && (150..250).contains(&bodies[0].particles.len())
     });
+}
+
+/// A block with a fin as thick as this [m], as a file has it.
+fn finned(thickness: f64) -> String {
+    let mut text = String::new();
+    let blocks = [([-0.05; 3], [0.05; 3]), ([0.03, 0.011, -0.04], [0.13, 0.011 + thickness, 0.04])];
+    for (min, max) in blocks {
+        for k in 0..8 {
+            let [x, y, z] = [0, 1, 2].map(|axis| if k >> axis & 1 == 0 { min[axis] } else { max[axis] });
+            writeln!(text, "v {x} {y} {z}").expect("a string takes it");
+        }
+    }
+    for first in [0, 8] {
+        for [a, b, c, d] in [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]] {
+            let face = [a, b, c, d].map(|corner| (corner + first).to_string()).join(" ");
+            writeln!(text, "f {face}").expect("a string takes it");
+        }
+    }
+    text
+}
+
+#[test]
+fn parts_too_thin_for_any_particle_are_said_and_marked() {
+    let scene = r#"{"version": 1, "gravity": [0, 0, 0], "room": {"floor": null}, "bodies": [{"id": "body",
+        "shape": {"mesh": {"path": "body.obj", "particles": 500}},
+        "material": {"young_modulus": 1e5, "mass": {"density": 1000}, "support_radius": 0.01}}]}"#;
+    for (thickness, is_thin) in [(0.001, true), (0.04, false)] {
+        let folder = folder("body.obj", &finned(thickness));
+        put(folder.path(), "scene.json", scene);
+        let mut window = still();
+        drop_file(&mut window, folder.path().join("scene.json"));
+        until(&mut window, |app| app.scene().bodies[0].id == "body" && is_settled(app));
+        window.run_steps(3);
+        let status = &window.state().published().status;
+        let said = status.notes.iter().any(|note| note.contains("(the first at ["));
+        assert_eq!([said, status.warns], [is_thin; 2], "{thickness} m: {:?}", status.notes);
+        let is_mark = |shape: &Shape| matches!(shape, Shape::Circle(of) if (of.radius, of.stroke.width) == (3.0, 1.0));
+        let marks = window.output().shapes.iter().filter(|shape| is_mark(&shape.shape)).count();
+        assert_eq!(marks > 20, is_thin, "{thickness} m: {marks} marks");
+    }
 }
 
 /// Asks for a model that bodies touch.

@@ -88,7 +88,12 @@ fn that_a_recording_is_as_long_as_it_may_be_is_said_once() {
     let folder = tempfile::tempdir().expect("a folder");
     let (mut autosaver, reports) = autosaver(folder.path());
     let scene = Scene { description: "x".repeat(2000), ..Scene::new("recorded") };
-    let worker = Worker::start(Arc::new(scene), Arc::default(), false, || {});
+    let (wake, woken) = channel();
+    let worker = Worker::start(Arc::new(scene), Arc::default(), false, move || wake.send(()).unwrap_or_default());
+    // Its journal begins anew where the scene has been put together.
+    while worker.take().is_none_or(|published| published.status.recording.frames == 0) {
+        woken.recv().expect("it starts");
+    }
     autosaver.recorder = Some((Recorder::new(worker.journal_tail(), Origin::default()), Instant::now()));
     autosaver.record();
     assert!(reports.try_recv().is_err(), "all of it is kept");

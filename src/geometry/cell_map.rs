@@ -1,11 +1,14 @@
 //! What lies in the cells of a lattice, found fast: a table that is asked millions of times.
 
 use glam::IVec3;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::hash::{BuildHasherDefault, Hasher};
 
 /// Values by cells. No input is to be feared here: the indices of cells are mixed by a multiplication each.
 pub(crate) type CellMap<V> = HashMap<IVec3, V, BuildHasherDefault<CellHasher>>;
+
+/// Cells, found as fast.
+pub(crate) type CellSet = HashSet<IVec3, BuildHasherDefault<CellHasher>>;
 
 /// Mixes the indices of a cell.
 #[derive(Clone, Copy, Debug, Default)]

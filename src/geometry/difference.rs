@@ -119,7 +119,7 @@ mod tests {
     fn a_twist_a_lean_and_a_stretch_are_told_apart_wherever_the_body_lies() {
         let rest = bar();
         let ends = Ends::of(&rest).expect("it has ends");
-        let lies = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), 0.7);
+        let lies = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize_or_zero(), 0.7);
         let placed = |by: &dyn Fn(DVec3) -> DVec3| {
             rest.iter().map(|&at| lies * by(at) + DVec3::new(3.0, -1.0, 2.0)).collect::<Vec<_>>()
         };

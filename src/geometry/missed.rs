@@ -1,7 +1,7 @@
 //! Parts of a solid that its particles miss altogether: fins and blades between two layers of the lattice, of which no
 //! count of particles tells anything, since there are none.
 
-use super::cell_map::CellMap;
+use super::cell_map::CellSet;
 use super::inside::spread;
 use super::lattice::LatticeSample;
 use super::solid::Solid;
@@ -33,8 +33,8 @@ pub(crate) fn missed_places(solid: &Solid, sample: &LatticeSample, others: &[DVe
     let spacings = sample.spacing * sample.stretch;
     let origin = point - spacings * cell.as_dvec3();
     let along = |at: DVec3| (at - origin) / spacings;
-    let mut taken: CellMap<()> = sample.cells.iter().map(|&cell| (cell, ())).collect();
-    taken.extend(others.iter().map(|&at| (along(at).round().as_ivec3(), ())));
+    let mut taken: CellSet = sample.cells.iter().copied().collect();
+    taken.extend(others.iter().map(|&at| along(at).round().as_ivec3()));
     let reach = || -CELLS..=CELLS;
     let mut steps: Vec<IVec3> =
         reach().flat_map(|z| reach().flat_map(move |y| reach().map(move |x| IVec3::new(x, y, z)))).collect();
@@ -44,7 +44,7 @@ pub(crate) fn missed_places(solid: &Solid, sample: &LatticeSample, others: &[DVe
         let at = along(place.at);
         let middle = at.round().as_ivec3();
         let is_near = |step: &&IVec3| at.distance((middle + **step).as_dvec3()) < NEAR;
-        !steps.iter().filter(is_near).any(|&step| taken.contains_key(&(middle + step)))
+        !steps.iter().filter(is_near).any(|&step| taken.contains(&(middle + step)))
     };
     let all = places_on(solid);
     let missed: Vec<MissedPlace> = all.iter().filter(|place| is_missed(place)).copied().collect();

@@ -96,7 +96,7 @@ impl Navigation {
     /// What a wheel, or two fingers that move, do to the camera, and by how much [points].
     pub(crate) fn scrolled(self, ui: &Ui) -> Option<(CameraMove, Vec2)> {
         if self != Self::Laptop {
-            let by = ui.input(|input| input.smooth_scroll_delta());
+            let by = ui.input(egui::InputState::smooth_scroll_delta);
             return (by.y != 0.0).then_some((CameraMove::Zoom, by));
         }
         // As the fingers move: with Shift held only their sum would be left, as one goes through a wide page.

@@ -141,7 +141,7 @@ pub(super) fn follow(pane: &mut Pane, ui: &Ui, response: &Response, links: &mut 
     let (delta, modifiers) = ui.input(|input| (input.pointer.delta(), input.modifiers));
     let buttons = [PointerButton::Primary, PointerButton::Middle, PointerButton::Secondary];
     let held = buttons.into_iter().filter(|button| response.dragged_by(*button));
-    if let Some(what) = held.filter_map(|button| navigation.dragged(button, modifiers)).last() {
+    if let Some(what) = held.filter_map(|button| navigation.dragged(button, modifiers)).next_back() {
         let by = if what == CameraMove::Zoom { ZOOM * delta.y } else { 0.0 };
         go(pane, &frame, what, delta, by, frame.rect.center());
     }
@@ -150,7 +150,7 @@ pub(super) fn follow(pane: &mut Pane, ui: &Ui, response: &Response, links: &mut 
         if let Some((what, by)) = navigation.scrolled(ui) {
             go(pane, &frame, what, by, -WHEEL_ZOOM * by.y, at);
         }
-        let pinched = ui.input(|input| input.zoom_delta());
+        let pinched = ui.input(egui::InputState::zoom_delta);
         if pinched > 0.0 && pinched != 1.0 {
             go(pane, &frame, CameraMove::Zoom, Vec2::ZERO, -pinched.ln(), at);
         }

@@ -74,6 +74,15 @@ impl Navigation {
         }
     }
 
+    /// What can be done where bodies are seen.
+    pub(crate) fn hint(self) -> &'static str {
+        match self {
+            Self::Blender => "Drag a body to pull it; middle drag turns the view, the wheel comes closer",
+            Self::Maya | Self::Houdini => "Drag a body to pull it; Alt + drag turns the view, the wheel comes closer",
+            Self::Laptop => "Drag a body to pull it; two fingers turn the view, a pinch comes closer",
+        }
+    }
+
     /// What a drag by a button does to the camera; none where it belongs to the tools.
     pub(crate) fn dragged(self, button: PointerButton, modifiers: Modifiers) -> Option<CameraMove> {
         let Modifiers { alt, shift, .. } = modifiers;

@@ -40,7 +40,7 @@ pub(super) fn grab(ui: &Ui, response: &Response, frame: &ViewFrame, slice: Optio
         cx.status.hint = if cx.simulation.is_replaying() {
             "Drag a body to pull it and go on from this frame; the later ones are dropped then"
         } else {
-            "Drag a body to pull it; middle drag turns the view, the wheel comes closer"
+            cx.navigation.hint()
         };
     }
 }

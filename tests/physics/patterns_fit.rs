@@ -167,7 +167,8 @@ fn patterns_that_act_hold_in_bodies_of_any_shape_and_move_them_their_way() {
             assert!(is_whole || (is_figure && held > 0), "{name}: {held} of {laid} fibres are left in it");
             // At the height of a swing, and where it is over: then those on the other side, if any, pull.
             let [pulled, over] = [found[0], found[1]];
-            // A figure's limbs swing on: of it no more is asked than that each pattern moves it, and then the other way.
+            // A figure's limbs swing on: of it no more is asked than that each pattern moves it, and then the other
+            // way.
             let has_others = matches!(pattern.id, "worm" | "tail" | "trunk" | "tentacle");
             let goes_back = match pattern.id {
                 // One arm after the other does.

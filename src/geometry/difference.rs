@@ -1,11 +1,10 @@
 //! By how much a body differs from what it would be without a change: twist, lean and length between its ends.
 
-use glam::DVec3;
+use super::turn::{mean, turn_about};
+use glam::{DQuat, DVec3};
 
 /// Share of a body's length that counts as one of its ends.
 const END: f64 = 0.25;
-/// Smaller differences are not told [degrees], [share of the length].
-const LEAST: [f64; 2] = [1.0, 0.005];
 
 /// The particles at both ends of a body's longest extent, and how far these lie apart.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +26,7 @@ impl Ends {
             inside.map(|(_, k)| k).collect::<Vec<u32>>()
         };
         let groups = [within(0.0, END), within(1.0 - END, 1.0)];
-        let length = middle(&groups[1], rest).distance(middle(&groups[0], rest));
+        let length = mean(&groups[1], rest).distance(mean(&groups[0], rest));
         (extent[axis] > 0.0 && groups.iter().all(|group| group.len() > 2)).then_some(Self { groups, length })
     }
 }
@@ -36,11 +35,11 @@ impl Ends {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Difference {
     /// Turn of one end against the other about the line between them, right-handed [degrees].
-    twist: f64,
+    pub(crate) twist: f64,
     /// Angle between the lines from end to end [degrees].
-    lean: f64,
+    pub(crate) lean: f64,
     /// By how much further the ends lie apart [m], and over their distance at rest.
-    longer: [f64; 2],
+    pub(crate) longer: [f64; 2],
 }
 
 impl Difference {
@@ -49,13 +48,15 @@ impl Difference {
         if is.len() != was.len() || ends.groups.iter().flatten().any(|&k| k as usize >= is.len()) {
             return Self::default();
         }
-        let line = |points: &[DVec3]| middle(&ends.groups[1], points) - middle(&ends.groups[0], points);
+        let line = |points: &[DVec3]| mean(&ends.groups[1], points) - mean(&ends.groups[0], points);
         let (line_is, line_was) = (line(is), line(was));
         let lean = line_is.angle_between(line_was).to_degrees();
         // What it leans by is no twist.
-        let upright = glam::DQuat::from_rotation_arc(line_is.normalize_or_zero(), line_was.normalize_or_zero());
-        let turned = |group: &[u32]| turn(group, [was, is], upright, line_was.normalize_or_zero());
-        let twist = turned(&ends.groups[1]) - turned(&ends.groups[0]);
+        let axis = line_was.normalize_or_zero();
+        let upright = DQuat::from_rotation_arc(line_is.normalize_or_zero(), axis);
+        let is: Vec<DVec3> = is.iter().map(|&at| upright * at).collect();
+        let [bottom, top] = ends.groups.each_ref().map(|group| turn_about(group, was, &is, axis));
+        let twist = top - bottom;
         // By the shorter way round.
         let twist = twist - 360.0 * (twist / 360.0).round();
         let longer = line_is.length() - line_was.length();
@@ -69,45 +70,11 @@ impl Difference {
         let longer = if b[1].abs() > a[1].abs() { b } else { a };
         Self { twist: of(self.twist, other.twist), lean: of(self.lean, other.lean), longer }
     }
-
-    /// In words, what is worth telling, the greatest so far.
-    pub(crate) fn told(self) -> String {
-        let mut told = Vec::new();
-        if self.twist.abs() >= LEAST[0] {
-            told.push(format!("{:+.0}° of twist", self.twist));
-        }
-        if self.lean >= LEAST[0] {
-            told.push(format!("{:+.0}° of lean", self.lean));
-        }
-        if self.longer[1].abs() >= LEAST[1] {
-            told.push(format!("{:+.1} mm of length", 1e3 * self.longer[0]));
-        }
-        if told.is_empty() { "no difference yet".to_owned() } else { told.join(", ") }
-    }
-}
-
-fn middle(group: &[u32], points: &[DVec3]) -> DVec3 {
-    group.iter().map(|&k| points[k as usize]).sum::<DVec3>() / group.len().max(1) as f64
-}
-
-/// Turn of particles from one place to another, set upright first, about a unit axis through their middle [degrees].
-fn turn(group: &[u32], [from, to]: [&[DVec3]; 2], upright: glam::DQuat, axis: DVec3) -> f64 {
-    let middles = [middle(group, from), middle(group, to)];
-    let (mut sine, mut cosine) = (0.0, 0.0);
-    for &k in group {
-        let across = |x: DVec3| x - axis * x.dot(axis);
-        let was = across(from[k as usize] - middles[0]);
-        let is = across(upright * (to[k as usize] - middles[1]));
-        sine += was.cross(is).dot(axis);
-        cosine += was.dot(is);
-    }
-    sine.atan2(cosine).to_degrees()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DQuat;
 
     /// A bar of points along y, 3 x 9 x 3.
     fn bar() -> Vec<DVec3> {
@@ -129,14 +96,14 @@ mod tests {
         let twisted = placed(&|at| axis + DQuat::from_rotation_y((at.y / 0.08) * 10_f64.to_radians()) * (at - axis));
         let now = Difference::between(&ends, &twisted, &was);
         assert!((now.twist - 7.5).abs() < 1e-9 && now.lean < 1e-5 && now.longer[0].abs() < 1e-12, "{now:?}");
-        assert_eq!(now.told(), "+8° of twist");
         let leant = placed(&|at| DQuat::from_rotation_z(0.3) * at);
         let now = Difference::between(&ends, &leant, &was);
         assert!((now.lean - 0.3_f64.to_degrees()).abs() < 1e-9 && now.twist.abs() < 1e-9, "{now:?}");
         let longer = placed(&|at| at * DVec3::new(1.0, 1.1, 1.0));
         let now = Difference::between(&ends, &longer, &was);
         assert!((now.longer[1] - 0.1).abs() < 1e-12 && now.twist.abs() < 1e-9 && now.lean < 1e-5, "{now:?}");
-        assert_eq!(Difference::between(&ends, &was, &was).told(), "no difference yet");
+        let none = Difference::between(&ends, &was, &was);
+        assert!(none.twist.abs() < 1e-9 && none.lean < 1e-5 && none.longer == [0.0; 2], "{none:?}");
         assert_eq!(Difference::between(&ends, &was[1..], &was), Difference::default());
     }
 

@@ -66,6 +66,7 @@ mod thickness;
 mod thickness_shares;
 pub(crate) mod thinness;
 pub(crate) mod track;
+pub(crate) mod turn;
 pub(crate) mod two_layers;
 pub(crate) mod weld;
 pub(crate) mod whole_layers;

@@ -60,6 +60,7 @@ mod runs;
 mod said;
 mod sampling;
 mod sheets_section;
+mod slow_motion;
 mod status_bar;
 mod stroke_choices;
 pub(crate) mod theme;

@@ -2,46 +2,37 @@
 //! over and over until something is touched.
 
 use super::context::{Context, Ghost};
+use super::slow_motion::SlowMotion;
 use super::top_bar::TopBar;
 use crate::sim::SimCommand;
 use egui::Event;
-use std::sync::Arc;
 
-/// Simulated over real time.
-const SPEED: f64 = 0.06;
-/// As many frames for each of the scene's, so that slow motion is smooth.
-const FINER: f64 = 16.0;
+const SHOWN: SlowMotion = SlowMotion {
+    ghost: Ghost::WithoutFibres,
+    speed: 0.06,
+    finer: 16.0,
+    caption: "Its fibres twist the bar as it lands; the pale one has none. Draw fibres of your own on the left, or drag the \
+              bar.",
+};
 /// When it begins again [s, simulated]: it has landed, twisted, swung back and leapt off by then.
 const LASTS: f64 = 0.2;
-/// What is seen, and what to do.
-const CAPTION: &str = "Its fibres twist the bar as it lands; the pale one has none. Draw fibres of your own on the left, or \
-                       drag the bar.";
 
 /// Plays the scene until something is touched.
 #[derive(Default)]
 pub(super) struct Opening {
-    plays: bool,
+    /// Simulated over real time before, while it plays.
+    plays: Option<f64>,
 }
 
 impl Opening {
     /// Begins to play what is open.
     pub(super) fn begin(&mut self, cx: &mut Context, top_bar: &mut TopBar) {
-        let mut finer = (**cx.scene()).clone();
-        finer.time.frames_per_second *= FINER;
-        cx.simulation.show_instead(Some(Arc::new(finer)), &cx.document);
-        cx.simulation.choose_ghost(Some(Ghost::WithoutFibres), &cx.document);
-        top_bar.choose_speed(SPEED, cx);
-        cx.ask(SimCommand::Reset);
-        cx.caption = Some(CAPTION);
-        cx.ghost_beside = true;
-        self.plays = true;
+        self.plays = Some(SHOWN.begin(cx, top_bar));
     }
 
     /// Begins again after a while, and ends with the first thing that is touched.
     pub(super) fn watch(&mut self, ctx: &egui::Context, cx: &mut Context, top_bar: &mut TopBar) {
-        if !self.plays {
-            return;
-        }
+        let Some(speed) = self.plays else { return };
         let is_touched = ctx.input(|input| {
             let touches = |event: &Event| {
                 matches!(
@@ -54,12 +45,8 @@ impl Opening {
             input.events.iter().any(touches) || !input.raw.dropped_files.is_empty()
         });
         if is_touched {
-            self.plays = false;
-            cx.caption = None;
-            cx.ghost_beside = false;
-            cx.simulation.choose_ghost(None, &cx.document);
-            cx.simulation.show_instead(None, &cx.document);
-            top_bar.choose_speed(1.0, cx);
+            self.plays = None;
+            SHOWN.end(speed, cx, top_bar);
         } else if cx.simulation.published().status.time >= LASTS {
             cx.ask(SimCommand::Reset);
         }

@@ -91,7 +91,7 @@ fn choice<T: PartialEq + Copy>(ui: &mut Ui, chosen: &mut T, all: &[T], name: imp
 }
 
 /// So many MiB, as they are written.
-fn memory_name(mebibytes: usize) -> String {
+pub(crate) fn memory_name(mebibytes: usize) -> String {
     if mebibytes < 1024 { format!("{mebibytes} MiB") } else { format!("{} GiB", mebibytes / 1024) }
 }
 

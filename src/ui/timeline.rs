@@ -4,7 +4,7 @@ use super::action::Action;
 use super::context::{Context, Request, Severity};
 use super::controls::{button, key_of};
 use super::drives::{Columns, DriveLanes};
-use super::preferences::MEMORY;
+use super::preferences::{MEMORY, memory_name};
 use super::theme::{self, GRID};
 use super::timescale::TimeScale;
 use crate::sim::{DEFAULT_MEMORY, Published, SimCommand};
@@ -205,8 +205,7 @@ impl Timeline {
             let menu = ui.menu_button(egui::RichText::new(text).small(), |ui| {
                 ui.label(egui::RichText::new("Memory for the motion").weak());
                 for choice in MEMORY {
-                    let name = if choice < 1024 { format!("{choice} MiB") } else { format!("{} GiB", choice / 1024) };
-                    if ui.selectable_label(self.remembered.memory == choice, name).clicked() {
+                    if ui.selectable_label(self.remembered.memory == choice, memory_name(choice)).clicked() {
                         self.choose_memory(choice, cx);
                         ui.close();
                     }

@@ -44,6 +44,11 @@ impl TopBar {
         }
     }
 
+    /// Simulated over real time that is aimed at.
+    pub(super) fn speed(&self) -> f64 {
+        self.speed
+    }
+
     /// Aims at so much simulated over real time.
     pub(super) fn choose_speed(&mut self, speed: f64, cx: &Context) {
         self.speed = speed;

@@ -58,3 +58,20 @@ fn an_edit_a_reset_and_a_look_back_end_computing_ahead() {
         assert!(p.status.failure.is_none(), "{command:?}");
     }
 }
+
+#[test]
+fn where_nothing_moves_any_more_nothing_is_computed_ahead() {
+    // So long a step that the body is stopped at once.
+    let step =
+        r#""room": {"floor": 0, "friction": 0.4}, "time": {"step": {"manual": {"dt": 0.02, "substeps_per_frame": 1}}}"#;
+    let worker = start(&BREAKING.replace(r#""room": {"floor": 0, "friction": 0.4}"#, step));
+    ask(&worker, SimCommand::Compute(1e4));
+    let stopped = until(&worker, |p| p.status.divergence.is_some() && p.status.ahead.is_none());
+    assert!(stopped.status.recording.frames > 1, "{:?}", stopped.status.divergence);
+    // Asked for once more it comes to nothing, and that is shown at once.
+    ask(&worker, SimCommand::Live);
+    until(&worker, |p| !p.status.recording.in_replay && !p.status.playing);
+    ask(&worker, SimCommand::Compute(1e4));
+    let p = until(&worker, |_| true);
+    assert!(p.status.ahead.is_none(), "{:?}", p.status.ahead);
+}

@@ -279,9 +279,11 @@ impl App {
             }
             Action::Slice => always(|app, _| app.views.options.next_slice(&app.cx)),
             Action::ShowEffect => {
-                let any = document.undo_name().is_some();
-                when(any, "Nothing was changed yet", |app, _| app.effect.begin(&mut app.cx, &mut app.top_bar))
-                    .on(self.effect.plays())
+                let why = match document.undo_name() {
+                    None => Some("Nothing was changed yet"),
+                    Some(_) => simulation.is_comparing().then_some("Integrators are being compared"),
+                };
+                unless(why, |app, _| app.effect.begin(&mut app.cx, &mut app.top_bar)).on(self.effect.plays())
             }
             Action::Ghost => always(|app, _| ViewOptions::next_ghost(&mut app.cx)),
             Action::Timeline => always(|app, _| app.timeline.fold()).on(self.timeline.is_shown()),

@@ -37,6 +37,10 @@ impl Motion {
             (snapshot, ghost, compared) = (side_by_side, None, runs);
         }
         self.status.playing = self.playback.is_playing();
+        if !self.is_running() {
+            // Stopped bodies, and what is no number any more, come to nothing further.
+            self.status.ahead = None;
+        }
         [self.status.frames_per_second, self.status.real_time_factor] = self.playback.rates();
         self.status.recording = self.replay.status(live.start());
         let (at_rest, placed, thin) = (Arc::clone(live.at_rest()), live.placed(), Arc::clone(live.thin()));

@@ -71,7 +71,8 @@
 //!   constraints, and any of the `solver::integrators` steps any body; what bodies and panels do to each other is the
 //!   world's (`solver::body_contact`, `solver::panel`). Knows no file, clock, thread start or window.
 //! - [`bake`]: from the document to the solver, where alone they meet. Pure: the same scene gives the same world.
-//! - [`sim`]: the clock-free [`sim::Runner`] and its reports, whoever runs a scene runs it through this; the thread
+//! - [`sim`]: the clock-free [`sim::Runner`] and its reports, by which command line and window run a scene: it knows
+//!   rest, measures and what is reported, where a program that only steps bodies does without; the thread
 //!   that paces it for a window and keeps as much of the last motion as fits its memory, to be shown again and gone on
 //!   from bit for bit; time series; the comparison of integrators, by numbers and side by side.
 //! - `export`: a motion as other programs take it, as plain data: surfaces on the vertices of the files that they are
@@ -131,12 +132,14 @@
 //! | pins that cannot be meant | `bake::pins` |
 //! | the recording, and what asks for it | `sim::recording`; [`sim::SimCommand`] |
 //! | what ends a frame or a bake on the way | `sim::worker::stop`, asked by [`sim::Runner::advance_frame_unless`] |
-//! | where a force, an integrator or an element is added | [below](#a-force-an-integrator-and-an-element-of-your-own) |
+//! | where a force, an integrator or an element is added | [below](#a-force-an-integrator-and-an-element-of-your-own), in the source `src/own_parts.md` |
 //! | the stable step | `solver::stable_step` of fibre solids, `solver::modes` of two-layer bodies; what sets it: `bake::limits` |
 //! | how a frame is divided into steps | `bake::step_plan`, carried out by [`solver::World::advance_frame`] |
 //! | what a file may hold, and the errors | `scene::validate` |
 //! | what a file holds of a mesh, vertex by vertex | [`geometry::FileMesh`], kept by the readers in `io::model` |
 //! | how its vertices ride on the particles, how its normals turn | `export::carrier`, `export::normals` |
+//! | the scene file, its schema | `io::scene`, `io::schema` |
+//! | a format that models are read in | `io::model` |
 //! | a format that a motion is written in | `io::export`, of moving pictures `io::moving`; all that are offered: `transfer::format` |
 //! | which frames of a run are written, and for which program | `transfer::run_files`, `transfer::program` |
 //! | what the window writes beside itself | `ui::transfer`; from the recording: `sim::taken` |
@@ -193,7 +196,7 @@
 //! - *collider*: a rigid thing, still or moved, that bodies touch and that nothing pushes away; *obstacle*: what it is,
 //!   about its own origin. *Shell*: an obstacle of no thickness, touched from both sides.
 //! - *region*: a named set of particles, chosen at rest. *Pin*: a region that is held or moved. One that is new to a
-//!   motion takes hold of the region where it finds it. *Pinned point*: what a drag has left where it pulls.
+//!   motion takes hold of the region where it finds it. *Pinned point*: a grab that was left where it pulls.
 //! - *leader*: a motion made elsewhere that particles follow. *Skeleton*: nodes within nodes, of which some are
 //!   *joints* that a skin hangs on; a *bone* leads from one joint to the next. *Clip*: nodes moved over a time. *Point
 //!   cache*: a mesh's vertices frame by frame. *Pre-roll*: the time in which a body is eased from its rest pose into
@@ -211,8 +214,8 @@
 //!
 //! The motion:
 //! - *bake*: to put a scene together into a world. *Note*: what was noticed on the way ([`bake::Baked::notes`]).
-//!   [`scene`] and [`solver`] call a thing by one name: a `Body`, `Panel`, `Collider`, `Drive`, `Element` or `Measure`
-//!   of the one is what the other makes of it.
+//!   [`scene`] and [`solver`] call a thing by one name: a `Body`, `Panel`, `Collider`, `Drive`, `Element` or `Grab`
+//!   of the one is what the other makes of it. (A scene's `Measure` becomes a probe.)
 //! - *world*: bodies and panels at one time. *State*: positions, velocities and masses of a body.
 //! - *frame*: the time from one picture to the next. *Outer step*: a part of it for which contact between bodies and
 //!   with panels is evaluated once. *Sub-step*: one of a body's own steps in that.
@@ -221,7 +224,7 @@
 //! - *stable step*: the longest step under which a body's small motions do not grow. *Safety*: the share of it in use.
 //! - *hand*: what leads a shared drive away from what it is by itself.
 //! - *grip*: what touching particles hold on to below Coulomb's limit: springs along the surface.
-//! - *body contact*: the push between two bodies. *Grab*: the pull at a point of a body. *Strike*: an impulse on one.
+//! - *body contact*: the push between two bodies. *Strike*: an impulse on one.
 //! - *overlap*: of bodies that start inside one another, the room or a panel. *Allowance*: the depth that contact
 //!   grants such a one. *Eased overlap*: one whose allowance fades. *Easing* of a ramp: how its speed sets in and ends.
 //! - *asleep*: a body at rest that nothing comes near; it takes no steps.
@@ -229,7 +232,7 @@
 //!   matrix that stays. *Fallback*: a step that was halved, or handed over to leap-frog, because a stage was not
 //!   solved.
 //! - *divergence*: a motion that can no longer be computed; the body is stopped. *Break*: of a fibre, past its limits.
-//! - *grab*: a point of a body that is held by hand, with the spring from there to where the hand is. *Lead*: of a
+//! - *grab*: a point of a body that is pulled by hand, with the spring from there to where the hand is. *Lead*: of a
 //!   shared drive that is led by hand, what it is told to be.
 //! - *von Mises stress*: the size of a stress that changes shape; it is shown, measured and yielded by.
 //! - *snapshot*: what can be seen of a world at one time, as plain data.

@@ -21,13 +21,13 @@ const WORTH_SOLVING: f64 = 400.0;
 const MOST_SOLVED: usize = 6000;
 
 /// How a body is stepped.
-pub(super) struct Stepping {
+pub(super) struct Choice {
     pub(super) integrator: IntegratorKind,
     /// Why, where that was chosen here and is not leap-frog.
     pub(super) reason: Option<String>,
 }
 
-impl Stepping {
+impl Choice {
     /// What is said of it, of a body by its pointer.
     pub(super) fn note(&self, path: &str) -> Option<Note> {
         let text = self.reason.clone()?;
@@ -42,9 +42,9 @@ pub(super) fn stepping(
     stable_steps: &[f64],
     forces: &[Box<dyn Force>],
     state: &ParticleState,
-) -> Stepping {
+) -> Choice {
     if let IntegratorChoice::Given(integrator) = body.integrator {
-        return Stepping { integrator, reason: None };
+        return Choice { integrator, reason: None };
     }
     let step =
         |kind| IntegratorKind::ALL.iter().zip(stable_steps).find(|(one, _)| **one == kind).map_or(0.0, |of| *of.1);
@@ -53,7 +53,7 @@ pub(super) fn stepping(
     let work = || fibres.map_or(1.0, |fibres| work_of_a_step(fibres, state));
     if implicit > WORTH_IT * explicit && implicit > WORTH_THE_WORK * work() * explicit {
         let reason = format!("fibres implicit: stable step {implicit:.1e} instead of {explicit:.1e} s");
-        return Stepping { integrator: IntegratorKind::FibresImplicit, reason: Some(reason) };
+        return Choice { integrator: IntegratorKind::FibresImplicit, reason: Some(reason) };
     }
     let whole = match &scene.time.step {
         TimeStep::Automatic(_) => implicit_step(scene.time.frame_seconds()),
@@ -61,9 +61,9 @@ pub(super) fn stepping(
     };
     if moves_gently(scene, body) && state.len() <= MOST_SOLVED && whole > WORTH_SOLVING * explicit {
         let reason = format!("the whole body implicit: step {whole:.1e} instead of {explicit:.1e} s");
-        return Stepping { integrator: IntegratorKind::TrBdf2, reason: Some(reason) };
+        return Choice { integrator: IntegratorKind::TrBdf2, reason: Some(reason) };
     }
-    Stepping { integrator: IntegratorKind::LeapFrog, reason: None }
+    Choice { integrator: IntegratorKind::LeapFrog, reason: None }
 }
 
 /// Whether by all that the scene says a body is held, starts without speed, takes no blow, does not tear or yield, is

@@ -200,11 +200,6 @@ impl<'a> AnyBodyMut<'a> {
         either!(self, body => &mut body.placement)
     }
 
-    /// Impulses given to regions at the start.
-    pub fn impulses_mut(&mut self) -> &mut Vec<Impulse> {
-        either!(self, body => &mut body.impulses)
-    }
-
     /// Numbers that change in time, for several of its parts to follow.
     pub fn drives_mut(&mut self) -> &mut Vec<SharedDrive> {
         either!(self, body => &mut body.drives)

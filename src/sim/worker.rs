@@ -73,8 +73,8 @@ impl Worker {
     /// computed is ended for it if it takes longer, also one that was asked for before, which then follows. Not so for
     /// what only further frames show: another place of a grab, a drive that is led, a step, the speed, the memory. What
     /// only looks at the motion or holds it is done while a scene is put together, too. What a later request makes
-    /// pointless may be left out: of a drag, of settings and of documents that follow each other only the newest
-    /// counts. False if the thread is gone.
+    /// pointless may be left out: of a grab that moves, of settings and of documents that follow each other only the
+    /// newest counts. False if the thread is gone.
     pub fn send(&self, command: SimCommand) -> bool {
         if matches!(command, SimCommand::Open(..)) {
             self.models.set(None);

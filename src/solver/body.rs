@@ -46,7 +46,7 @@ pub struct Body {
     /// Elastic energy of contacts with other bodies and panels [J].
     contact_energy: f64,
     /// Force with which it pushes up each panel [N], of the last outer step.
-    lifts: Vec<f64>,
+    panel_pushes: Vec<f64>,
     net: Vec<DVec3>,
     current: bool,
     guarded: bool,
@@ -73,7 +73,7 @@ impl Body {
             grabs: Vec::new(),
             external_forces: vec![DVec3::ZERO; n],
             contact_energy: 0.0,
-            lifts: Vec::new(),
+            panel_pushes: Vec::new(),
             net: Vec::new(),
             current: false,
             guarded: true,
@@ -247,7 +247,7 @@ impl Body {
     pub(super) fn clear_external_forces(&mut self) {
         self.external_forces.fill(DVec3::ZERO);
         self.contact_energy = 0.0;
-        self.lifts.clear();
+        self.panel_pushes.clear();
     }
 
     /// Adds a force [N] of another body or panel on a particle, to act over the present outer step.

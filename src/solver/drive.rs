@@ -348,6 +348,26 @@ mod tests {
     }
 
     #[test]
+    fn later_rounds_are_the_first_one_forth_or_back() {
+        for between in [Between::Stepped, Between::Linear, Between::Smooth] {
+            let value = |after, time| keys(between, after).at(time).0;
+            // A round takes two seconds, from 0.5 on.
+            for time in [0.5, 0.75, 1.25, 1.5, 1.75, 2.25] {
+                let first = value(After::Hold, time);
+                for round in [1.0, 2.0, 7.0] {
+                    assert_eq!(value(After::Repeat, time + 2.0 * round), first, "{between:?} {time}");
+                    assert_eq!(value(After::Mirror, time + 4.0 * round), first, "{between:?} {time}");
+                    assert_eq!(value(After::Mirror, 1.0 + 4.0 * round - time), first, "{between:?} {time}, back");
+                }
+            }
+        }
+        assert_eq!(keys(Between::Stepped, After::Repeat).at(2.75), (1.0, 0.0));
+        assert_eq!(keys(Between::Stepped, After::Mirror).at(2.75), (3.0, 0.0));
+        assert_eq!(keys(Between::Smooth, After::Repeat).at(2.75), (1.3125, 2.25));
+        assert_eq!(keys(Between::Smooth, After::Mirror).at(2.75), (-0.375, 4.5));
+    }
+
+    #[test]
     fn rates_are_those_of_the_values() {
         for after in [After::Hold, After::Repeat, After::Mirror] {
             for drive in [keys(Between::Linear, after), keys(Between::Smooth, after), Drive::Wave(wave(None))] {

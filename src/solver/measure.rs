@@ -224,7 +224,7 @@ impl Quantity {
                 let speeds = group.iter().map(|&i| body.state().velocities[i as usize].length());
                 MeasureValue::Scalar(speeds.sum::<f64>() / group.len().max(1) as f64)
             }
-            Self::PanelForce(panel) => MeasureValue::Scalar(body.lift(*panel)),
+            Self::PanelForce(panel) => MeasureValue::Scalar(body.panel_push(*panel)),
             Self::ContactForce(group, along) => {
                 let on_it = group.iter().map(|&i| body.contact_force(i as usize, time)).sum::<DVec3>();
                 MeasureValue::Scalar(-on_it.dot(*along))

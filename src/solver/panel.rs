@@ -67,7 +67,7 @@ impl Panel {
         if let Some(easing) = eased {
             body.add_contact_energy(easing.energy_at(time));
         }
-        let (mut lift, mut held) = (0.0, Vec::new());
+        let (mut push, mut held) = (0.0, Vec::new());
         for i in 0..body.state().len() {
             let x = body.state().positions[i];
             let gap = self.height - x.y + left;
@@ -82,16 +82,16 @@ impl Panel {
             body.add_contact_energy(law.energy(gap, stretch));
             let kept = law.dragged(gap, DVec3::NEG_Y, velocity, stretch);
             held.extend(kept.map(|stretch| (i as u32, x - stretch)));
-            lift -= force.y;
+            push -= force.y;
         }
         grip.renew(held);
-        lift
+        push
     }
 
-    /// Takes up an impulse of `dt` [s] of `lift` [N] from below and of gravity [m/s²]; a driven panel does not yield.
-    pub(super) fn kick(&mut self, dt: f64, lift: f64, gravity: f64) {
-        if self.driven.is_none() && !(self.rests() && lift + self.mass * gravity < 0.0) {
-            self.velocity += dt * (gravity + lift / self.mass);
+    /// Takes up an impulse of `dt` [s] of `push` [N] from below and of gravity [m/s²]; a driven panel does not yield.
+    pub(super) fn kick(&mut self, dt: f64, push: f64, gravity: f64) {
+        if self.driven.is_none() && !(self.rests() && push + self.mass * gravity < 0.0) {
+            self.velocity += dt * (gravity + push / self.mass);
         }
     }
 

@@ -70,7 +70,7 @@ pub struct World {
     /// Whether the forces between bodies and panels are those of the present state.
     contact_current: bool,
     /// Force on every panel from below [N].
-    lifts: Vec<f64>,
+    panel_pushes: Vec<f64>,
     work: OutsideWork,
     watch: Watch,
     /// Time at which frame 0 began [s]; not zero after an edit.
@@ -88,7 +88,7 @@ impl World {
         gravity: Gravity,
     ) -> Self {
         let mut world = Self {
-            lifts: vec![0.0; panels.len()],
+            panel_pushes: vec![0.0; panels.len()],
             bodies,
             panels,
             colliders,
@@ -159,7 +159,7 @@ impl World {
 
     /// Force on a panel from below [N], by its index; zero where there is no such panel.
     pub fn panel_force(&self, panel: usize) -> f64 {
-        self.lifts.get(panel).copied().unwrap_or_default()
+        self.panel_pushes.get(panel).copied().unwrap_or_default()
     }
 
     /// The measures in the order of the scene.
@@ -252,16 +252,16 @@ impl World {
                 self.grips.of_pair([first, second], |grip| add_body_contact(a, b, &allowance, grip, dt));
             }
         }
-        for (index, (lift, panel)) in self.lifts.iter_mut().zip(&self.panels).enumerate() {
+        for (index, (push, panel)) in self.panel_pushes.iter_mut().zip(&self.panels).enumerate() {
             let bodies = self.bodies.iter_mut().enumerate();
             let (eased, grips) = (&self.eased, &mut self.grips);
-            let lifts = bodies.map(|(body, of)| {
+            let pushes = bodies.map(|(body, of)| {
                 let eased = eased.panel(body, index);
-                let lift = grips.of_panel([body, index], |grip| panel.add_contact(of, eased, grip, time));
-                of.add_lift(lift);
-                lift
+                let push = grips.of_panel([body, index], |grip| panel.add_contact(of, eased, grip, time));
+                of.add_panel_push(push);
+                push
             });
-            *lift = lifts.sum();
+            *push = pushes.sum();
         }
         self.contact_current = true;
     }
@@ -271,8 +271,8 @@ impl World {
         for (body, _) in self.bodies.iter_mut().zip(asleep).filter(|(_, asleep)| !**asleep) {
             body.kick(0.5 * dt);
         }
-        for (panel, &lift) in self.panels.iter_mut().zip(&self.lifts) {
-            panel.kick(0.5 * dt, lift, self.gravity.at(time).y);
+        for (panel, &push) in self.panels.iter_mut().zip(&self.panel_pushes) {
+            panel.kick(0.5 * dt, push, self.gravity.at(time).y);
         }
     }
 
@@ -294,7 +294,7 @@ impl World {
             self.bodies.iter_mut().for_each(Body::begin_outer_step);
             self.evaluate_contact(self.time(), 0.0);
         }
-        self.work.begin(&self.bodies, (&self.panels, &self.lifts), self.time());
+        self.work.begin(&self.bodies, (&self.panels, &self.panel_pushes), self.time());
         self.begin_watch();
         for body in &mut self.bodies {
             body.save_last_good();
@@ -331,7 +331,7 @@ impl World {
             }
             let end = self.time_at(outer + 1);
             self.evaluate_contact(end, outer_dt);
-            self.work.add_panels(&self.panels, &self.lifts);
+            self.work.add_panels(&self.panels, &self.panel_pushes);
             self.half_kick(end, outer_dt, &asleep);
         }
         self.frame += 1;
@@ -362,7 +362,7 @@ impl World {
             panels: self.panels.iter().map(|panel| [panel.height, panel.velocity]).collect(),
             peaks: self.peaks.clone(),
             contact_current: self.contact_current,
-            lifts: self.lifts.clone(),
+            panel_pushes: self.panel_pushes.clone(),
             work: self.work.done(),
             watch: self.watch.clone(),
             eased: self.eased.clone(),
@@ -382,7 +382,7 @@ impl World {
         }
         self.peaks.clone_from(&to.peaks);
         self.contact_current = to.contact_current;
-        self.lifts.clone_from(&to.lifts);
+        self.panel_pushes.clone_from(&to.panel_pushes);
         self.work = OutsideWork::from_here_on(to.work.clone());
         self.watch.clone_from(&to.watch);
         self.eased.clone_from(&to.eased);

@@ -1,7 +1,8 @@
 //! The window: sketch in two views, watch and pull in the third.
 //!
-//! It reads the document and the newest snapshot; what a person does to them leaves through two doors only, a
-//! [`crate::edit::Command`] for the document and a [`crate::sim::SimCommand`] for the running world. What is kept in
+//! It reads the document and the newest snapshot; what a person does to them leaves as a
+//! [`crate::edit::Command`] for the document, beside undo and redo, or as a [`crate::sim::SimCommand`] for the running
+//! world, beside the models that it is built from and the wish that it stops building. What is kept in
 //! files (scenes, tables, a person's patterns, changes to be recovered) is written by [`crate::io`].
 
 pub(crate) mod action;

@@ -259,7 +259,7 @@ fn tensions_are_those_of_the_contraction() {
 
 /// Scenes are taken along with everything that they hold.
 #[test]
-fn sets_reach_every_value_of_a_drive() {
+fn sets_reach_the_values_of_what_acts() {
     let scene: Scene = in_space(slender(5, Wave::new(0.4).with_wavelength(0.05), 20.0));
     let sets = [
         ("/bodies/0/fibres/0/activation/drive/wave/wavelength", "-0.05"),
@@ -273,7 +273,7 @@ fn sets_reach_every_value_of_a_drive() {
 }
 
 /// A slender rod whose one fibre curls, pulls, contracts and twists at once, by a wave along it.
-fn all_at_once() -> Body {
+pub fn all_at_once() -> Body {
     let mut rod = slender(9, Wave::new(0.03).with_wavelength(0.03), 20.0);
     rod.fibres[0].stiffness = Rigidity::new(20.0 * F, 2.0 * F * D * D).with_twisting(5.0 * F * D * D).into();
     let drive = Wave::new(0.03).with_wavelength(0.03);

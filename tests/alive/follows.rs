@@ -105,6 +105,29 @@ fn a_two_layer_body_follows_too() {
 }
 
 #[test]
+fn a_two_layer_body_is_led_by_springs_to_where_its_joints_have_it() {
+    let rig = Rig::column();
+    let far = |stiffness: f64| {
+        let springs = FollowSprings { damping: 1.0, ..FollowSprings::new(stiffness) };
+        let mut body = TwoLayer::from_mesh("column", ClosedMesh::new("rig.gltf"));
+        body.pressure = 0.0;
+        let body = body.with_follow(Follow::new("flesh", skeleton()).with_springs(springs));
+        let scene = Scene::new("test").with_gravity([0.0; 3]).with_two_layer(body).with_frame_rate(100.0);
+        let mut runner = started(&scene, &rig);
+        run_to(&mut runner, 0.8);
+        let body = &runner.world().bodies()[0];
+        let above = body.parts().model.iter().zip(&body.state().positions).filter(|(at, _)| at.y > 0.0701);
+        let off: Vec<f64> = above.map(|(at, x)| x.distance(led(*at, turn(0.8))[0])).collect();
+        assert!(off.len() > 10);
+        off.into_iter().fold(0.0, f64::max)
+    };
+    // The motion has ended: what is left is what the springs of the body bend the stiffer ones by.
+    let [soft, stiff] = [2e4, 2e6].map(far);
+    println!("{:.2} mm and {:.3} mm off", 1e3 * soft, 1e3 * stiff);
+    assert!(stiff < 1e-4 && soft > 3.0 * stiff, "{soft} and {stiff} m");
+}
+
+#[test]
 fn a_motion_is_eased_into_and_held_repeated_mirrored_or_hurried() {
     let rig = Rig::column();
     let follow = Follow { start: 0.05, pre_roll: 0.1, ..Follow::new("bones", skeleton()) };

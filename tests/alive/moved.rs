@@ -3,7 +3,7 @@
 use crate::common::*;
 use glam::DVec3;
 use sinew::scene::{
-    ActiveSprings, AfterLast, Axis, Distance, Drive, DriveKeys, DrivenMotion, DrivenTurn, Easing, HeightKey,
+    ActiveSprings, AfterLast, Axis, Ball, Distance, Drive, DriveKeys, DrivenMotion, DrivenTurn, Easing, HeightKey,
     Interpolation, Keyframe, Motion, Panel, PanelDrive, PanelMotion, Ramp, Region, Scene, Selector, SharedDrive, Side,
     SpringChoice, TimeStep, Turn, TwoLayer, Wave, Wind,
 };
@@ -170,6 +170,24 @@ fn wind_pushes_a_box_as_a_plate_of_its_face_and_slides_along_the_others() {
     let back = push(Wind::new([3.0, 0.0, 0.0]).with_drive(-1.0), [0.0; 3]);
     assert!((back + found).length() < 1e-9 * plate, "{back} N");
     assert!(push(Wind::default(), [-3.0, 0.0, 0.0]).distance(found) < 1e-9 * plate);
+}
+
+#[test]
+fn wind_pushes_a_ball_half_as_hard_as_a_plate_of_its_shadow() {
+    let push = |wind: [f64; 3]| {
+        let ball = TwoLayer::new("ball", Ball { subdivisions: 4, ..Ball::default() });
+        let scene = Scene::new("ball").with_gravity([0.0; 3]).with_two_layer(ball);
+        let runner = runner(&scene.with_wind(Wind::new(wind)));
+        let body = &runner.world().bodies()[0];
+        (0..body.state().len()).map(|i| body.net_force(i)).sum::<DVec3>()
+    };
+    // A quarter of its whole surface is its shadow, of which the cubes of cosines leave a half.
+    let half = 0.5 * 0.5 * 1.2 * 1.1 * std::f64::consts::PI * 4.0 * 9.0;
+    for wind in [DVec3::X, DVec3::NEG_X, DVec3::new(0.0, 0.6, -0.8)] {
+        let found = push((3.0 * wind).to_array());
+        println!("{wind}: {:.4}", found.dot(wind) / half);
+        assert!(found.distance(half * wind) < 0.01 * half, "{found} N, not {half} N along {wind}");
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! How far fibres that curl and twist turn what they lie in, and under which steps.
 
 use crate::common::*;
-use crate::fibres::{F, center, rod, section_of, sections, settled, upright};
+use crate::fibres::{F, all_at_once, center, rod, section_of, sections, settled, upright};
 use glam::DVec3;
 use sinew::scene::{
     Activation, Axis, Distance, DriveKeys, MeasureKind, Motion, Region, RestShape, Rigidity, Side, Turn,
@@ -196,4 +196,30 @@ fn what_turns_takes_shorter_steps_the_more_it_turns() {
     let longer = twisted(1e-3) / twisted((0.5 / D).to_degrees());
     println!("GJ: {longer:.4} as long");
     assert!((1.005..1.02).contains(&longer), "{longer}");
+}
+
+#[test]
+fn what_acts_by_itself_goes_nowhere_and_turns_nowhere() {
+    let mut body = all_at_once();
+    body.fibres[0].rest_shape = RestShape::AsDrawn;
+    let mut runner = runner(&in_space(body));
+    let (mut most, mut handled) = ([0.0_f64; 2], [0.0_f64; 2]);
+    for _ in 0..12 {
+        runner.advance_frame();
+        let state = runner.world().bodies()[0].state();
+        let momenta = [state.linear_momentum(), state.angular_momentum()].map(DVec3::length);
+        let of = |arm: &dyn Fn(DVec3) -> f64| {
+            let particles = state.positions.iter().zip(&state.velocities).zip(&state.masses);
+            particles.map(|((x, v), m)| arm(*x) * m * v.length()).sum::<f64>()
+        };
+        let sizes = [of(&|_| 1.0), of(&DVec3::length)];
+        for k in 0..2 {
+            (most[k], handled[k]) = (most[k].max(momenta[k]), handled[k].max(sizes[k]));
+        }
+    }
+    println!("{:.1e} of momentum, {:.1e} of angular momentum", most[0] / handled[0], most[1] / handled[1]);
+    assert!(
+        handled[0] > 0.0 && most[0] < 1e-12 * handled[0] && most[1] < 1e-12 * handled[1],
+        "{most:?} of {handled:?}"
+    );
 }

@@ -2,7 +2,7 @@
 
 use crate::every_field;
 use sinew::edit::{Command, Editor};
-use sinew::io::scene_to_json;
+use sinew::io::{apply_sets, scene_to_json};
 use sinew::scene::{Drivable, Drive, DriveKeys, Motion, PanelMotion, Scene, Wave};
 
 fn fibre(fibre: &str) -> Drivable {
@@ -44,6 +44,38 @@ fn every_drive_of_a_file_is_listed_under_its_pointer() {
     }
     assert_eq!(pointers.len(), count(&written), "{pointers:?}");
     assert!(pointers.len() >= 10, "{pointers:?}");
+}
+
+#[test]
+fn sets_reach_every_drive_of_a_file() {
+    let scene = every_field();
+    let mut kinds = std::collections::BTreeSet::new();
+    for of in scene.drivables().into_iter().filter(|of| of.drive(&scene).is_some()) {
+        let pointer = of.pointer(&scene).expect("it is there");
+        let period = format!("{pointer}/wave/period");
+        // First a wave in its place, then a value of that wave.
+        let changed =
+            apply_sets(&scene, [(pointer.as_str(), r#"{"wave": {"period": 0.4}}"#), (period.as_str(), "0.3")])
+                .unwrap_or_else(|error| panic!("{pointer}: {error}"));
+        assert_eq!(of.drive(&changed), Some(&Drive::from(Wave::new(0.3))), "{pointer}");
+        changed.validate().unwrap_or_else(|error| panic!("{pointer}: {error}"));
+        kinds.insert(pointer.split('/').filter(|part| part.parse::<usize>().is_err()).collect::<Vec<&str>>().join("/"));
+    }
+    let all = [
+        "/bodies/drives/drive",
+        "/bodies/elements/activation/drive",
+        "/bodies/fibres/activation/drive",
+        "/bodies/pins/motion/driven/drive",
+        "/bodies/sheets/activation/drive",
+        "/colliders/motion/driven/drive",
+        "/gravity_drive",
+        "/panels/motion/follows/drive",
+        "/two_layer/active_springs/drive",
+        "/two_layer/drives/drive",
+        "/two_layer/pressure_drive",
+        "/wind/drive",
+    ];
+    assert_eq!(kinds.iter().map(String::as_str).collect::<Vec<&str>>(), all);
 }
 
 #[test]

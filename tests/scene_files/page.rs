@@ -1,5 +1,6 @@
 //! The page of figures beside the scenes names what is there, and all of it.
 
+use sinew::scene::IntegratorKind;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -37,6 +38,39 @@ fn every_scene_on_the_page_exists_and_every_scene_is_on_it() {
         .map(String::from)
         .collect();
     assert_eq!(named, files("scenes", "json"));
+}
+
+/// Names in code at the start of the rows of a table.
+fn rows(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter(|line| line.starts_with("| `")).flat_map(|line| {
+        let first = line.split(" | ").next().unwrap_or_default();
+        first.split('`').skip(1).step_by(2)
+    })
+}
+
+#[test]
+fn every_scene_is_told_of_in_the_readme() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("the readme");
+    let scenes = files("scenes", "json");
+    let patterns: Vec<&str> = rows(&readme).filter(|name| has_extension(name, "json")).collect();
+    let tells_of = |pattern: &str, name: &str| match pattern.split_once('*') {
+        Some((begins, ends)) => name.starts_with(begins) && name.ends_with(ends),
+        None => name == pattern,
+    };
+    for name in &scenes {
+        assert!(patterns.iter().any(|pattern| tells_of(pattern, name)), "{name}");
+    }
+    for pattern in &patterns {
+        assert!(scenes.iter().any(|name| tells_of(pattern, name)), "{pattern}");
+    }
+}
+
+#[test]
+fn every_integrator_has_its_row_in_the_table_of_schemes() {
+    let page = fs::read_to_string(root().join("src/scene/integrators.md")).expect("the page");
+    let told: BTreeSet<&str> = rows(&page).filter(|word| !word.contains(' ')).collect();
+    let offered: BTreeSet<&str> = IntegratorKind::ALL.iter().map(|kind| kind.word()).collect();
+    assert_eq!(told, offered);
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::solver::snapshot::Snapshot;
 
 /// What is to be compared, and how that stands.
 #[derive(Default)]
-pub(super) struct Comparison {
+pub(super) struct ComparedRuns {
     integrators: Vec<IntegratorKind>,
     /// Step of all [s].
     dt: f64,
@@ -28,7 +28,7 @@ pub(super) fn side_by_side(
     unless_stopped(|| Ok(SideBySide::new(scene, assets, integrators, *dt, progress)))
 }
 
-impl Comparison {
+impl ComparedRuns {
     /// Chooses what is compared from the next start on, in steps of `dt` [s]; without any integrator nothing is.
     pub(super) fn choose(&mut self, integrators: Vec<IntegratorKind>, dt: f64) {
         (self.integrators, self.dt) = (integrators, dt);

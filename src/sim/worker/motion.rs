@@ -6,10 +6,10 @@ mod looking;
 mod publishing;
 
 use super::build::guarded;
-use super::comparison::Comparison;
+use super::comparison::ComparedRuns;
 use super::grabs::PointerGrab;
 use super::playback::Playback;
-use super::replay::Replay;
+use super::replay::Replaying;
 use super::runs::Runs;
 use super::shared::Outlet;
 use super::stop::Stop;
@@ -36,8 +36,8 @@ pub(super) struct Motion {
     scene: Arc<Scene>,
     pub(super) runs: Runs,
     grab: PointerGrab,
-    pub(super) replay: Replay,
-    pub(super) comparison: Comparison,
+    pub(super) replay: Replaying,
+    pub(super) comparison: ComparedRuns,
     views: ViewRequests,
     playback: Playback,
     pub(super) status: Status,
@@ -57,8 +57,8 @@ impl Motion {
             scene,
             runs: Runs::default(),
             grab: PointerGrab::default(),
-            replay: Replay::default(),
-            comparison: Comparison::default(),
+            replay: Replaying::default(),
+            comparison: ComparedRuns::default(),
             views: ViewRequests::default(),
             playback: Playback::new(playing),
             status: Status::default(),

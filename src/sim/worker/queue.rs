@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 /// A command, and how many documents it stands for: itself, if it brings one, and those that it superseded.
 #[derive(Clone, Debug)]
-pub(super) struct Request {
+pub(super) struct QueuedCommand {
     pub(super) command: SimCommand,
     pub(super) documents: u64,
     /// Since when it waits, or the oldest of those that it superseded.
@@ -63,7 +63,7 @@ impl Work {
 
 #[derive(Default)]
 struct Waiting {
-    requests: Vec<Request>,
+    requests: Vec<QueuedCommand>,
     /// How many of them are heard before the next frame.
     batch: usize,
     /// What is being done just now, where it can be stopped.
@@ -128,7 +128,7 @@ impl CommandReceiver {
     }
 
     /// The next of those that waited; nothing stops it yet.
-    pub(super) fn next(&self) -> Option<Request> {
+    pub(super) fn next(&self) -> Option<QueuedCommand> {
         let mut waiting = lock(&self.0.waiting);
         self.0.stop.clear();
         let request = (waiting.batch > 0 && !waiting.closed).then(|| waiting.requests.remove(0));
@@ -206,7 +206,7 @@ impl Waiting {
         }
         let place = place.unwrap_or(self.requests.len());
         self.batch += usize::from(place < self.batch);
-        self.requests.insert(place, Request { command, documents, since, was_heard: false });
+        self.requests.insert(place, QueuedCommand { command, documents, since, was_heard: false });
         outdates
     }
 }

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// The recording and what is shown of it.
 #[derive(Default)]
-pub(super) struct Replay {
+pub(super) struct Replaying {
     recording: Recording,
     /// The run at the frame that is shown; none at the live end.
     shown: Option<RestoredRun>,
@@ -36,7 +36,7 @@ pub(super) struct Continuation {
     pub(super) dropped: usize,
 }
 
-impl Replay {
+impl Replaying {
     /// Whether an earlier frame is shown.
     pub(super) fn is_active(&self) -> bool {
         self.shown.is_some()

@@ -1,6 +1,6 @@
 //! The thread: hears what was asked for, computes the frame that is due, and shows what has come of both.
 
-use super::queue::{CommandReceiver, Request};
+use super::queue::{CommandReceiver, QueuedCommand};
 use super::simulation::Simulation;
 
 /// A simulation and what is asked of it.
@@ -17,10 +17,10 @@ impl SimThread {
     /// Runs until the window is gone.
     pub(super) fn run(mut self) {
         self.simulation.start();
-        // Everything that waits is heard before the next frame, so that a drag is never behind.
+        // Everything that waits is heard before the next frame, so that a grab is never behind.
         while let Some(count) = self.commands.begin(self.simulation.motion.due()) {
             let was_asked = count > 0;
-            while let Some(Request { command, documents, .. }) = self.commands.next() {
+            while let Some(QueuedCommand { command, documents, .. }) = self.commands.next() {
                 self.simulation.handle(command, documents);
             }
             if self.commands.is_closed() {

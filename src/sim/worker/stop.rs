@@ -39,7 +39,7 @@ fn patience(command: &SimCommand) -> Option<Duration> {
         | SimCommand::ContinueHere
         | SimCommand::Live
         | SimCommand::Take(_) => Some(GRACE),
-        // Of a drag and a step frames are what is wanted, and nothing is seen of the others but by frames to come.
+        // Of a grab and a step frames are what is wanted, and nothing is seen of the others but by frames to come.
         SimCommand::MoveGrab(_)
         | SimCommand::Lead { .. }
         | SimCommand::Step

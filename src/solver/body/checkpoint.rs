@@ -26,7 +26,7 @@ pub(in crate::solver) struct BodyCheckpoint {
     /// Energy of contacts with other bodies [J].
     contact_energy: f64,
     /// Force with which it pushes up each panel [N].
-    lifts: Vec<f64>,
+    panel_pushes: Vec<f64>,
     /// With their warm starts and what has broken in them.
     forces: Vec<Box<dyn Force>>,
     integrator: Box<dyn Integrator>,
@@ -50,7 +50,7 @@ impl BodyCheckpoint {
             + size_of_val(&*self.velocities)
             + size_of_val(&*self.net)
             + size_of_val(&*self.external_forces)
-            + size_of_val(&*self.lifts)
+            + size_of_val(&*self.panel_pushes)
             + size_of_val(&*self.found)
             + size_of_val(&*self.hands);
         let grabs: usize = self.grabs.iter().map(Force::bytes).sum();
@@ -69,7 +69,7 @@ impl Body {
             net: self.net.clone(),
             external_forces: if pushed { self.external_forces.clone() } else { Vec::new() },
             contact_energy: self.contact_energy,
-            lifts: self.lifts.clone(),
+            panel_pushes: self.panel_pushes.clone(),
             forces: self.parts.forces.clone(),
             integrator: self.parts.integrator.clone(),
             grabs: self.grabs.clone(),
@@ -96,7 +96,7 @@ impl Body {
             self.external_forces.clone_from(&kept.external_forces);
         }
         self.contact_energy = kept.contact_energy;
-        self.lifts.clone_from(&kept.lifts);
+        self.panel_pushes.clone_from(&kept.panel_pushes);
         self.parts.forces.clone_from(&kept.forces);
         self.parts.integrator.clone_from(&kept.integrator);
         self.grabs.clone_from(&kept.grabs);

@@ -1,4 +1,5 @@
-//! Forces: one file a force. A body is a [`ParticleState`](super::state::ParticleState) with a list of these.
+//! Forces: a file or a folder for each, beside what several share. A body is a
+//! [`ParticleState`](super::state::ParticleState) with a list of these.
 
 mod active_springs;
 mod air_drag;

@@ -110,6 +110,13 @@ lanes! {
     /// Eight particles, exact.
     Lanes8([f64; 8]), f64x8, 64, false
 }
+impl Lanes8 {
+    /// Four of them: the first ones, or the others.
+    #[inline(always)]
+    pub(crate) fn half<S: Simd>(&self, simd: S, half: usize) -> f64x4<S> {
+        f64x4::from_slice(simd, &self.0[LANES * half..LANES * (half + 1)])
+    }
+}
 lanes! {
     /// Eight particles, fast.
     Short8([f32; 8]), f32x8, 32, true

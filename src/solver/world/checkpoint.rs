@@ -16,7 +16,7 @@ pub struct Checkpoint {
     pub(super) panels: Vec<[f64; 2]>,
     pub(super) peaks: Vec<MeasureValue>,
     pub(super) contact_current: bool,
-    pub(super) lifts: Vec<f64>,
+    pub(super) panel_pushes: Vec<f64>,
     pub(super) work: DoneWork,
     pub(super) watch: Watch,
     pub(super) eased: Eased,
@@ -31,7 +31,7 @@ impl Checkpoint {
         let bodies: usize = self.bodies.iter().map(BodyCheckpoint::bytes).sum();
         let rest = size_of_val(&*self.panels)
             + size_of_val(&*self.peaks)
-            + size_of_val(&*self.lifts)
+            + size_of_val(&*self.panel_pushes)
             + size_of_val(&*self.work.on_bodies)
             + self.watch.bytes();
         size_of_val(self) + bodies + rest + self.eased.bytes() + self.grips.bytes()

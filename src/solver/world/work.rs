@@ -27,12 +27,12 @@ pub(super) struct OutsideWork {
 
 impl OutsideWork {
     /// Makes ready for a frame that begins at `time` [s], where nothing is known of the one before.
-    pub(super) fn begin(&mut self, bodies: &[Body], (panels, lifts): (&[Panel], &[f64]), time: f64) {
+    pub(super) fn begin(&mut self, bodies: &[Body], (panels, pushes): (&[Panel], &[f64]), time: f64) {
         self.done.on_bodies.resize(bodies.len(), WorkOnBody::default());
         if self.held.len() != bodies.len() {
             self.held = bodies.iter().map(|body| is_moved(body).then(|| OutsideBody::held_of(body))).collect();
             self.pushed = bodies.iter().map(|body| OutsideBody::pushed_of(body, time)).collect();
-            self.panels = now(panels, lifts);
+            self.panels = now(panels, pushes);
         }
     }
 
@@ -49,8 +49,8 @@ impl OutsideWork {
     }
 
     /// Adds what driven panels did in an outer step.
-    pub(super) fn add_panels(&mut self, panels: &[Panel], lifts: &[f64]) {
-        let now = now(panels, lifts);
+    pub(super) fn add_panels(&mut self, panels: &[Panel], pushes: &[f64]) {
+        let now = now(panels, pushes);
         for (panel, (a, b)) in panels.iter().zip(self.panels.iter().zip(&now)) {
             if panel.driven.is_some() {
                 self.done.by_panels -= 0.5 * (a[1] + b[1]) * (b[0] - a[0]);
@@ -91,6 +91,6 @@ impl OutsideWork {
     }
 }
 
-fn now(panels: &[Panel], lifts: &[f64]) -> Vec<[f64; 2]> {
-    panels.iter().zip(lifts).map(|(panel, &lift)| [panel.height, lift]).collect()
+fn now(panels: &[Panel], pushes: &[f64]) -> Vec<[f64; 2]> {
+    panels.iter().zip(pushes).map(|(panel, &push)| [panel.height, push]).collect()
 }

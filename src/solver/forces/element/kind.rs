@@ -3,14 +3,14 @@
 use super::bound::Bound;
 use super::contract::{Change, Element, Local, Slopes};
 use super::measured::MeasuredElement;
-use crate::solver::forces::fibre::elements::{CurvedBend, Edge, EdgeTwist, Pull, StraightBend};
+use crate::solver::forces::fibre::elements::{CurvedBend, Pull, StraightBend, Stretching, Twisting};
 use crate::solver::forces::sheet::elements::{Hinge, Triangle};
 
 /// The elements that are built in, and any other.
 #[derive(Clone)]
 pub(crate) enum Kind {
     /// Stretch of a fibre.
-    Edge(Edge),
+    Stretching(Stretching),
     /// Pull of a muscle.
     Pull(Pull),
     /// Bending of a fibre that is straight at rest.
@@ -18,7 +18,7 @@ pub(crate) enum Kind {
     /// Bending of one that is not.
     CurvedBend(CurvedBend),
     /// Twist of a fibre.
-    Twist(EdgeTwist),
+    Twist(Twisting),
     /// Stretch and shear of a sheet.
     Triangle(Triangle),
     /// Bending of a sheet.
@@ -52,7 +52,7 @@ impl Kind {
     /// The element that it is.
     pub(super) fn element(&self) -> &dyn Element {
         match self {
-            Self::Edge(of) => of,
+            Self::Stretching(of) => of,
             Self::Pull(of) => of,
             Self::StraightBend(of) => of,
             Self::CurvedBend(of) => of,
@@ -67,7 +67,7 @@ impl Kind {
 
     fn element_mut(&mut self) -> &mut dyn Element {
         match self {
-            Self::Edge(of) => of,
+            Self::Stretching(of) => of,
             Self::Pull(of) => of,
             Self::StraightBend(of) => of,
             Self::CurvedBend(of) => of,

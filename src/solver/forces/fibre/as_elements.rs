@@ -1,6 +1,6 @@
 //! Fibres element by element.
 
-use super::elements::{CurvedBend, Edge, EdgeTwist, Pull, StraightBend};
+use super::elements::{CurvedBend, Pull, StraightBend, Stretching, Twisting};
 use super::muscle::Muscle;
 use super::rest::FibreRest;
 use crate::solver::forces::element::{ElementForce, Kind, Structure};
@@ -9,10 +9,10 @@ use glam::{DQuat, DVec3};
 impl FibreRest {
     /// Stretch of edge `k`, which rests at a length [m], has become longer by another for good, and is this share as
     /// stiff.
-    pub(super) fn edge(&self, k: usize, [rest, yielded]: [f64; 2], share: f64) -> Edge {
+    pub(super) fn edge(&self, k: usize, [rest, yielded]: [f64; 2], share: f64) -> Stretching {
         let (points, (whole, drawn)) = ([k as u32, k as u32 + 1], self.edges[k]);
         let stiffness = share * whole;
-        Edge { points, stiffness, drawn, contract: 0.0, rest, yielded }
+        Stretching { points, stiffness, drawn, contract: 0.0, rest, yielded }
     }
 
     /// Pull of edge `k` by a muscle that is excited so far, and this share as strong.
@@ -43,7 +43,7 @@ impl FibreRest {
         let (length, binormal, wanted) = (self.lengths_at(time), self.binormals_at(time), self.twists_at(time));
         let [edges, bends] = self.thicknesses_at(time);
         let mut elements: Vec<Kind> = Vec::new();
-        elements.extend((0..self.edges.len()).map(|k| Kind::Edge(self.edge(k, [length(k), 0.0], edges(k)))));
+        elements.extend((0..self.edges.len()).map(|k| Kind::Stretching(self.edge(k, [length(k), 0.0], edges(k)))));
         if let Some((muscle, excited)) = self.activation.as_ref().and_then(|of| of.excitations(time)) {
             elements.extend((0..self.edges.len()).map(|k| Kind::Pull(self.pull(k, muscle, excited(k), edges(k)))));
         }
@@ -51,7 +51,7 @@ impl FibreRest {
         let twists = self.twist.iter().flat_map(|twist| twist.edges.iter().enumerate());
         elements.extend(twists.map(|(k, of)| {
             let (points, stiffness, axis) = ([k as u32, k as u32 + 1], edges(k) * of.stiffness, of.axis);
-            Kind::Twist(EdgeTwist { points, stiffness, axis, wanted: wanted(k), rest: wanted(k) })
+            Kind::Twist(Twisting { points, stiffness, axis, wanted: wanted(k), rest: wanted(k) })
         }));
         Structure::new("", self.vertices.clone(), turns, elements)
     }

@@ -103,6 +103,28 @@ impl<const N: usize> BandMatrix<N> {
         sums
     }
 
+    /// [`Self::sums`], both halves of which are added: one after the other, so that the sums of several kinds of weight
+    /// stay in sixteen registers.
+    #[inline(always)]
+    fn sums_by_halves<S: Simd>(&self, simd: S, point: usize, blocks: &[BlockVectors]) -> [Vec3x<f64x4<S>>; N] {
+        let (columns, weights) = self.points.row(point);
+        let blocks = &blocks[columns];
+        let mut added = [Vec3x::splat(f64x4::splat(simd, 0.0)); N];
+        for half in 0..2 {
+            let mut sums = [Vec3x::splat(f64x4::splat(simd, 0.0)); N];
+            for (weights, [x, y, z]) in weights.iter().zip(blocks) {
+                let at = Vec3x([x.half(simd, half), y.half(simd, half), z.half(simd, half)]);
+                for kind in 0..N {
+                    sums[kind] = at.mul_add(weights[kind].half(simd, half), sums[kind]);
+                }
+            }
+            for kind in 0..N {
+                added[kind] += sums[kind];
+            }
+        }
+        added
+    }
+
     /// [`Self::gather`] of four points from one on, those that there are, by the components of every kind.
     #[inline(always)]
     pub(super) fn gather_four<S: Simd>(
@@ -115,11 +137,10 @@ impl<const N: usize> BandMatrix<N> {
         let zero = f64x4::splat(simd, 0.0);
         let mut halves = [[[zero; LANES]; 3]; N];
         for lane in 0..LANES.min(self.points.rows.len() - first) {
-            let sums = self.sums(simd, first + lane, blocks);
+            let sums = self.sums_by_halves(simd, first + lane, blocks);
             for kind in 0..N {
                 for c in 0..3 {
-                    let (low, high) = simd.split_f64x8(sums[kind][c]);
-                    halves[kind][c][lane] = low + high;
+                    halves[kind][c][lane] = sums[kind][c];
                 }
             }
         }

@@ -9,7 +9,7 @@ use glam::{DMat3, DVec3};
 
 /// Stretch of an edge, `k/2 (|e| - l)²`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Edge {
+pub(crate) struct Stretching {
     /// Its ends.
     pub(crate) points: [u32; 2],
     /// `l_f EA / l0` [N/m].
@@ -24,7 +24,7 @@ pub(crate) struct Edge {
     pub(crate) yielded: f64,
 }
 
-impl Element for Edge {
+impl Element for Stretching {
     fn points(&self) -> &[u32] {
         &self.points
     }
@@ -190,7 +190,7 @@ impl Element for CurvedBend {
 
 /// Twist of an edge, `k/2 (theta - theta0)²`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct EdgeTwist {
+pub(crate) struct Twisting {
     /// Its ends.
     pub(crate) points: [u32; 2],
     /// `l_f GJ / l0` [N m].
@@ -203,7 +203,7 @@ pub(crate) struct EdgeTwist {
     pub(crate) rest: f64,
 }
 
-impl Element for EdgeTwist {
+impl Element for Twisting {
     fn points(&self) -> &[u32] {
         &self.points
     }

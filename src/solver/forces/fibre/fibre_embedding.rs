@@ -12,11 +12,11 @@ pub(super) struct FibreEmbedding {
     pub(super) vertices: BandMatrix<1>,
     /// Of every curved bend, by the components of `om_k Z_k`.
     pub(super) turns: BandMatrix<3>,
-    pub(super) curved: Vec<CurvedBend>,
+    pub(super) curved: Vec<EmbeddedBend>,
 }
 
 /// A bend whose rest shape is curved.
-pub(super) struct CurvedBend {
+pub(super) struct EmbeddedBend {
     /// Its number among all bends.
     pub(super) bend: usize,
     /// Number of its corner among the packed rods'.
@@ -41,7 +41,7 @@ impl FibreEmbedding {
             for (k, bend) in fibre.bends.iter().enumerate() {
                 if let Some(CurvedRest { binormal, turn }) = &bend.curved {
                     let (bend, stiffness) = (first_bend + k, bend.stiffness);
-                    curved.push(CurvedBend { bend, corner: first + k, stiffness, binormal: *binormal });
+                    curved.push(EmbeddedBend { bend, corner: first + k, stiffness, binormal: *binormal });
                     turns.add(&index, turn.weights.iter().map(|&(particle, z)| (particle, z.to_array())));
                 }
             }

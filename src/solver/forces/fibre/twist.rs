@@ -12,7 +12,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 /// Twist of one edge at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct EdgeTwist {
+pub(super) struct TwistRest {
     /// `l_f GJ / l0` [N m].
     pub(super) stiffness: f64,
     /// Direction at rest, model frame.
@@ -25,7 +25,7 @@ pub(crate) struct FibreTwist {
     /// How the turn of the material is read at every vertex.
     pub(super) turns: Vec<TurnWeights>,
     /// Of every edge.
-    pub(super) edges: Vec<EdgeTwist>,
+    pub(super) edges: Vec<TwistRest>,
 }
 
 impl FibreTwist {
@@ -34,7 +34,7 @@ impl FibreTwist {
     pub(crate) fn new(turns: Vec<TurnWeights>, x: &[DVec3], gj: f64) -> Self {
         let edge = |ends: &[DVec3]| {
             let length = ends[0].distance(ends[1]);
-            EdgeTwist { stiffness: gj / length, axis: (ends[1] - ends[0]) / length }
+            TwistRest { stiffness: gj / length, axis: (ends[1] - ends[0]) / length }
         };
         Self { turns, edges: x.windows(2).map(edge).collect() }
     }
